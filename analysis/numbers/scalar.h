@@ -1,0 +1,66 @@
+#pragma once
+/// \file
+/// What the kinematic templates ask of a number type besides + - * / and comparison, for plain floating-point types.
+/// Dual numbers add their own overloads in dual.h and second_dual.h; a batch or interval type would do the same.
+
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+
+namespace mechwright {
+
+/// The number below all derivatives: what comparisons and branches look at.
+template <class T>
+constexpr const T& value_of(const T& x) {
+    return x;
+}
+
+/// `yes` where the condition holds, else `no`. Branches in formulas are written with it, so that a batch of numbers
+/// can answer lane by lane.
+template <class T>
+constexpr T select(bool condition, const T& yes, const T& no) {
+    return condition ? yes : no;
+}
+
+/// pi to the precision of T.
+template <class T>
+T pi() {
+    if constexpr (std::is_same_v<T, double>) {
+        return std::numbers::pi;
+    } else {
+        using std::atan2;
+        return atan2(T(0), T(-1));
+    }
+}
+
+namespace detail {
+
+struct TwoSum {
+    double sum;
+    double error;
+};
+
+/// Knuth's error-free sum: sum + error == a + b exactly.
+inline TwoSum two_sum(double a, double b) {
+    const double sum = a + b;
+    const double b_part = sum - a;
+    return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+}  // namespace detail
+
+/// (a + b) - (c + d) with one compensation pass. This is the shape of every Grashof margin; written out plainly it
+/// loses all digits where the margin is small against the lengths.
+template <class T>
+T sum_difference(const T& a, const T& b, const T& c, const T& d) {
+    if constexpr (std::is_same_v<T, double>) {
+        const auto [left, left_error] = detail::two_sum(a, b);
+        const auto [right, right_error] = detail::two_sum(c, d);
+        const auto [difference, error] = detail::two_sum(left, -right);
+        return difference + (error + (left_error - right_error));
+    } else {
+        return (a + b) - (c + d);
+    }
+}
+
+}  // namespace mechwright

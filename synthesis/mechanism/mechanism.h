@@ -1,0 +1,161 @@
+#pragma once
+/// \file
+/// What the rest of the program knows of a mechanism: the names of its dimensions and quantities, and functions that
+/// measure them. One registry entry per mechanism is the only place where those names stand; the reader, the messages,
+/// the command line's lists and the results all read it from here.
+
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/geometry/vector.h"
+
+namespace mechwright {
+
+/// Fifty decimal digits: what verification computes with.
+using Digits50 =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+
+enum class DimensionKind {
+    length,      ///< > 0
+    coordinate,  ///< a length of either sign
+    angle        ///< radians, of either sign
+};
+
+struct Dimension {
+    std::string_view name;
+    DimensionKind kind;
+    bool required;  ///< if not, and not named in a problem file, it is 0
+    std::string_view meaning;
+};
+
+enum class Unit { none, length, area, angle };
+
+/// The discrete data of a design and the motion over which it is judged.
+struct Motion {
+    std::size_t assembly = 0;  ///< index into Mechanism::assemblies
+    std::size_t family = 0;    ///< index into Mechanism::families
+    bool full_turn = true;
+    double from = 0;  ///< crank angles in radians; for a full turn 0 and 2 pi
+    double to = 0;
+};
+
+/// Where a measure writes its smooth components. Derivatives are with respect to the first `reads` dimensions of the
+/// mechanism; an empty span is not asked for and costs nothing.
+struct Measurement {
+    std::span<double> value;     ///< [component]
+    std::span<double> gradient;  ///< [component][dimension]
+    std::span<double> hessian;   ///< [component][pair], lower triangle by rows
+};
+
+/// How a quantity follows from its components. Each component is smooth in the dimensions; the quantity itself need not
+/// be, so optimisers are given the components.
+enum class Reduce { only, least, greatest };
+
+/// What a quantity says of a coupler path, if it does.
+enum class PathMeasure { none, sum_of_squares, root_mean_square, greatest };
+
+struct Quantity {
+    std::string_view name;
+    Unit unit;
+    std::string_view meaning;
+    Reduce reduce = Reduce::only;
+    std::size_t reads = 0;  ///< how many of the first dimensions it depends on
+
+    /// Whether it has a value for designs of this motion's family. What is not defined cannot be required there.
+    bool (*defined)(const Motion&) = nullptr;
+    /// How many components it has over this motion; at most `most_components`.
+    std::size_t (*components)(const Motion&) = nullptr;
+    /// Components by the formulas the optimisers use. `dimensions` are in mechanism order, at least `reads` of them.
+    void (*measure)(const Motion&, std::span<const double> dimensions, const Measurement& out) = nullptr;
+    /// The quantity measured again over the continuous motion in extended precision, by another way than `measure`.
+    Digits50 (*measure_again)(const Motion&, std::span<const Digits50> dimensions) = nullptr;
+
+    PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
+
+    static constexpr std::size_t most_components = 12;
+};
+
+/// A linear condition on the dimensions: sum of coefficient[i] dimension[i] >= 0.
+struct LinearCondition {
+    std::string_view name;
+    std::vector<double> coefficients;
+};
+
+/// A kind of motion that designs can have: with all its conditions met a design has that motion at every crank angle.
+struct Family {
+    std::string_view name;
+    bool full_turn;
+    std::vector<LinearCondition> conditions;
+    /// Components that must all be >= 0 for the design to assemble over a limited range; null for a full turn, where the
+    /// conditions say it all.
+    const Quantity* assembly_margin = nullptr;
+};
+
+/// The distance from a target to the point that the mechanism guides, at a crank angle; derivatives with respect to the
+/// first `path_reads` dimensions, then the crank angle.
+struct PathMiss {
+    Vector<double> miss;          ///< target - point
+    double margin;                ///< assembly margin: < 0 where the mechanism does not assemble; then miss is that of the nearest toggle
+    std::span<double> gradient_x; ///< path_reads + 1 each, or empty
+    std::span<double> gradient_y;
+    std::span<double> hessian_x;  ///< lower triangles by rows, or empty
+    std::span<double> hessian_y;
+};
+
+struct Check {
+    std::string name;
+    bool passed;
+    std::string detail;  ///< what was found, with numbers
+};
+
+struct Mechanism {
+    std::string_view name;
+    std::string_view meaning;
+    std::span<const Dimension> dimensions;
+    std::span<const std::string_view> assemblies;  ///< first is the default
+    std::span<const Quantity> quantities;
+    std::span<const Family> families;
+
+    /// The motion of a finished design: its family, and the given crank range or else the full turn or the whole
+    /// assembled range. A design that does not assemble anywhere has from > to.
+    Motion (*motion)(std::span<const double> dimensions, std::size_t assembly, const double* crank_range) = nullptr;
+    /// In one phrase what kind of linkage the dimensions make ("crank-rocker", change points named).
+    std::string (*describe)(std::span<const double> dimensions) = nullptr;
+    /// Checks of assembly, circuit and branch over the whole motion, in extended precision.
+    std::vector<Check> (*check_motion)(const Motion&, std::span<const Digits50> dimensions) = nullptr;
+
+    /// Path guidance; `path_reads` is 0 for mechanisms without it.
+    std::size_t path_reads = 0;
+    std::size_t path_start = 0;  ///< which dimension is the crank angle that prescribed angles are counted from
+    void (*path_miss)(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
+                      const Vector<double>& target, PathMiss& out) = nullptr;
+    Vector<Digits50> (*path_point)(std::size_t assembly, std::span<const Digits50> dimensions,
+                                   const Digits50& crank_angle) = nullptr;
+
+    /// The motion as a table: column names, and one row at a crank angle.
+    std::span<const std::string_view> motion_columns;
+    std::span<const Unit> motion_units;
+    /// Returns false where the mechanism does not assemble.
+    bool (*motion_row)(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
+                       std::span<double> row) = nullptr;
+};
+
+/// Every mechanism there is, in the order in which they are listed.
+std::span<const Mechanism* const> mechanisms();
+
+/// The mechanism of this name, or null.
+const Mechanism* find_mechanism(std::string_view name);
+
+/// The index of a dimension or quantity of this name, or -1.
+int find_dimension(const Mechanism& mechanism, std::string_view name);
+int find_quantity(const Mechanism& mechanism, std::string_view name);
+
+/// The candidate closest to a misspelt name by edit distance, or empty if none is close enough to be meant.
+std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates);
+
+}  // namespace mechwright

@@ -1,0 +1,82 @@
+#pragma once
+/// \file
+/// A problem file as plain values: angles in radians, lengths as in the file, quantities and dimensions as indices into
+/// the registry of the mechanism. After reading, nothing else of the file is looked at.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/geometry/vector.h"
+#include "synthesis/mechanism/mechanism.h"
+
+namespace mechwright {
+
+struct Units {
+    bool degrees = true;          ///< else radians
+    std::string length = "mm";    ///< a label; lengths are never converted
+};
+
+/// One dimension: a fixed number, or a range to be designed in.
+struct DimensionRange {
+    double min = 0;
+    double max = 0;
+    std::optional<double> start;
+    bool named = false;  ///< stands in the file; else the default 0
+
+    bool fixed() const { return min == max; }
+};
+
+struct Requirement {
+    std::size_t quantity = 0;  ///< index into Mechanism::quantities
+    std::optional<double> equal;
+    std::optional<double> min;
+    std::optional<double> max;
+};
+
+struct ObjectiveTerm {
+    std::size_t quantity = 0;
+    bool maximize = false;
+    double weight = 1;
+};
+
+/// One term; or several, summed with their weights; or several of one sense whose worst is optimised.
+struct Objective {
+    std::vector<ObjectiveTerm> terms;
+    bool worst = false;  ///< reduce = "max": the largest of minimized, the least of maximized terms counts
+};
+
+struct PathTarget {
+    std::vector<Vector<double>> points;
+    bool prescribed_timing = false;
+    std::vector<double> crank_angles;  ///< for prescribed timing: one per point, counted from crank-start; radians
+    bool closed = false;
+    std::vector<double> weights;  ///< one per point, all 1 unless given
+};
+
+struct SolverOptions {
+    std::string method = "auto";
+    int starts = 32;
+    std::uint64_t seed = 1;
+    double time_limit = 60;  ///< seconds
+    double tolerance = 1e-9;
+};
+
+struct Problem {
+    std::string file;    ///< as given on the command line
+    std::string sha256;  ///< of the file's bytes
+    std::string title;
+    const Mechanism* mechanism = nullptr;
+    Units units;
+    std::vector<DimensionRange> dimensions;  ///< in mechanism order, all of them
+    std::vector<std::size_t> assemblies;     ///< those to be searched, indices into Mechanism::assemblies
+    std::vector<Requirement> requirements;
+    std::optional<Objective> objective;
+    std::optional<PathTarget> path;
+    std::optional<Vector<double>> crank_range;  ///< (from, to), radians
+    SolverOptions solver;
+};
+
+}  // namespace mechwright

@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// What a method finds and what the user gets.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synthesis/problem/problem.h"
+
+namespace mechwright {
+
+/// A fully dimensioned mechanism. Lengths in the problem's unit, angles in radians.
+struct Design {
+    std::vector<double> dimensions;  ///< in mechanism order
+    std::size_t assembly = 0;
+    std::vector<double> path_angles;  ///< crank angle at each target point; empty without a path
+};
+
+/// A design with what it is worth, evaluated by us and not by the solver that proposed it.
+struct Solution {
+    Design design;
+    double objective = 0;  ///< in the user's sense and unit; 0 without an objective
+    double violation = 0;  ///< the largest relative violation of a requirement, range or condition of motion
+    bool feasible = false; ///< violation within the problem's tolerance
+};
+
+enum class Status { solved, infeasible, limit, unverified, interrupted };
+
+struct SearchReport {
+    std::string method;
+    bool complete = false;     ///< the method proves its answer
+    std::string argument;      ///< by what argument
+    int starts = 0;            ///< local searches run
+    int local_optima = 0;      ///< distinct feasible local optima found
+    int hits = 0;              ///< starts that ended at the best one
+    double missed_chance = 1;  ///< estimated chance that a better local optimum was not seen
+    long evaluations = 0;      ///< of the program's functions, over all local searches
+    double seconds = 0;
+};
+
+struct Result {
+    Status status = Status::infeasible;
+    std::optional<Solution> best;         ///< the least-violating one if not feasible
+    std::vector<Solution> alternatives;   ///< other local optima, best first
+    std::vector<Check> verification;
+    SearchReport search;
+    std::string note;  ///< one sentence for the user where the status needs one
+
+    bool verified() const;
+};
+
+}  // namespace mechwright

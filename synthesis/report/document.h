@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The result document: everything there is to say about a run, as JSON. All angles are in the file's unit.
+///
+/// Members, in this order (those in brackets only where they apply):
+///   schema         1
+///   problem        file, sha256, title, mechanism
+///   program        version, libraries (ipopt, nlopt, eigen)
+///   units          angle ("deg" | "rad"), length
+///   status         "solved" | "infeasible" | "limit" | "unverified" | "interrupted"
+///   [note]         one sentence
+///   tolerance      relative, on every requirement
+///   dimensions     what was given: name -> number (fixed) or {min, max}; only those named in the file
+///   [crank_range]  [from, to] if the file limits the motion
+///   [design]       every dimension by name (optional ones only if named in the file or not 0), assembly, then
+///                  kind ("crank-rocker", ...)
+///   [objective]    quantity, sense, value; for several: terms [{quantity, sense, weight, value}], reduce, value
+///   [requirements] [{quantity, value, equal | min and/or max, violation (relative), active}]
+///   [quantities]   name -> value, every quantity of the mechanism that is defined for the design
+///   [path]         points, timing, closed, [weights], [prescribed_angles], reached, crank_angles, distances
+///   [verification] passed, checks [{name, passed, detail}]
+///   alternatives   [{design, objective, [path_angles]}]
+///   search         method, complete, [argument], starts, local_optima, hits, missed_chance, evaluations, seed, seconds
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+/// The document of a result. Verification is included as far as the result has it.
+nlohmann::ordered_json document(const Problem& problem, const Result& result);
+
+/// The value of a quantity of a finished design, or nothing where it is not defined (see Quantity::defined) or the
+/// design does not assemble.
+std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design);
+
+}  // namespace mechwright
