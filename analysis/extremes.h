@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Stationary points of a measure along a motion: every bracket found, each polished to rounding; and the derivatives of
-/// the extreme value with respect to the design, by the envelope theorem.
+/// Stationary points of a measure along a motion: every bracket found, each polished to rounding; and the derivatives
+/// of the extreme value with respect to the design, by the envelope theorem.
 
 #include <cmath>
 #include <cstddef>
@@ -18,6 +18,7 @@ template <class T, class Function>
 T zero_between(const Function& g, T a, T b, T ga, T gb) {
     using std::abs;
     const T rounding = std::numeric_limits<T>::epsilon();
+    const T floor = rounding * abs(b - a);  // of the scale of a zero at zero itself, which has no relative rounding
     T c = a, gc = ga;
     T t(0.5);
     while (true) {
@@ -35,7 +36,7 @@ T zero_between(const Function& g, T a, T b, T ga, T gb) {
         a = x;
         ga = gx;
         const T best = abs(ga) < abs(gb) ? a : b;
-        const T least = rounding * abs(best) / abs(b - a);
+        const T least = rounding * (abs(best) > floor ? abs(best) : floor) / abs(b - a);
         if (ga == T(0) || !(least < T(0.5))) return best;
         const T xi = (a - b) / (c - b);
         const T phi = (ga - gb) / (gc - gb);
@@ -48,53 +49,65 @@ T zero_between(const Function& g, T a, T b, T ga, T gb) {
     }
 }
 
-/// Reports to `found(x)` the zeros of `g` between neighbouring grid points (increasing): every change of sign, and pairs
-/// of zeros between points where |g| dips without changing sign.
+/// The dip of |g| around `middle`, where g has one sign at all three points and is least in size at the middle one:
+/// reports the pair of zeros in it, if there is one. Parabolas through the lowest three points, until g changes sign or
+/// |g| falls no more.
+template <class Function, class Found>
+void zeros_in_dip(const Function& g, double left, double middle, double right, double g_left, double g_middle,
+                  double g_right, const Found& found) {
+    const double start = left, end = right, g_start = g_left, g_end = g_right;
+    for (int idle = 0; idle < 3;) {
+        const double p = (middle - left) * (g_middle - g_right);
+        const double q = (middle - right) * (g_middle - g_left);
+        double x = middle - 0.5 * ((middle - left) * p - (middle - right) * q) / (p - q);
+        if (!(x > left && x < right) || x == middle)
+            x = 0.5 * (middle + (right - middle > middle - left ? right : left));
+        const double gx = g(x);
+        if ((gx > 0) != (g_middle > 0)) {
+            found(zero_between<double>(g, start, x, g_start, gx));
+            found(zero_between<double>(g, x, end, gx, g_end));
+            return;
+        }
+        if (!(std::abs(gx) < 0.9 * std::abs(g_middle))) ++idle;
+        if (std::abs(gx) < std::abs(g_middle)) {
+            (x > middle ? left : right) = middle;
+            (x > middle ? g_left : g_right) = g_middle;
+            middle = x;
+            g_middle = gx;
+        } else {
+            (x > middle ? right : left) = x;
+            (x > middle ? g_right : g_left) = gx;
+        }
+    }
+}
+
+/// Reports to `found(x)` the zeros of `g` between neighbouring grid points, in increasing order: every change of sign,
+/// and pairs of zeros between points where |g| dips without changing sign. Points where g is not finite bracket
+/// nothing.
 template <class Function, class Found>
 void zeros_on_grid(const Function& g, std::span<const double> grid, const Found& found) {
-    if (grid.size() < 2) return;
-    const auto between = [&](double a, double b, double ga, double gb) {
-        if (ga == 0) return;  // reported as the end of the interval before, or as a grid point
-        if (gb == 0)
-            found(b);
-        else if ((ga > 0) != (gb > 0))
-            found(zero_between<double>(g, a, b, ga, gb));
+    struct Sample {
+        double x, g;
     };
-    double x0 = grid[0], x1 = grid[1];
-    double g0 = g(x0), g1 = g(x1);
-    if (g0 == 0) found(x0);
-    between(x0, x1, g0, g1);
-    for (std::size_t i = 2; i < grid.size(); ++i) {
-        const double x2 = grid[i];
-        const double g2 = g(x2);
-        const bool one_sign = (g0 > 0) == (g1 > 0) && (g1 > 0) == (g2 > 0) && g1 != 0;
-        if (one_sign && std::abs(g1) <= std::abs(g0) && std::abs(g1) <= std::abs(g2)) {
-            // Golden-section descent on |g| until it changes sign or the dip is resolved.
-            constexpr double golden = 0.3819660112501051;
-            double left = x0, middle = x1, right = x2, lowest = std::abs(g1);
-            for (int k = 0; k < 60; ++k) {
-                const bool right_wider = right - middle > middle - left;
-                const double x = right_wider ? middle + golden * (right - middle) : middle - golden * (middle - left);
-                const double gx = g(x);
-                if ((gx > 0) != (g1 > 0)) {
-                    found(zero_between<double>(g, x0, x, g0, gx));
-                    found(zero_between<double>(g, x, x2, gx, g2));
-                    break;
-                }
-                if (std::abs(gx) < lowest) {
-                    (right_wider ? left : right) = middle;
-                    middle = x;
-                    lowest = std::abs(gx);
-                } else {
-                    (right_wider ? right : left) = x;
-                }
-            }
+    const auto sample = [&](double x) { return Sample{x, g(x)}; };
+    const auto one_sign = [](const Sample& a, const Sample& b) {
+        return std::isfinite(a.g) && std::isfinite(b.g) && a.g != 0 && b.g != 0 && (a.g > 0) == (b.g > 0);
+    };
+    if (grid.empty()) return;
+    Sample before{}, last = sample(grid[0]);
+    if (last.g == 0) found(last.x);
+    for (std::size_t i = 1; i < grid.size(); ++i) {
+        const Sample next = sample(grid[i]);
+        if (next.g == 0) {
+            found(next.x);
+        } else if (std::isfinite(last.g) && std::isfinite(next.g) && last.g != 0 && (last.g > 0) != (next.g > 0)) {
+            found(zero_between<double>(g, last.x, next.x, last.g, next.g));
+        } else if (i >= 2 && one_sign(before, last) && one_sign(last, next) && std::abs(last.g) <= std::abs(before.g) &&
+                   std::abs(last.g) <= std::abs(next.g)) {
+            zeros_in_dip(g, before.x, last.x, next.x, before.g, last.g, next.g, found);
         }
-        between(x1, x2, g1, g2);
-        x0 = x1;
-        g0 = g1;
-        x1 = x2;
-        g1 = g2;
+        before = last;
+        last = next;
     }
 }
 

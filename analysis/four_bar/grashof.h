@@ -26,7 +26,7 @@ enum class FourBarClass {
 /// them is then p + q - s - l.
 template <class T>
 struct FullTurnMargins {
-    T ground_longest;   ///< or the crank, where the ground link is the shortest
+    T ground_longest;  ///< or the crank, where the ground link is the shortest
     T coupler_longest;
     T rocker_longest;
 };
@@ -63,16 +63,22 @@ struct Grashof {
     bool kite;           ///< adjacent links are equal in pairs (deltoid)
 };
 
+/// How much the three shorter links together exceed the longest. Negative: no assembly at any crank angle.
+template <class T>
+T closing_margin(const FourBar<T>& m) {
+    std::array<T, 4> length{m.ground, m.crank, m.coupler, m.rocker};
+    std::sort(length.begin(), length.end(), [](const T& a, const T& b) { return a < b; });
+    return sum_difference(length[1], length[2], length[3], T(-length[0]));
+}
+
 /// Classifies a linkage by the signs of exact margins; no tolerance enters.
 template <class T>
 Grashof classify(const FourBar<T>& m) {
     const T margin = grashof_margin(m);
     const bool parallelogram = m.ground == m.coupler && m.crank == m.rocker;
     const bool kite = (m.ground == m.crank && m.coupler == m.rocker) || (m.ground == m.rocker && m.crank == m.coupler);
-    const T longest = std::max({m.ground, m.crank, m.coupler, m.rocker});
-    const bool closes = longest <= (m.ground + m.crank + m.coupler + m.rocker) - longest;
     FourBarClass kind = FourBarClass::triple_rocker;
-    if (!closes) {
+    if (closing_margin(m) < T(0)) {
         kind = FourBarClass::open_chain;
     } else if (margin >= T(0)) {
         const T shortest = std::min({m.ground, m.crank, m.coupler, m.rocker});

@@ -14,7 +14,8 @@ namespace mechwright {
 
 namespace detail {
 
-/// The four factors of the two limit triangles that can be small, and the four that cannot.
+/// The eight factors of the two limit triangles. Those that are small for a small crank exceed a margin by two cranks,
+/// and are computed so: they keep their digits.
 template <class T>
 struct LimitTriangles {
     FullTurnMargins<T> margin;
@@ -27,19 +28,22 @@ struct LimitTriangles {
 
 template <class T>
 LimitTriangles<T> limit_triangles(const FourBar<T>& m) {
+    const auto margin = crank_rocker_margins(m);
+    const T two_cranks = T(2) * m.crank;
     const T perimeter = (m.ground + m.crank) + (m.coupler + m.rocker);
-    return {crank_rocker_margins(m),
-            (m.crank + m.coupler) - (m.ground - m.rocker),
-            (m.ground + m.crank) - (m.coupler - m.rocker),
-            (m.ground + m.crank) - (m.rocker - m.coupler),
-            (m.ground + m.coupler) - (m.crank - m.rocker),
+    return {margin,
+            margin.ground_longest + two_cranks,
+            margin.coupler_longest + two_cranks,
+            margin.rocker_longest + two_cranks,
+            perimeter - two_cranks,
             perimeter};
 }
 
 /// At A0, from the ground link to the rocker pin, crank and coupler extended.
 template <class T>
 HalfAngle<T> extended_at_crank(const LimitTriangles<T>& k) {
-    return {root_or_zero(T(k.margin.coupler_longest * k.without_ground)), root_or_zero(T(k.perimeter * k.without_rocker))};
+    return {root_or_zero(T(k.margin.coupler_longest * k.without_ground)),
+            root_or_zero(T(k.perimeter * k.without_rocker))};
 }
 
 /// The same with crank and coupler folded over each other.
@@ -52,7 +56,8 @@ HalfAngle<T> folded_at_crank(const LimitTriangles<T>& k) {
 /// At B0, between ground link and rocker, crank and coupler extended.
 template <class T>
 HalfAngle<T> extended_at_rocker(const LimitTriangles<T>& k) {
-    return {root_or_zero(T(k.without_ground * k.without_rocker)), root_or_zero(T(k.perimeter * k.margin.coupler_longest))};
+    return {root_or_zero(T(k.without_ground * k.without_rocker)),
+            root_or_zero(T(k.perimeter * k.margin.coupler_longest))};
 }
 
 /// The same with crank and coupler folded over each other.
@@ -60,6 +65,20 @@ template <class T>
 HalfAngle<T> folded_at_rocker(const LimitTriangles<T>& k) {
     return {root_or_zero(T(k.margin.ground_longest * k.margin.rocker_longest)),
             root_or_zero(T(k.without_crank * k.without_coupler))};
+}
+
+/// At B, between coupler and rocker, crank and coupler extended: the transmission angle.
+template <class T>
+HalfAngle<T> extended_transmission(const LimitTriangles<T>& k) {
+    return {root_or_zero(T(k.margin.coupler_longest * k.without_rocker)),
+            root_or_zero(T(k.perimeter * k.without_ground))};
+}
+
+/// The same with crank and coupler folded over each other.
+template <class T>
+HalfAngle<T> folded_transmission(const LimitTriangles<T>& k) {
+    return {root_or_zero(T(k.margin.rocker_longest * k.without_coupler)),
+            root_or_zero(T(k.margin.ground_longest * k.without_crank))};
 }
 
 }  // namespace detail
@@ -84,13 +103,10 @@ LimitPositions<T> limit_positions(const FourBar<T>& m, Assembly assembly) {
     const auto k = detail::limit_triangles(m);
     const T side(side_of(assembly));
     // At a limit the coupler lies along the line A0-B, so the transmission angle is the third angle of the triangle.
-    const auto third = [](const HalfAngle<T>& a, const HalfAngle<T>& b) { return pi<T>() - angle(a) - angle(b); };
-    const auto ea = detail::extended_at_crank(k);
-    const auto eb = detail::extended_at_rocker(k);
-    const auto fa = detail::folded_at_crank(k);
-    const auto fb = detail::folded_at_rocker(k);
-    return {{side * angle(ea), side * angle(supplement(eb)), third(ea, eb)},
-            {pi<T>() + side * angle(fa), side * angle(supplement(fb)), third(fa, fb)}};
+    return {{side * angle(detail::extended_at_crank(k)), side * angle(supplement(detail::extended_at_rocker(k))),
+             angle(detail::extended_transmission(k))},
+            {pi<T>() + side * angle(detail::folded_at_crank(k)), side * angle(supplement(detail::folded_at_rocker(k))),
+             angle(detail::folded_transmission(k))}};
 }
 
 /// The angle through which the rocker of a crank-rocker swings, in (0, pi). Precondition as limit_positions.
@@ -106,11 +122,20 @@ T swing(const FourBar<T>& m) {
 }
 
 /// How much more than half a turn the crank makes from the extended to the folded limit when an open linkage turns
-/// counter-clockwise (radians, signed). The other stroke takes pi less this angle.
+/// counter-clockwise (radians, signed). The other stroke takes pi less this angle. Precondition as limit_positions.
+///
+/// The difference of the two angles at A0. With s, c the half angles scaled by the sides, (s_f c_e)^2 - (c_f s_e)^2 =
+/// 8 ground crank (coupler^2 + rocker^2 - ground^2 - crank^2), which gives s_f c_e - c_f s_e by the sum of the two.
 template <class T>
 T stroke_excess(const FourBar<T>& m) {
+    using std::atan2;
     const auto k = detail::limit_triangles(m);
-    return angle_between(detail::folded_at_crank(k), detail::extended_at_crank(k));
+    const auto e = detail::extended_at_crank(k);
+    const auto f = detail::folded_at_crank(k);
+    const T crossed = f.sine * e.cosine + f.cosine * e.sine;
+    if (!(crossed > T(0))) return T(0);  // both limits lie on the ground line
+    const T squares = (m.coupler - m.ground) * (m.coupler + m.ground) + (m.rocker - m.crank) * (m.rocker + m.crank);
+    return T(2) * atan2(T(8) * m.ground * m.crank * squares / crossed, f.cosine * e.cosine + f.sine * e.sine);
 }
 
 /// Where the crank can be: a full turn, or from `from` to `to` (radians, counter-clockwise).
@@ -135,8 +160,8 @@ CrankRange<T> assembled_range(const FourBar<T>& m) {
     const bool stretches = at_pi.stretch < T(0);
     if (!folds && !stretches) return {true, T(0), T(2) * pi<T>()};
     const T product = T(4) * m.ground * m.crank;
-    // sin^2(theta/2) product = (d - |ground - crank|)(d + |ground - crank|) at the limiting diagonal d, and likewise for
-    // the cosine; the small factors are the margins at 0 and pi.
+    // sin^2(theta/2) product = (d - |ground - crank|)(d + |ground - crank|) at the limiting diagonal d, and likewise
+    // for the cosine; the small factors are the margins at 0 and pi.
     const auto limit = [&](const T& d, const T& above_zero, const T& below_pi) {
         const T sine_square = above_zero * (d + at_zero.diagonal) / product;
         const T cosine_square = below_pi * (d + at_pi.diagonal) / product;

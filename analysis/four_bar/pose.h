@@ -4,8 +4,9 @@
 ///
 /// With d the diagonal from crank pin A to rocker pivot B0, the dyad of coupler and rocker closes where
 /// |coupler - rocker| <= d <= coupler + rocker. Both distances to these limits are computed without cancellation
-/// (derivation: subtract (coupler +- rocker) from d^2 = (ground - crank)^2 + 4 ground crank sin^2(theta/2)), and every
-/// angle of the pose follows from products of them, so that no digit is lost near a toggle or a change point.
+/// (derivation: d^2 = (ground - crank)^2 + 4 ground crank sin^2(theta/2) = (ground + crank)^2 - 4 ground crank
+/// cos^2(theta/2); divide the difference of squares by the sum), and every angle of the pose follows from products of
+/// them, so that no digit is lost near a toggle or a change point.
 
 #include <cmath>
 
@@ -35,27 +36,33 @@ struct AssemblyMargins {
     T diagonal;
     T stretch;  ///< coupler + rocker - diagonal: zero where coupler and rocker are stretched out
     T fold;     ///< diagonal - |coupler - rocker|: zero where they are folded
+
+    bool closed() const { return stretch >= T(0) && fold >= T(0); }
 };
 
 template <class T>
 AssemblyMargins<T> assembly_margins(const FourBar<T>& m, const HalfTurn<T>& half) {
-    using std::abs, std::hypot;
-    const T difference = abs(m.ground - m.crank);
-    const T d = hypot(difference * half.cosine, (m.ground + m.crank) * half.sine);
-    const T product = T(4) * m.ground * m.crank;
-    const T stretch = sum_difference(m.coupler, m.rocker, m.ground, m.crank) +
-                      product * half.cosine * half.cosine / ((m.ground + m.crank) + d);
-    // |ground - crank| - |coupler - rocker| as one compensated sum of four lengths.
+    using std::hypot;
     const bool ground_longer = m.ground >= m.crank;
     const bool coupler_longer = m.coupler >= m.rocker;
     const T outer = select(ground_longer, m.ground, m.crank);
     const T inner = select(ground_longer, m.crank, m.ground);
-    const T lesser = select(coupler_longer, m.rocker, m.coupler);
     const T greater = select(coupler_longer, m.coupler, m.rocker);
-    T fold = sum_difference(outer, lesser, inner, greater);
-    const T below = d + difference;
-    if (below > T(0)) fold += product * half.sine * half.sine / below;  // else the kite with its pins together
-    return {d, stretch, fold};
+    const T lesser = select(coupler_longer, m.rocker, m.coupler);
+    const T difference = outer - inner;
+    const T sum = outer + inner;
+    const T d = hypot(difference * half.cosine, sum * half.sine);
+    // Both margins are counted from the nearer of the two positions on the ground line, where the diagonal is
+    // outer -+ inner and they are compensated sums of four lengths; `grown` is how much longer the diagonal is here.
+    const bool near_zero = half.cosine * half.cosine >= half.sine * half.sine;
+    const T signed_inner = select(near_zero, T(-inner), inner);
+    const T off_line = select(near_zero, half.sine, half.cosine);
+    const T both = d + select(near_zero, difference, sum);
+    T grown(0);
+    if (both > T(0))
+        grown = T(-4) * outer * signed_inner * off_line * off_line / both;  // else a kite, its pins together
+    return {d, sum_difference(greater, lesser, outer, signed_inner) - grown,
+            sum_difference(outer, lesser, greater, T(-signed_inner)) + grown};
 }
 
 /// The whole pose. All directions are unit vectors in the frame of the linkage.
@@ -71,20 +78,19 @@ struct FourBarPose {
     AssemblyMargins<T> margins;
 
     /// Whether the loop closes. If not, the pose shown is that of the nearest toggle.
-    bool assembled() const { return margins.stretch >= T(0) && margins.fold >= T(0); }
+    bool assembled() const { return margins.closed(); }
 };
 
 namespace detail {
 
-/// The three factor pairs of the closed dyad and the root that tells its two assemblies apart.
+/// The factors of the half-angle formulas of the triangle A-B0-B. Sixteen times its squared area is stretched folded.
 template <class T>
 struct Dyad {
-    T sum;            ///< coupler + rocker + d
-    T coupler_side;   ///< d + coupler - rocker
-    T rocker_side;    ///< d - coupler + rocker
-    T stretched;      ///< (coupler + rocker)^2 - d^2
-    T folded;         ///< d^2 - (coupler - rocker)^2
-    T root;           ///< sqrt(stretched folded), four times the area of the triangle; 0 where it does not close
+    T sum;           ///< coupler + rocker + d
+    T coupler_side;  ///< d + coupler - rocker
+    T rocker_side;   ///< d - coupler + rocker
+    T stretched;     ///< (coupler + rocker)^2 - d^2
+    T folded;        ///< d^2 - (coupler - rocker)^2
 };
 
 template <class T>
@@ -93,15 +99,18 @@ Dyad<T> dyad(const FourBar<T>& m, const AssemblyMargins<T>& margins) {
     const T sum = m.coupler + m.rocker + margins.diagonal;
     const T other = margins.diagonal + abs(m.coupler - m.rocker);
     const bool coupler_longer = m.coupler >= m.rocker;
-    const T stretched = margins.stretch * sum;
-    const T folded = margins.fold * other;
-    const bool closes = margins.stretch >= T(0) && margins.fold >= T(0);
-    return {sum,
-            select(coupler_longer, other, margins.fold),
-            select(coupler_longer, margins.fold, other),
-            stretched,
-            folded,
-            closes ? root_or_zero(T(stretched * folded)) : T(0)};
+    return {sum, select(coupler_longer, other, margins.fold), select(coupler_longer, margins.fold, other),
+            margins.stretch * sum, margins.fold * other};
+}
+
+/// The directions of coupler and rocker at the toggle nearest to a position that does not assemble.
+template <class T>
+void lay_in_line(FourBarPose<T>& p, const FourBar<T>& m, const Vector<T>& along) {
+    const bool stretched = p.margins.stretch < T(0);
+    p.coupler = stretched || m.coupler >= m.rocker ? along : -along;
+    p.rocker = stretched ? -along : p.coupler;
+    p.transmission_sine = T(0);
+    p.transmission_cosine = stretched ? T(-1) : T(1);
 }
 
 }  // namespace detail
@@ -110,36 +119,41 @@ Dyad<T> dyad(const FourBar<T>& m, const AssemblyMargins<T>& margins) {
 /// every factor of its half-angle formulas taken from the margins.
 template <class T>
 FourBarPose<T> pose(const FourBar<T>& m, const HalfTurn<T>& half, Assembly assembly) {
-    const AssemblyMargins<T> margins = assembly_margins(m, half);
-    const T& d = margins.diagonal;
-    const detail::Dyad<T> k = detail::dyad(m, margins);
-    const T side(side_of(assembly));
-
+    FourBarPose<T> p;
+    p.margins = assembly_margins(m, half);
+    const T& d = p.margins.diagonal;
     const T cc = half.cosine * half.cosine;
     const T ss = half.sine * half.sine;
-    const Vector<T> crank{cc - ss, T(2) * half.sine * half.cosine};
-    Vector<T> along{T(1), T(0)};  // from crank pin to rocker pivot
+    p.crank = {cc - ss, T(2) * half.sine * half.cosine};
+    // From crank pin to rocker pivot; where the two coincide, its limit as the crank turns on.
+    Vector<T> along{T(0), T(-1)};
     T inverse(0);
     if (d > T(0)) {
         inverse = T(1) / d;
-        along = {((m.ground - m.crank) * cc + (m.ground + m.crank) * ss) * inverse, -m.crank * crank.y * inverse};
+        along = {((m.ground - m.crank) * cc + (m.ground + m.crank) * ss) * inverse, -m.crank * p.crank.y * inverse};
     }
-    const Vector<T> across = left_of(along);
-
+    if (!p.assembled()) {
+        detail::lay_in_line(p, m, along);
+        return p;
+    }
+    const detail::Dyad<T> k = detail::dyad(m, p.margins);
+    const T side(side_of(assembly));
+    const Vector<T> across = side * left_of(along);
+    const T double_root = T(2) * root_or_zero(T(k.stretched * k.folded));
+    const T per_both = T(1) / (T(4) * m.coupler * m.rocker);
+    p.transmission_sine = side * double_root * per_both;
+    p.transmission_cosine = (k.stretched - k.folded) * per_both;
+    if (!(d > T(0))) {  // coupler and rocker lie on each other, square to the line their end leaves
+        p.coupler = across;
+        p.rocker = across;
+        return p;
+    }
     const T per_coupler = inverse / (T(4) * m.coupler);
     const T per_rocker = inverse / (T(4) * m.rocker);
-    const T coupler_cosine = (k.sum * k.coupler_side - margins.stretch * k.rocker_side) * per_coupler;
-    const T rocker_cosine = (k.sum * k.rocker_side - margins.stretch * k.coupler_side) * per_rocker;
-    const T double_root = T(2) * side * k.root;
-
-    FourBarPose<T> p;
-    p.crank = crank;
+    const T coupler_cosine = (k.sum * k.coupler_side - p.margins.stretch * k.rocker_side) * per_coupler;
+    const T rocker_cosine = (k.sum * k.rocker_side - p.margins.stretch * k.coupler_side) * per_rocker;
     p.coupler = coupler_cosine * along + (double_root * per_coupler) * across;
     p.rocker = (double_root * per_rocker) * across - rocker_cosine * along;
-    const T per_both = T(1) / (T(4) * m.coupler * m.rocker);
-    p.transmission_sine = double_root * per_both;
-    p.transmission_cosine = (k.stretched - k.folded) * per_both;
-    p.margins = margins;
     return p;
 }
 

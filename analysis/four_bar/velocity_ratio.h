@@ -1,7 +1,9 @@
 #pragma once
 /// \file
-/// The velocity ratio rocker/crank of a four-bar and its extremes over a motion: the crank angles at which the rocker of
-/// a uniformly turning crank has no angular acceleration (Freudenstein 1956; at most six per turn and assembly).
+/// The velocity ratio rocker/crank of a four-bar and its extremes over a motion: the crank angles at which the rocker
+/// of a uniformly turning crank has no angular acceleration. There are at most six per turn and assembly: the poses
+/// form a curve of genus one on which the ratio takes each value six times, complex poses counted, so that it is
+/// stationary twelve times (Riemann-Hurwitz), in pairs mirrored about the ground line, one of each assembly.
 
 #include <algorithm>
 #include <array>
@@ -42,62 +44,95 @@ struct VelocityRatioExtremes {
 
 namespace detail {
 
-/// Crank angles close enough together to bracket all stationary points: even steps, and steps that shrink by halves
-/// towards 0 and pi, where a linkage close to a change point has its fast motion.
-inline std::span<const double> velocity_ratio_grid() {
-    static const auto grid = [] {
-        std::array<double, 2 * 48 + 4 * 34> angles{};
-        std::size_t n = 0;
-        constexpr double pi = std::numbers::pi;
-        for (int i = 0; i < 96; ++i)
-            angles[n++] = (i + 0.5) * pi / 48;
-        double step = pi / 96;
-        for (int i = 0; i < 34; ++i, step /= 2)
-            for (const double x : {step * 0.61, pi - step * 0.61, pi + step * 0.61, 2 * pi - step * 0.61})
-                angles[n++] = x;
-        std::sort(angles.begin(), angles.end());
-        return angles;
-    }();
-    return grid;
+/// How far, in radians, the nearest singularity of the pose lies from the crank on the ground line (0 or pi): the
+/// complex crank angles at which the diagonal or the area of the dyad vanishes. The ratio changes no faster than on
+/// this scale.
+inline double fastest_scale(const FourBar<double>& m, const HalfTurn<double>& on_ground_line) {
+    const auto margins = assembly_margins(m, on_ground_line);
+    const auto k = dyad(m, margins);
+    const double square = std::min({margins.diagonal * margins.diagonal, std::abs(k.stretched), std::abs(k.folded)});
+    return std::max(2 * std::asinh(std::sqrt(square / (4 * m.ground * m.crank))), 1e-12);
 }
+
+/// Crank angles close enough together to bracket all stationary points: their steps grow with the distance from the
+/// singularities, as hyperbolic sines do.
+class VelocityRatioGrid {
+public:
+    /// Precondition: to - from is little more than a turn, at most.
+    VelocityRatioGrid(const FourBar<double>& m, double from, double to, bool ends_at_toggles) {
+        constexpr double pi = std::numbers::pi;
+        const std::array<double, 2> scale{fastest_scale(m, {1, 0}), fastest_scale(m, {0, 1})};
+        const auto scale_at = [&](double turns) { return scale[std::fmod(turns, 2) == 0 ? 0 : 1]; };
+        const auto scale_of_end = [&](double end) {
+            const double turns = std::round(end / pi);
+            const double surroundings = std::hypot(end - turns * pi, scale_at(turns));
+            // At a toggle the ratio is infinite: much finer steps.
+            return ends_at_toggles ? std::min(to - from, surroundings) / 32 : surroundings;
+        };
+        double left = from, left_scale = scale_of_end(from);
+        const double first = std::floor(from / pi) + 1;
+        for (double turns = first; turns < first + 3 && turns * pi < to; ++turns) {
+            add_interval(left, turns * pi, left_scale, scale_at(turns));
+            left = turns * pi;
+            left_scale = scale_at(turns);
+        }
+        add_interval(left, to, left_scale, scale_of_end(to));
+        add(to);
+    }
+
+    std::span<const double> angles() const { return {angles_.data(), count_}; }
+
+private:
+    void add(double angle) {
+        if (count_ < angles_.size() && (count_ == 0 || angle > angles_[count_ - 1])) angles_[count_++] = angle;
+    }
+
+    /// Points from left (included) to right (not included).
+    void add_interval(double left, double right, double left_scale, double right_scale) {
+        constexpr double step = 0.5;
+        const double half = 0.5 * (right - left);
+        const auto steps = [&](double scale) { return std::ceil(std::asinh(half / scale) / step); };
+        const double left_steps = steps(left_scale), right_steps = steps(right_scale);
+        for (double i = 0; i < left_steps; ++i)
+            add(left + left_scale * std::sinh(std::asinh(half / left_scale) * i / left_steps));
+        for (double i = right_steps; i > 0; --i)
+            add(right - right_scale * std::sinh(std::asinh(half / right_scale) * i / right_steps));
+    }
+
+    std::array<double, 640> angles_;
+    std::size_t count_ = 0;
+};
 
 }  // namespace detail
 
 /// All stationary points over a full turn (in [0, 2 pi)), or those inside a limited range, to rounding; a limited range
-/// has its ends too. Precondition: the linkage assembles over the whole motion, on one side of any toggle.
+/// has its ends too. Of a range of more than a turn, the stationary points of the first turn are given.
+/// Precondition: the linkage assembles over the whole motion, on one side of any toggle.
 inline VelocityRatioExtremes velocity_ratio_extremes(const FourBar<double>& m, Assembly assembly,
                                                      const CrankRange<double>& range) {
+    constexpr double turn = 2 * std::numbers::pi;
     VelocityRatioExtremes extremes;
     const auto slope = [&](double angle) { return velocity_ratio_slope(m, angle, assembly); };
-    const auto grid = detail::velocity_ratio_grid();
-    if (range.full_turn) {
-        // One turn and a little more, so that the interval over the seam is a bracket too.
-        std::array<double, 256> turn{};
-        std::copy(grid.begin(), grid.end(), turn.begin());
-        turn[grid.size()] = grid[0] + 2 * std::numbers::pi;
-        turn[grid.size() + 1] = grid[1] + 2 * std::numbers::pi;
-        std::array<double, VelocityRatioExtremes::most + 4> found{};
-        std::size_t n = 0;
-        zeros_on_grid(slope, std::span<const double>(turn.data(), grid.size() + 2), [&](double x) {
-            if (n < found.size()) found[n++] = x >= 2 * std::numbers::pi ? x - 2 * std::numbers::pi : x;
+    if (!range.full_turn) {
+        const detail::VelocityRatioGrid grid(m, range.from, std::min(range.to, range.from + turn), true);
+        extremes.add(range.from);
+        zeros_on_grid(slope, grid.angles(), [&](double x) {
+            if (x > range.from && x < range.to && extremes.count + 1 < VelocityRatioExtremes::most) extremes.add(x);
         });
-        std::sort(found.begin(), found.begin() + n);
-        for (std::size_t i = 0; i < n; ++i)
-            if (i == 0 || found[i] > found[i - 1]) extremes.add(found[i]);
+        extremes.add(range.to);
         return extremes;
     }
-    std::array<double, 256> inside{};
-    std::size_t n = 0;
-    inside[n++] = range.from;
-    const double turn = 2 * std::numbers::pi;
-    const double whole = std::floor(range.from / turn) * turn;
-    for (double base = whole; base < range.to; base += turn)
-        for (const double x : grid)
-            if (base + x > range.from && base + x < range.to && n + 1 < inside.size()) inside[n++] = base + x;
-    inside[n++] = range.to;
-    extremes.add(range.from);
-    zeros_on_grid(slope, std::span<const double>(inside.data(), n), [&](double x) { extremes.add(x); });
-    extremes.add(range.to);
+    // One turn and a little more, so that the seam lies inside a bracket too. What the second look at the overlap finds
+    // counts only where the first look found nothing near.
+    constexpr double seam = -1, overlap = 0.125;
+    const detail::VelocityRatioGrid grid(m, seam, seam + turn + overlap, false);
+    zeros_on_grid(slope, grid.angles(), [&](double x) {
+        const bool again = x >= seam + turn && extremes.count > 0 && extremes.at[0] < seam + 2 * overlap;
+        if (!again) extremes.add(x);
+    });
+    for (std::size_t i = 0; i < extremes.count; ++i)
+        if (extremes.at[i] < 0) extremes.at[i] += turn;
+    std::sort(extremes.at.begin(), extremes.at.begin() + extremes.count);
     return extremes;
 }
 

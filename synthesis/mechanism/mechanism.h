@@ -76,6 +76,7 @@ struct Quantity {
     Digits50 (*measure_again)(const Motion&, std::span<const Digits50> dimensions) = nullptr;
 
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
+    bool worst_first = false;  ///< the first component always is the quantity; the others are runners-up
 
     static constexpr std::size_t most_components = 12;
 };
@@ -107,6 +108,17 @@ struct PathMiss {
     std::span<double> hessian_y;
 };
 
+/// Which dimensions play which part in a path: the point's coordinates on the guiding link, the placement in the
+/// drawing, and the crank angle that prescribed angles are counted from.
+struct PathRoles {
+    std::size_t along;
+    std::size_t across;
+    std::size_t origin_x;
+    std::size_t origin_y;
+    std::size_t tilt;
+    std::size_t start;
+};
+
 struct Check {
     std::string name;
     bool passed;
@@ -131,7 +143,7 @@ struct Mechanism {
 
     /// Path guidance; `path_reads` is 0 for mechanisms without it.
     std::size_t path_reads = 0;
-    std::size_t path_start = 0;  ///< which dimension is the crank angle that prescribed angles are counted from
+    PathRoles path_roles{};
     void (*path_miss)(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
                       const Vector<double>& target, PathMiss& out) = nullptr;
     Vector<Digits50> (*path_point)(std::size_t assembly, std::span<const Digits50> dimensions,

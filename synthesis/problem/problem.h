@@ -15,8 +15,8 @@
 namespace mechwright {
 
 struct Units {
-    bool degrees = true;          ///< else radians
-    std::string length = "mm";    ///< a label; lengths are never converted
+    bool degrees = true;        ///< else radians
+    std::string length = "mm";  ///< a label; lengths are never converted
 };
 
 /// One dimension: a fixed number, or a range to be designed in.

@@ -21,6 +21,8 @@
 ///   [verification] passed, checks [{name, passed, detail}]
 ///   alternatives   [{design, objective, [path_angles]}]
 ///   search         method, complete, [argument], starts, local_optima, hits, missed_chance, evaluations, seed, seconds
+///
+/// A number that is not finite is never written: its member is left out.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -32,8 +34,15 @@ namespace mechwright {
 /// The document of a result. Verification is included as far as the result has it.
 nlohmann::ordered_json document(const Problem& problem, const Result& result);
 
+/// The document of a design that was given: as above, without what only a search has (status, verification,
+/// alternatives, search).
+nlohmann::ordered_json analysis_document(const Problem& problem, const Solution& solution);
+
 /// The value of a quantity of a finished design, or nothing where it is not defined (see Quantity::defined) or the
 /// design does not assemble.
 std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design);
+
+/// The status as the document writes it.
+std::string_view name_of(Status status);
 
 }  // namespace mechwright

@@ -1,0 +1,27 @@
+# `cmake --install` and what other projects find: mechwright::analysis, which needs Eigen alone, and
+# mechwright::synthesis with its solvers. Headers keep their paths: #include "analysis/four_bar.h".
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mechwright)
+set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/mechwright)
+
+file(GLOB_RECURSE analysis_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analysis/*.h)
+set(synthesis_headers mechanism/mechanism.h problem/problem.h problem/reader.h program/result.h report/document.h
+    search/solve.h verify/verify.h)
+list(TRANSFORM synthesis_headers PREPEND ${PROJECT_SOURCE_DIR}/synthesis/)
+
+target_sources(mechwright_analysis INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${analysis_headers})
+target_sources(mechwright_synthesis PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${synthesis_headers})
+
+install(TARGETS mechwright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+foreach(part analysis synthesis)
+    install(TARGETS mechwright_${part} EXPORT mechwright_${part} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            FILE_SET HEADERS DESTINATION ${header_dir})
+    install(EXPORT mechwright_${part} NAMESPACE mechwright:: DESTINATION ${package_dir} FILE mechwright-${part}.cmake)
+endforeach()
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/mechwrightConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/mechwrightConfig.cmake INSTALL_DESTINATION ${package_dir}
+                              NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/mechwrightConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/mechwrightConfig.cmake ${PROJECT_BINARY_DIR}/mechwrightConfigVersion.cmake
+        DESTINATION ${package_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// The commands of the program, one file each.
+
+#include <functional>
+
+#include "synthesis/command_line/console.h"
+
+namespace CLI {
+class App;
+}
+
+namespace mechwright {
+
+/// A command as the command line knows it, and what it does once its options are read; that returns the exit code.
+struct Command {
+    CLI::App* options;
+    std::function<int(Console&)> run;
+};
+
+Command add_check(CLI::App& program);
+Command add_solve(CLI::App& program);
+Command add_analyse(CLI::App& program);
+Command add_verify(CLI::App& program);
+Command add_quantities(CLI::App& program);
+Command add_methods(CLI::App& program);
+
+}  // namespace mechwright

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Options that take numbers: plain decimal ones in every locale, checked before anything runs.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace mechwright {
+
+/// An option that takes a whole number from `least` to `most`.
+CLI::Option* add_whole_number(CLI::App& command, const std::string& name, std::optional<std::uint64_t>& number,
+                              std::uint64_t least, std::uint64_t most, const std::string& help);
+
+/// An option that takes a finite number > 0.
+CLI::Option* add_positive_number(CLI::App& command, const std::string& name, std::optional<double>& number,
+                                 const std::string& help);
+
+/// A check for options whose text cannot be empty: what is wrong, or nothing.
+std::string not_empty(const std::string& text);
+
+}  // namespace mechwright

@@ -1,0 +1,51 @@
+#include "synthesis/command_line/progress_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/report/table.h"
+
+namespace mechwright {
+
+namespace {
+
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
+
+/// The whole text, or its beginning as far as it fits on the line: a line that wraps cannot be drawn over.
+std::string cut(std::string text) {
+    while (width_of(text) >= terminal_width) {
+        while (continues_character(text.back()))
+            text.pop_back();
+        text.pop_back();
+    }
+    return text;
+}
+
+}  // namespace
+
+void draw(ProgressLine& line, int done, int total, double best) {
+    using namespace std::chrono;
+    const steady_clock::time_point now = steady_clock::now();
+    if (line.width > 0 && now - line.drawn < milliseconds(100)) return;
+    line.drawn = now;
+
+    const double seconds = duration<double>(now - line.started).count();
+    std::string value = std::isnan(best) ? "no design yet" : "best " + number_text(best, 6);
+    if (!std::isnan(best) && !line.unit.empty()) value += " " + line.unit;
+    const std::string text =
+        cut(fmt::format("{}/{} starts  {}  {:.1f} s  {}", done, total, value, seconds, line.label));
+    const std::size_t width = width_of(text);
+    const std::size_t left_over = line.width > width ? line.width - width : 0;
+    line.console->err << '\r' << text << std::string(left_over, ' ') << std::flush;
+    line.width = std::max(width, std::size_t{1});
+}
+
+void erase(ProgressLine& line) {
+    if (line.width == 0) return;
+    line.console->err << '\r' << std::string(line.width, ' ') << '\r' << std::flush;
+    line.width = 0;
+}
+
+}  // namespace mechwright

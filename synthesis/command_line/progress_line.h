@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// One line on a terminal that tells how far a run is, drawn over itself and gone at the end.
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+#include "synthesis/command_line/console.h"
+
+namespace mechwright {
+
+struct ProgressLine {
+    Console* console;
+    std::string label;  ///< what is being solved
+    std::string unit;   ///< of the objective
+    std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point drawn{};
+    std::size_t width = 0;  ///< of what stands there now
+};
+
+/// Draws the line, but not more than ten times a second. `best` is NaN while there is no design.
+void draw(ProgressLine& line, int done, int total, double best);
+
+void erase(ProgressLine& line);
+
+}  // namespace mechwright

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "synthesis/command_line/commands.h"
+#include "synthesis/command_line/exit_code.h"
+#include "synthesis/mechanism/mechanism.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/report/table.h"
+
+namespace mechwright {
+
+namespace {
+
+std::string_view name_of(Unit unit) {
+    switch (unit) {
+        case Unit::none: return "number";
+        case Unit::length: return "length";
+        case Unit::area: return "area";
+        case Unit::angle: return "angle";
+    }
+    return "";
+}
+
+std::string list_of(const Mechanism& mechanism, bool colour) {
+    std::string text =
+        folded(emphasised(mechanism.name, Emphasis::strong, colour) + ": ", std::string(mechanism.meaning));
+    for (const Quantity& quantity : mechanism.quantities)
+        text += folded(fmt::format("  {:<24}  {:<6}  ", quantity.name, name_of(quantity.unit)), quantity.meaning);
+    return text;
+}
+
+int list_quantities(const std::string& name, Console& console) {
+    const bool colour = colour_wanted(console);
+    if (!name.empty()) {
+        if (const Mechanism* mechanism = find_mechanism(name)) {
+            print(console, list_of(*mechanism, colour));
+            return exit_code::solved;
+        }
+        std::vector<std::string_view> known;
+        for (const Mechanism* mechanism : mechanisms())
+            known.push_back(mechanism->name);
+        complain(console, "unknown mechanism " + reading::quoted(name) + "; " + reading::remedy(name, known));
+        return exit_code::wrong_usage;
+    }
+    std::string text;
+    for (const Mechanism* mechanism : mechanisms())
+        text += (text.empty() ? "" : "\n") + list_of(*mechanism, colour);
+    print(console, text);
+    return exit_code::solved;
+}
+
+}  // namespace
+
+Command add_quantities(CLI::App& program) {
+    const auto name = std::make_shared<std::string>();
+    CLI::App* command = program.add_subcommand("quantities", "List what can be required or optimised");
+    command->add_option("MECHANISM", *name, "Only those of this mechanism")->option_text(" ");
+    return {command, [name](Console& console) { return list_quantities(*name, console); }};
+}
+
+}  // namespace mechwright

@@ -1,0 +1,49 @@
+#include "synthesis/command_line/results.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "synthesis/report/write_file.h"
+
+namespace mechwright {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> result_names(const std::vector<std::string>& files) {
+    std::vector<std::string> stems;
+    for (const std::string& file : files)
+        stems.push_back(fs::path(file).stem().string());
+    std::vector<std::string> names;
+    const auto taken = [&](const std::vector<std::string>& list, const std::string& name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    for (const std::string& stem : stems) {
+        std::string name = stem;
+        for (int i = 2; taken(names, name) || (name != stem && taken(stems, name)); ++i)
+            name = stem + "-" + std::to_string(i);
+        names.push_back(name);
+    }
+    return names;
+}
+
+std::optional<std::string> prepare_results(const std::string& folder, const std::vector<std::string>& names,
+                                           bool with_table) {
+    if (auto fault = prepare_folder(folder)) return fault;
+    for (const std::string& name : names) {
+        for (const std::string_view extension : {".json", ".csv"}) {
+            if (extension == ".csv" && !with_table) continue;
+            const fs::path path = fs::path(folder) / (name + std::string(extension));
+            std::error_code ignored;
+            if (fs::is_directory(path, ignored)) return "cannot write '" + path.string() + "': it is a folder";
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> write_result(const std::string& folder, const std::string& name, const ResultText& text) {
+    const fs::path path = fs::path(folder) / name;
+    if (auto fault = write_atomically(path.string() + ".json", text.document)) return fault;
+    return text.table ? write_atomically(path.string() + ".csv", *text.table) : std::nullopt;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,95 @@
+#include "synthesis/command_line/run.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <sstream>
+#include <system_error>
+
+#include "synthesis/command_line/commands.h"
+#include "synthesis/command_line/defect.h"
+#include "synthesis/command_line/exit_code.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/report/versions.h"
+
+namespace mechwright {
+
+namespace {
+
+std::string version_text() {
+    return fmt::format("mechwright {}\nwith Ipopt {}, NLopt {}, Eigen {}", program_version(), ipopt_version(),
+                       nlopt_version(), eigen_version());
+}
+
+std::vector<Command> add_commands(CLI::App& program) {
+    program.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    std::vector<Command> commands{add_check(program),  add_solve(program),      add_analyse(program),
+                                  add_verify(program), add_quantities(program), add_methods(program)};
+    for (const Command& command : commands)
+        command.options->group("Commands");
+    return commands;
+}
+
+/// What is wrong with the first word of a command line that is not an option; empty if it is a command.
+std::string command_fault(int argc, const char* const* argv, const std::vector<Command>& commands) {
+    if (argc < 2 || argv[1][0] == '-') return {};
+    std::vector<std::string> names;
+    for (const Command& command : commands)
+        names.push_back(command.options->get_name());
+    for (const std::string& name : names)
+        if (name == argv[1]) return {};
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    return "unknown command " + reading::quoted(argv[1]) + "; " + reading::remedy(argv[1], known);
+}
+
+int wrong_usage(std::string_view fault, Console& console) {
+    complain(console,
+             fmt::format("{}\nRun 'mechwright --help', or 'mechwright COMMAND --help', for what there is.", fault));
+    return exit_code::wrong_usage;
+}
+
+int run_command(int argc, const char* const* argv, Console& console) {
+    CLI::App program("Synthesis and optimisation of planar mechanisms.", "mechwright");
+    program.set_version_flag("--version", version_text, "Print the versions of the program and its libraries");
+    program.footer(exit_code::explained());
+    program.require_subcommand(0, 1);
+    const std::vector<Command> commands = add_commands(program);
+
+    if (const std::string fault = command_fault(argc, argv, commands); !fault.empty())
+        return wrong_usage(fault, console);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& asked_for) {  // --help and --version
+        std::ostringstream text;
+        program.exit(asked_for, text, text);
+        print(console, text.str());
+        return exit_code::solved;
+    } catch (const CLI::ParseError& error) {
+        return wrong_usage(error.what(), console);
+    }
+    for (const Command& command : commands)
+        if (program.got_subcommand(command.options)) return command.run(console);
+    console.err << program.help() << std::flush;
+    return exit_code::wrong_usage;
+}
+
+/// The exit code after a look at what became of the data. A reader that has seen enough and closed its end of a pipe
+/// (`| head`) is no failure.
+int after_output(int code, Console& console) {
+    if (console.out_error == 0 || console.out_error == EPIPE) return code;
+    complain(console, "cannot write to standard output: " + std::generic_category().message(console.out_error));
+    return exit_code::worse(code, exit_code::no_access);
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv, Console& console) {
+    try {
+        return after_output(run_command(argc, argv, console), console);
+    } catch (...) {
+        return report_defect(console, "");
+    }
+}
+
+}  // namespace mechwright

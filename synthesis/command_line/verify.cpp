@@ -1,0 +1,116 @@
+#include "synthesis/verify/verify.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "synthesis/command_line/commands.h"
+#include "synthesis/command_line/exit_code.h"
+#include "synthesis/problem/bytes.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/report/table.h"
+
+namespace mechwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t largest_document = std::size_t{1} << 30;
+constexpr std::size_t longest_detail = 2000;
+
+struct VerifyOptions {
+    std::vector<std::string> files;
+    bool quiet = false;
+};
+
+/// Why JSON is not a result document of this program; empty if it is one.
+std::string why_not_a_result(const Json& json) {
+    if (!json.is_object()) return "it is not an object";
+    if (!json.contains("schema") || !json["schema"].is_number_integer()) return "it has no schema number";
+    if (json["schema"] != 1)
+        return "its schema " + json["schema"].dump() + " is not known to this version of mechwright, only 1 is";
+    if (!json.contains("problem") || !json["problem"].is_object()) return "it does not say of which problem";
+    return {};
+}
+
+/// Prints every check of one document. Returns the exit code.
+int verify_document(const Json& json, const std::string& name, const VerifyOptions& options, Console& console) {
+    if (const std::string fault = why_not_a_result(json); !fault.empty()) {
+        complain(console, name + ": not a result document: " + fault);
+        return exit_code::invalid_file;
+    }
+    const std::vector<Check> checks = verify(json);
+    const bool colour = colour_wanted(console);
+    const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
+    const bool good = failed == 0 && !checks.empty();
+
+    std::string text = name + ": ";
+    if (good)
+        text += emphasised("verified", Emphasis::good, colour) +
+                fmt::format(", {}\n", checks.size() == 1 ? "the one check passed"
+                                                         : fmt::format("all {} checks passed", checks.size()));
+    else
+        text += emphasised("NOT verified", Emphasis::bad, colour) +
+                fmt::format(", {} of {} checks failed\n", failed, checks.size());
+    for (const Check& check : checks) {
+        if (options.quiet && check.passed) continue;
+        const std::string mark =
+            check.passed ? emphasised("passed", Emphasis::good, colour) : emphasised("FAILED", Emphasis::bad, colour);
+        const std::string found = check.name + (check.detail.empty() ? "" : ": " + check.detail);
+        text += folded("  " + mark + "  ", reading::printable(found, longest_detail));
+    }
+    if (!options.quiet || !good) print(console, text);
+    return good ? exit_code::solved : exit_code::unverified;
+}
+
+/// The parser's message without its own name in front.
+std::string reason(const nlohmann::json::exception& exception) {
+    const std::string what = exception.what();
+    const std::size_t end = what.find("] ");
+    return reading::printable(end == std::string::npos ? what : what.substr(end + 2), longest_detail);
+}
+
+int verify_file(const std::string& file, const VerifyOptions& options, Console& console) {
+    const reading::Bytes content = reading::read_bytes(file, largest_document, true);
+    if (!content.failure.empty()) {
+        complain(console, file + ": " + content.failure);
+        return exit_code::no_access;
+    }
+    Json json;
+    try {
+        json = Json::parse(content.bytes);
+    } catch (const nlohmann::json::exception& exception) {
+        complain(console, file + ": not a result document: " + reason(exception));
+        return exit_code::invalid_file;
+    }
+    if (!json.is_array()) return verify_document(json, file, options, console);
+    int code = exit_code::solved;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const std::string name = fmt::format("{} ({} of {})", file, i + 1, json.size());
+        code = exit_code::worse(code, verify_document(json[i], name, options, console));
+    }
+    return code;
+}
+
+}  // namespace
+
+Command add_verify(CLI::App& program) {
+    const auto options = std::make_shared<VerifyOptions>();
+    CLI::App* command = program.add_subcommand("verify", "Check results again, independently of the optimiser");
+    command->add_option("RESULT", options->files, "Result documents, as solve writes them")
+        ->required()
+        ->option_text(" ");
+    command->add_flag("--quiet", options->quiet, "Only what failed");
+    const auto run = [options](Console& console) {
+        int code = exit_code::solved;
+        for (const std::string& file : options->files)
+            code = exit_code::worse(code, verify_file(file, *options, console));
+        return code;
+    };
+    return {command, run};
+}
+
+}  // namespace mechwright

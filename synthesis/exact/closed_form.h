@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Closed forms as methods: which problems they cover, and what they say of them.
+
+#include <optional>
+#include <string>
+
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+struct ClosedFormOutcome {
+    std::optional<Solution> best;  ///< the optimum, or where the problem is infeasible the best that can be had
+    bool infeasible = false;       ///< proved
+    std::string argument;          ///< why this is the whole answer
+};
+
+/// Why no closed form covers a problem; empty if one does. One that covers a problem may still not conclude it, where
+/// ranges of dimensions cut its optimum off.
+std::string why_no_closed_form(const Problem& problem);
+
+/// The answer in closed form, if there is one. Precondition: why_no_closed_form is empty.
+std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem);
+
+}  // namespace mechwright

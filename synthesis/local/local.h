@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// Local optimisers for a Program, behind one shape of call. What a solver says of its own success is not passed on: an
+/// outcome is the best point that was evaluated, with the objective and violation that we computed there.
+
+#include <Eigen/Core>
+#include <atomic>
+#include <chrono>
+
+#include "synthesis/program/program.h"
+
+namespace mechwright {
+
+struct LocalLimits {
+    int most_evaluations = 600;
+    std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+    const std::atomic<bool>* stop = nullptr;
+
+    /// Whether it is time to end, by the clock or from outside.
+    bool reached() const {
+        return (stop && stop->load(std::memory_order_relaxed)) || std::chrono::steady_clock::now() >= deadline;
+    }
+};
+
+struct LocalOutcome {
+    Eigen::VectorXd x;
+    double objective = unlimited;  ///< of the program, to be minimised
+    double violation = unlimited;  ///< greatest, of rows and bounds; infinite if nothing assembled
+    long evaluations = 0;
+
+    /// Violation below which two points are compared by their objectives.
+    static constexpr double feasible_below = 1e-9;
+
+    /// Takes a point if it is better than the one held: feasible before infeasible, then by objective or violation.
+    void consider(const Program& program, const Eigen::VectorXd& point, const ProgramValues& values);
+};
+
+/// A local optimiser: from a start to the best point it came across.
+using LocalMethod = LocalOutcome (*)(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
+
+/// Sequential quadratic programming by NLopt 2.7.1 (Kraft's SLSQP) with exact gradients. Thread-safe.
+LocalOutcome slsqp(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
+
+/// Interior point by Ipopt 3.11.9 with MUMPS and the exact Hessian. Runs one at a time: calls from other threads wait.
+LocalOutcome ipopt(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
+
+/// Newton's method on the optimality conditions of the constraints active at `from`, with exact Hessians: from a point
+/// that a solver ended at to the nearby optimum at full precision. Never returns a worse point.
+LocalOutcome polish(const Program& program, const LocalOutcome& from, const LocalLimits& limits);
+
+}  // namespace mechwright

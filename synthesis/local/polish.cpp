@@ -1,0 +1,170 @@
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "synthesis/local/local.h"
+
+namespace mechwright {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// How close to its limit a constraint counts as active; solvers end within this.
+constexpr double active_within = 1e-5;
+/// Singular values and curvatures below this part of the greatest are taken as zero.
+constexpr double rank_tolerance = 1e-11;
+constexpr int most_steps = 20;
+
+/// A constraint held at a limit during one Newton step.
+struct Active {
+    Index row;     ///< of the program, or -1 for a bound
+    Index variable;
+    double limit;
+    int sign;      ///< +1: at its upper limit, -1: at its lower, 0: equality
+};
+
+std::vector<Active> active_constraints(const Program& program, const VectorXd& x, const ProgramValues& v) {
+    std::vector<Active> active;
+    const auto consider = [&](Index row, Index variable, double value, double lower, double upper) {
+        if (lower == upper)
+            active.push_back({row, variable, lower, 0});
+        else if (value - lower <= active_within)
+            active.push_back({row, variable, lower, -1});
+        else if (upper - value <= active_within)
+            active.push_back({row, variable, upper, 1});
+    };
+    for (std::size_t r = 0; r < program.rows.size(); ++r)
+        consider(static_cast<Index>(r), -1, v.rows[static_cast<Index>(r)], program.rows[r].lower,
+                 program.rows[r].upper);
+    for (std::size_t i = 0; i < program.size(); ++i)
+        consider(-1, static_cast<Index>(i), x[static_cast<Index>(i)], program.variables[i].lower,
+                 program.variables[i].upper);
+    return active;
+}
+
+struct Linearised {
+    MatrixXd gradients;  ///< [active][variable]
+    VectorXd residual;   ///< value - limit
+};
+
+Linearised linearise(const std::vector<Active>& active, const VectorXd& x, const ProgramValues& v) {
+    Linearised l{MatrixXd::Zero(static_cast<Index>(active.size()), x.size()),
+                 VectorXd::Zero(static_cast<Index>(active.size()))};
+    for (std::size_t k = 0; k < active.size(); ++k) {
+        const auto i = static_cast<Index>(k);
+        const Active& a = active[k];
+        if (a.row >= 0)
+            l.gradients.row(i) = v.jacobian.row(a.row);
+        else
+            l.gradients(i, a.variable) = 1;
+        l.residual[i] = (a.row >= 0 ? v.rows[a.row] : x[a.variable]) - a.limit;
+    }
+    return l;
+}
+
+/// Multipliers that balance the gradient best; inequalities that would have to pull the wrong way are let go, the worst
+/// first, until none does.
+VectorXd multipliers_of(std::vector<Active>& active, const VectorXd& x, const ProgramValues& v, Linearised& l) {
+    while (true) {
+        l = linearise(active, x, v);
+        if (active.empty()) return {};
+        const VectorXd lambda = l.gradients.transpose().completeOrthogonalDecomposition().solve(-v.gradient);
+        Index worst = -1;
+        double most = 1e-9 * (v.gradient.lpNorm<Eigen::Infinity>() + 1e-300);
+        for (std::size_t k = 0; k < active.size(); ++k) {
+            const double wrong = -active[k].sign * lambda[static_cast<Index>(k)];
+            // A violated constraint stays, whatever it pulls.
+            const bool violated = active[k].sign * l.residual[static_cast<Index>(k)] > 1e-13;
+            if (active[k].sign != 0 && !violated && wrong > most) {
+                most = wrong;
+                worst = static_cast<Index>(k);
+            }
+        }
+        if (worst < 0) return lambda;
+        active.erase(active.begin() + worst);
+    }
+}
+
+/// The Newton step: back onto the active constraints by the shortest way, then along them to where the curved objective
+/// is stationary. Directions without curvature are left alone, those of negative curvature are turned downhill.
+VectorXd newton_step(const MatrixXd& hessian, const VectorXd& gradient, const Linearised& l) {
+    const Index n = gradient.size();
+    VectorXd step = VectorXd::Zero(n);
+    MatrixXd along = MatrixXd::Identity(n, n);
+    if (l.residual.size() > 0) {
+        Eigen::JacobiSVD<MatrixXd> svd(l.gradients, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        svd.setThreshold(rank_tolerance);
+        step = -svd.solve(l.residual);
+        along = svd.matrixV().rightCols(n - svd.rank());
+    }
+    if (along.cols() == 0) return step;
+    const MatrixXd reduced = along.transpose() * hessian * along;
+    const VectorXd slope = along.transpose() * (gradient + hessian * step);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(0.5 * (reduced + reduced.transpose()));
+    const double greatest = eigen.eigenvalues().cwiseAbs().maxCoeff();
+    VectorXd coefficients = eigen.eigenvectors().transpose() * slope;
+    for (Index i = 0; i < coefficients.size(); ++i) {
+        const double curvature = std::abs(eigen.eigenvalues()[i]);
+        coefficients[i] = curvature > rank_tolerance * greatest ? -coefficients[i] / curvature : 0;
+    }
+    return step + along * (eigen.eigenvectors() * coefficients);
+}
+
+VectorXd within_bounds(const Program& program, VectorXd x) {
+    for (std::size_t i = 0; i < program.size(); ++i) {
+        double& v = x[static_cast<Index>(i)];
+        v = std::clamp(v, program.variables[i].lower, program.variables[i].upper);
+    }
+    return x;
+}
+
+/// Whether a step was worth taking: closer to the constraints, or as close and lower.
+bool better(double violation, double objective, double old_violation, double old_objective) {
+    constexpr double rounding = 1e-15;
+    if (violation > std::max(0.5 * old_violation, 4 * rounding)) return false;
+    if (violation < 0.5 * old_violation && old_violation > 1e-12)
+        return objective < old_objective + 1e3 * (old_violation + rounding) * (1 + std::abs(old_objective));
+    return objective < old_objective || (violation < old_violation && objective <= old_objective + 4 * rounding * std::abs(old_objective));
+}
+
+}  // namespace
+
+LocalOutcome polish(const Program& program, const LocalOutcome& from, const LocalLimits& limits) {
+    LocalOutcome best = from;
+    if (from.x.size() == 0 || !std::isfinite(from.violation) || from.violation > 1e-2) return best;
+    ProgramValues values;
+    for (int k = 0; k < most_steps && !limits.reached(); ++k) {
+        evaluate(program, best.x, true, values);
+        ++best.evaluations;
+        std::vector<Active> active = active_constraints(program, best.x, values);
+        Linearised l;
+        const VectorXd lambda = multipliers_of(active, best.x, values, l);
+        VectorXd on_rows = VectorXd::Zero(static_cast<Index>(program.rows.size()));
+        for (std::size_t i = 0; i < active.size(); ++i)
+            if (active[i].row >= 0) on_rows[active[i].row] += lambda[static_cast<Index>(i)];
+        const MatrixXd hessian = lagrangian_hessian(program, best.x, 1, on_rows);
+        if (!hessian.allFinite()) break;
+        const VectorXd step = newton_step(hessian, values.gradient, l);
+        bool moved = false;
+        for (double length = 1; length > 1e-3 && !moved; length /= 2) {
+            const VectorXd x = within_bounds(program, best.x + length * step);
+            ProgramValues there;
+            evaluate(program, x, false, there);
+            ++best.evaluations;
+            const double worst = violation(program, x, there);
+            if (!there.assembled || !better(worst, there.objective, best.violation, best.objective)) continue;
+            best.x = x;
+            best.objective = there.objective;
+            best.violation = worst;
+            moved = true;
+        }
+        if (!moved) break;
+    }
+    return best;
+}
+
+}  // namespace mechwright

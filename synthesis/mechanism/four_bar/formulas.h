@@ -1,0 +1,211 @@
+#pragma once
+/// \file
+/// The quantities of the four-bar as smooth components (measured.h), each from the analysis of the mechanism.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+#include "analysis/four_bar.h"
+#include "synthesis/mechanism/measured.h"
+
+namespace mechwright::four_bar {
+
+/// Indices into the families of the registry entry.
+enum FamilyIndex : std::size_t { crank_rocker, double_crank, limited_range };
+
+/// How many of the first dimensions are link lengths.
+inline constexpr std::size_t links = 4;
+
+template <class T>
+FourBar<T> linkage(const std::array<T, links>& x) {
+    return {x[0], x[1], x[2], x[3]};
+}
+
+inline Assembly assembly_of(const Motion& motion) { return motion.assembly == 0 ? Assembly::open : Assembly::crossed; }
+
+inline TransmissionExtremes transmission_extremes_of(const Motion& motion) {
+    return motion.full_turn ? transmission_extremes_of_full_turn() : transmission_extremes(motion.from, motion.to);
+}
+
+template <class T>
+HalfTurn<T> constant(const HalfTurn<double>& half) {
+    return {T(half.cosine), T(half.sine)};
+}
+
+struct Swing {
+    static constexpr std::size_t reads = links;
+    template <class T>
+    static std::size_t components(const Motion&, const std::array<T, links>& x, Components<T>& out) {
+        out[0] = swing(linkage(x));
+        return 1;
+    }
+};
+
+/// Slow over fast stroke: the greater of a ratio and its reciprocal, the two directions of the crank.
+struct TimeRatio {
+    static constexpr std::size_t reads = links;
+    template <class T>
+    static std::size_t components(const Motion&, const std::array<T, links>& x, Components<T>& out) {
+        const T excess = stroke_excess(linkage(x));
+        out[0] = (pi<double>() + excess) / (pi<double>() - excess);
+        out[1] = (pi<double>() - excess) / (pi<double>() + excess);
+        return 2;
+    }
+};
+
+struct TransmissionAngleMin {
+    static constexpr std::size_t reads = links;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+        const auto extremes = transmission_extremes_of(motion);
+        const std::size_t count = motion.full_turn ? 1 : extremes.count;  // over a full turn the least is at 0
+        for (std::size_t k = 0; k < count; ++k)
+            out[k] = transmission_angle(linkage(x), constant<T>(extremes.at[k]));
+        return count;
+    }
+};
+
+struct TransmissionAngleMax {
+    static constexpr std::size_t reads = links;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+        const auto extremes = transmission_extremes_of(motion);
+        const std::size_t first = motion.full_turn ? 1 : 0;  // over a full turn the greatest is at pi
+        for (std::size_t k = first; k < extremes.count; ++k)
+            out[k - first] = transmission_angle(linkage(x), constant<T>(extremes.at[k]));
+        return extremes.count - first;
+    }
+};
+
+/// The least of the angle and its supplement.
+struct TransmissionAngleWorst {
+    static constexpr std::size_t reads = links;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+        const std::size_t least = TransmissionAngleMin::components(motion, x, out);
+        Components<T> greatest;
+        const std::size_t count = TransmissionAngleMax::components(motion, x, greatest);
+        for (std::size_t k = 0; k < count; ++k)
+            out[least + k] = pi<double>() - greatest[k];
+        return least + count;
+    }
+};
+
+/// The longest link over the shortest: every ratio that can be the greatest in the family.
+struct LinkRatio {
+    static constexpr std::size_t reads = links;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+        std::size_t count = 0;
+        for (std::size_t shortest = 0; shortest < links; ++shortest) {
+            if (motion.family == crank_rocker && shortest != 1) continue;
+            if (motion.family == double_crank && shortest != 0) continue;
+            for (std::size_t longest = 0; longest < links; ++longest)
+                if (longest != shortest) out[count++] = x[longest] / x[shortest];
+        }
+        return count;
+    }
+};
+
+struct TotalLength {
+    static constexpr std::size_t reads = links;
+    template <class T>
+    static std::size_t components(const Motion&, const std::array<T, links>& x, Components<T>& out) {
+        out[0] = (x[0] + x[1]) + (x[2] + x[3]);
+        return 1;
+    }
+};
+
+struct GrashofMargin {
+    static constexpr std::size_t reads = links;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+        if (motion.family == limited_range) {
+            out[0] = grashof_margin(linkage(x));
+            return 1;
+        }
+        const auto m = motion.family == crank_rocker ? crank_rocker_margins(linkage(x)) : double_crank_margins(linkage(x));
+        out[0] = m.ground_longest;
+        out[1] = m.coupler_longest;
+        out[2] = m.rocker_longest;
+        return 3;
+    }
+};
+
+/// The greatest (sense = +1) or least (-1) stationary values of the velocity ratio, the worst first; where there are
+/// fewer than there are places, the last is repeated.
+template <int sense>
+struct VelocityRatioExtreme {
+    static constexpr std::size_t reads = links;
+    static std::size_t places(const Motion& motion) { return motion.full_turn ? 3 : 5; }
+
+    template <class T>
+    static T value_at(const FourBar<T>& m, double angle, bool, Assembly assembly) {
+        return velocity_ratio(m, T(angle), assembly);
+    }
+
+    template <std::size_t N>
+    static SecondDual<double, N> value_at(const FourBar<SecondDual<double, N>>& m, double angle, bool stationary,
+                                          Assembly assembly) {
+        using Wide = SecondDual<double, N + 1>;
+        const auto widen = [](const SecondDual<double, N>& x) {
+            Wide w(x.value);
+            std::copy(x.first.begin(), x.first.end(), w.first.begin());
+            std::copy(x.second.begin(), x.second.end(), w.second.begin());
+            return w;
+        };
+        if (!stationary) return velocity_ratio(m, SecondDual<double, N>(angle), assembly);
+        const FourBar<Wide> wide{widen(m.ground), widen(m.crank), widen(m.coupler), widen(m.rocker)};
+        return stationary_value(velocity_ratio(wide, Wide::variable(angle, N), assembly));
+    }
+
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+        const FourBar<T> m = linkage(x);
+        const FourBar<double> plain{value_of(m.ground), value_of(m.crank), value_of(m.coupler), value_of(m.rocker)};
+        const Assembly assembly = assembly_of(motion);
+        const CrankRange<double> range{motion.full_turn, motion.from, motion.to};
+        const auto extremes = velocity_ratio_extremes(plain, assembly, range);
+        struct Found {
+            double angle;
+            double value;
+            bool stationary;
+        };
+        std::array<Found, VelocityRatioExtremes::most> found{};
+        for (std::size_t i = 0; i < extremes.count; ++i) {
+            const bool end = !motion.full_turn && (i == 0 || i + 1 == extremes.count);
+            found[i] = {extremes.at[i], velocity_ratio(plain, extremes.at[i], assembly), !end};
+        }
+        std::stable_sort(found.begin(), found.begin() + extremes.count,
+                         [](const Found& a, const Found& b) { return sense * a.value > sense * b.value; });
+        const std::size_t count = places(motion);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (extremes.count == 0) {  // no stationary point: a parallelogram, whose ratio is constant
+                out[k] = velocity_ratio(m, T(1), assembly);
+                continue;
+            }
+            const Found& f = found[std::min(k, extremes.count - 1)];
+            out[k] = value_at(m, f.angle, f.stationary, assembly);
+        }
+        return count;
+    }
+};
+
+/// What must be >= 0 for a design to assemble over a limited range: both margins wherever they can be least.
+struct AssemblyMargin {
+    static constexpr std::size_t reads = links;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+        const auto extremes = transmission_extremes_of(motion);
+        for (std::size_t k = 0; k < extremes.count; ++k) {
+            const auto margins = assembly_margins(linkage(x), constant<T>(extremes.at[k]));
+            out[2 * k] = margins.stretch;
+            out[2 * k + 1] = margins.fold;
+        }
+        return 2 * extremes.count;
+    }
+};
+
+}  // namespace mechwright::four_bar

@@ -1,0 +1,193 @@
+#include "synthesis/mechanism/four_bar/four_bar.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "analysis/four_bar.h"
+#include "synthesis/mechanism/four_bar/formulas.h"
+#include "synthesis/mechanism/four_bar/measure_again.h"
+#include "synthesis/mechanism/four_bar/path.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace four_bar;
+
+constexpr std::array<Dimension, 10> dimensions{{
+    {"ground", DimensionKind::length, true, "ground link, crank pivot to rocker pivot"},
+    {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
+    {"coupler", DimensionKind::length, true, "coupler, crank pin to rocker pin"},
+    {"rocker", DimensionKind::length, true, "rocker, rocker pivot to rocker pin"},
+    {"point-along", DimensionKind::coordinate, false, "coupler point along the line from crank pin to rocker pin"},
+    {"point-across", DimensionKind::coordinate, false, "coupler point to the left of that line"},
+    {"origin-x", DimensionKind::coordinate, false, "crank pivot in the drawing"},
+    {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
+    {"tilt", DimensionKind::angle, false, "direction of the ground link in the drawing"},
+    {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
+}};
+
+constexpr std::array<std::string_view, 2> assemblies{"open", "crossed"};
+
+bool of_crank_rocker(const Motion& motion) { return motion.family == crank_rocker; }
+bool of_any(const Motion&) { return true; }
+bool of_known_range(const Motion& motion) { return motion.full_turn || motion.from <= motion.to; }
+
+template <std::size_t count>
+std::size_t components(const Motion&) {
+    return count;
+}
+std::size_t link_ratio_components(const Motion& motion) { return motion.family == limited_range ? 12 : 3; }
+std::size_t grashof_components(const Motion& motion) { return motion.family == limited_range ? 1 : 3; }
+std::size_t transmission_components(const Motion& motion) {
+    return motion.full_turn ? 1 : transmission_extremes_of(motion).count;
+}
+std::size_t worst_transmission_components(const Motion& motion) { return 2 * transmission_components(motion); }
+std::size_t velocity_ratio_components(const Motion& motion) { return VelocityRatioExtreme<1>::places(motion); }
+std::size_t assembly_margin_components(const Motion& motion) { return 2 * transmission_extremes_of(motion).count; }
+
+const std::array<Quantity, 13> quantities{{
+    {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest, links,
+     of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
+    {"swing", Unit::angle, "angle through which the rocker swings over a full turn of the crank", Reduce::only, links,
+     of_crank_rocker, components<1>, measure_by<Swing>, swing_again},
+    {"transmission-angle-min", Unit::angle, "least angle between coupler and rocker over the motion", Reduce::least,
+     links, of_known_range, transmission_components, measure_by<TransmissionAngleMin>, transmission_angle_min_again},
+    {"transmission-angle-max", Unit::angle, "greatest angle between coupler and rocker over the motion",
+     Reduce::greatest, links, of_known_range, transmission_components, measure_by<TransmissionAngleMax>,
+     transmission_angle_max_again},
+    {"transmission-angle-worst", Unit::angle, "least of the transmission angle and its supplement over the motion",
+     Reduce::least, links, of_known_range, worst_transmission_components, measure_by<TransmissionAngleWorst>,
+     transmission_angle_worst_again},
+    {"velocity-ratio-min", Unit::none, "least angular velocity of the rocker over that of the crank (signed)",
+     Reduce::least, links, of_known_range, velocity_ratio_components, measure_by<VelocityRatioExtreme<-1>>,
+     velocity_ratio_min_again, PathMeasure::none, true},
+    {"velocity-ratio-max", Unit::none, "greatest angular velocity of the rocker over that of the crank (signed)",
+     Reduce::greatest, links, of_known_range, velocity_ratio_components, measure_by<VelocityRatioExtreme<1>>,
+     velocity_ratio_max_again, PathMeasure::none, true},
+    {"link-ratio", Unit::none, "longest link over shortest link", Reduce::greatest, links, of_any,
+     link_ratio_components, measure_by<LinkRatio>, link_ratio_again},
+    {"total-length", Unit::length, "sum of the four link lengths", Reduce::only, links, of_any, components<1>,
+     measure_by<TotalLength>, total_length_again},
+    {"grashof-margin", Unit::length, "p + q - s - l: the middle links less shortest and longest; < 0: no link turns fully",
+     Reduce::least, links, of_any, grashof_components, measure_by<GrashofMargin>, grashof_margin_again},
+    {.name = "path-sse",
+     .unit = Unit::area,
+     .meaning = "weighted sum of squared distances from the target points",
+     .path = PathMeasure::sum_of_squares},
+    {.name = "path-rms",
+     .unit = Unit::length,
+     .meaning = "root of the weighted mean of squared distances from the target points",
+     .path = PathMeasure::root_mean_square},
+    {.name = "path-max",
+     .unit = Unit::length,
+     .meaning = "greatest distance from a target point",
+     .path = PathMeasure::greatest},
+}};
+
+/// Not a quantity of the contract: what keeps a design of limited range assembled.
+const Quantity assembly_margin{.name = "assembly margin",
+                               .unit = Unit::length,
+                               .meaning = "least length by which the loop closes",
+                               .reduce = Reduce::least,
+                               .reads = links,
+                               .defined = of_known_range,
+                               .components = assembly_margin_components,
+                               .measure = measure_by<AssemblyMargin>};
+
+// Coefficients of ground, crank, coupler, rocker.
+const std::array<Family, 3> families{{
+    {"crank-rocker",
+     true,
+     {{"the crank turns past the longest ground link", {-1, -1, 1, 1}},
+      {"the crank turns past the longest coupler", {1, -1, -1, 1}},
+      {"the crank turns past the longest rocker", {1, -1, 1, -1}}},
+     nullptr},
+    {"double crank",
+     true,
+     {{"the links turn past the longest crank", {-1, -1, 1, 1}},
+      {"the links turn past the longest coupler", {-1, 1, -1, 1}},
+      {"the links turn past the longest rocker", {-1, 1, 1, -1}}},
+     nullptr},
+    {"limited crank range", false, {}, &assembly_margin},
+}};
+
+FourBar<double> linkage_of(std::span<const double> d) { return {d[0], d[1], d[2], d[3]}; }
+
+Motion motion_of(std::span<const double> d, std::size_t assembly, const double* crank_range) {
+    const FourBar<double> m = linkage_of(d);
+    const Grashof grashof = classify(m);
+    Motion motion;
+    motion.assembly = assembly;
+    motion.family = grashof.kind == FourBarClass::crank_rocker   ? crank_rocker
+                    : grashof.kind == FourBarClass::double_crank ? double_crank
+                                                                 : limited_range;
+    const CrankRange<double> range = assembled_range(m);
+    motion.full_turn = range.full_turn && crank_range == nullptr;
+    motion.from = crank_range ? crank_range[0] : range.from;
+    motion.to = crank_range ? crank_range[1] : range.to;
+    return motion;
+}
+
+std::string describe(std::span<const double> d) {
+    const Grashof grashof = classify(linkage_of(d));
+    std::string text = name_of(grashof.kind);
+    if (grashof.parallelogram)
+        text += ", parallelogram";
+    else if (grashof.kite)
+        text += ", kite";
+    if (grashof.change_point) text += ", with change points";
+    return text;
+}
+
+constexpr std::array<std::string_view, 10> motion_columns{
+    "crank-angle",      "coupler-angle",   "rocker-angle",         "transmission-angle",  "coupler-velocity",
+    "rocker-velocity",  "coupler-acceleration", "rocker-acceleration", "point-x", "point-y"};
+constexpr std::array<Unit, 10> motion_units{Unit::angle, Unit::angle, Unit::angle, Unit::angle,  Unit::none,
+                                            Unit::none,  Unit::none,  Unit::none,  Unit::length, Unit::length};
+
+bool motion_row(std::size_t assembly, std::span<const double> d, double crank_angle, std::span<double> row) {
+    const FourBar<double> m = linkage_of(d);
+    const auto p = pose(m, crank_angle, assembly == 0 ? Assembly::open : Assembly::crossed);
+    if (!p.assembled()) return false;
+    const auto v = velocity(m, p);
+    const auto a = acceleration(m, p, v);
+    const Placement<double> placement{{d[6], d[7]}, d[8]};
+    const auto point = placed(position(m, CouplerPoint<double>{d[4], d[5]}, p), placement);
+    const std::array<double, 10> values{crank_angle,
+                                        std::atan2(p.coupler.y, p.coupler.x),
+                                        std::atan2(p.rocker.y, p.rocker.x),
+                                        std::abs(std::atan2(p.transmission_sine, p.transmission_cosine)),
+                                        v.coupler,
+                                        v.rocker,
+                                        a.coupler,
+                                        a.rocker,
+                                        point.x,
+                                        point.y};
+    std::copy(values.begin(), values.end(), row.begin());
+    return true;
+}
+
+}  // namespace
+
+const Mechanism& four_bar_mechanism() {
+    static const Mechanism mechanism{.name = "four-bar",
+                                     .meaning = "four links, four pins: crank, coupler, rocker on a ground link",
+                                     .dimensions = dimensions,
+                                     .assemblies = assemblies,
+                                     .quantities = quantities,
+                                     .families = families,
+                                     .motion = motion_of,
+                                     .describe = describe,
+                                     .check_motion = four_bar_check_motion,
+                                     .path_reads = path_reads,
+                                     .path_roles = {4, 5, 6, 7, 8, 9},
+                                     .path_miss = path_miss,
+                                     .path_point = four_bar_path_point,
+                                     .motion_columns = motion_columns,
+                                     .motion_units = motion_units,
+                                     .motion_row = motion_row};
+    return mechanism;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// Turns a formula, written once as a template, into the Measure functions of the registry.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "analysis/numbers/dual.h"
+#include "analysis/numbers/second_dual.h"
+#include "synthesis/mechanism/mechanism.h"
+
+namespace mechwright {
+
+/// The first N dimensions as numbers of type T: independent variables where T is a dual number.
+template <class T, std::size_t N>
+std::array<T, N> seeded(std::span<const double> dimensions) {
+    std::array<T, N> x;
+    for (std::size_t i = 0; i < N; ++i) {
+        if constexpr (requires { T::variable(0.0, i); })
+            x[i] = T::variable(dimensions[i], i);
+        else
+            x[i] = T(dimensions[i]);
+    }
+    return x;
+}
+
+/// Components of a quantity in numbers of type T.
+template <class T>
+using Components = std::array<T, Quantity::most_components>;
+
+/// The measure of a formula with `static constexpr std::size_t reads` and
+/// `template <class T> static std::size_t components(const Motion&, const std::array<T, reads>&, Components<T>& out)`.
+template <class Formula>
+void measure_by(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+    constexpr std::size_t n = Formula::reads;
+    constexpr std::size_t pairs = n * (n + 1) / 2;
+    const auto evaluate = [&]<class T>(Components<T>& at) {
+        return Formula::template components<T>(motion, seeded<T, n>(dimensions), at);
+    };
+    if (!out.hessian.empty()) {
+        Components<SecondDual<double, n>> c;
+        const std::size_t count = evaluate(c);
+        for (std::size_t k = 0; k < count; ++k) {
+            out.value[k] = c[k].value;
+            if (!out.gradient.empty()) std::copy_n(c[k].first.begin(), n, out.gradient.begin() + k * n);
+            std::copy_n(c[k].second.begin(), pairs, out.hessian.begin() + k * pairs);
+        }
+    } else if (!out.gradient.empty()) {
+        Components<Dual<double, n>> c;
+        const std::size_t count = evaluate(c);
+        for (std::size_t k = 0; k < count; ++k) {
+            out.value[k] = c[k].value;
+            std::copy_n(c[k].partial.begin(), n, out.gradient.begin() + k * n);
+        }
+    } else {
+        Components<double> c;
+        const std::size_t count = evaluate(c);
+        std::copy_n(c.begin(), count, out.value.begin());
+    }
+}
+
+/// Whether a quantity is measured by this formula: how a closed form recognises what it solves, without its name.
+template <class Formula>
+bool is_measured_by(const Quantity& quantity) {
+    return quantity.measure == &measure_by<Formula>;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,67 @@
+#include "synthesis/problem/messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace mechwright {
+
+std::string to_string(const Message& message) {
+    const std::string place = message.line > 0 ? fmt::format(":{}:{}", message.line, message.column) : "";
+    return fmt::format("{}{}: {}{}", message.file, place, message.warning ? "warning: " : "", message.text);
+}
+
+bool ReadProblem::ok() const {
+    return std::all_of(messages.begin(), messages.end(), [](const Message& message) { return message.warning; });
+}
+
+namespace reading {
+
+namespace {
+
+void keep_first(Messages& messages) {
+    auto& entries = messages.entries;
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.order < b.order; });
+    if (entries.size() <= Messages::most_shown) return;
+    messages.left_out += entries.size() - Messages::most_shown;
+    entries.resize(Messages::most_shown);
+}
+
+void add(Messages& messages, Place order, Message message) {
+    constexpr std::size_t most_kept = 10 * Messages::most_shown;  // bounds memory for files of nothing but errors
+    messages.failed |= !message.warning;
+    messages.entries.push_back({order, std::move(message)});
+    if (messages.entries.size() >= most_kept) keep_first(messages);
+}
+
+}  // namespace
+
+void add_error(Messages& messages, Place place, std::string text) {
+    add(messages, place, {messages.file, place.line, place.column, std::move(text)});
+}
+
+void add_warning(Messages& messages, Place place, std::string text) {
+    add(messages, place, {messages.file, place.line, place.column, std::move(text), true});
+}
+
+void add_error(Messages& messages, std::string text) { add_error(messages, Place{0, 0}, std::move(text)); }
+
+void add_error_elsewhere(Messages& messages, Place named_at, const std::string& file, Place place, std::string text) {
+    add(messages, named_at, {file, place.line, place.column, std::move(text)});
+}
+
+std::vector<Message> sorted(Messages&& messages) {
+    keep_first(messages);
+    std::vector<Message> all;
+    for (Entry& entry : messages.entries)
+        all.push_back(std::move(entry.message));
+    // Not a warning: an error may be among those left out.
+    if (messages.left_out > 0)
+        all.push_back({messages.file, 0, 0, fmt::format("and {} more; correct these first", messages.left_out)});
+    return all;
+}
+
+}  // namespace reading
+
+}  // namespace mechwright

@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// Collects what is wrong with a file while it is read, and brings it into the order of its places.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "synthesis/problem/reader.h"
+
+namespace mechwright::reading {
+
+/// Line and column, counted from 1 in characters.
+struct Place {
+    int line = 1;
+    int column = 1;
+
+    friend auto operator<=>(const Place&, const Place&) = default;
+};
+
+struct Entry {
+    Place order;  ///< what the message is sorted by: its place in the problem file, or that of the other file's name
+    Message message;
+};
+
+struct Messages {
+    std::string file;         ///< the problem file
+    bool unreadable = false;  ///< a file cannot be opened or read
+    bool failed = false;      ///< there is an error among the messages
+    std::vector<Entry> entries{};
+    std::size_t left_out = 0;
+
+    static constexpr std::size_t most_shown = 100;  ///< more than anyone reads at once
+};
+
+void add_error(Messages& messages, Place place, std::string text);
+void add_warning(Messages& messages, Place place, std::string text);
+
+/// An error about the problem file as a whole.
+void add_error(Messages& messages, std::string text);
+
+/// An error in, or about (place 0:0), another file that is named at `named_at` in the problem file.
+void add_error_elsewhere(Messages& messages, Place named_at, const std::string& file, Place place, std::string text);
+
+/// At most `most_shown` messages by their places, then one that says how many there are beyond.
+std::vector<Message> sorted(Messages&& messages);
+
+}  // namespace mechwright::reading

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// Lists of points, wherever they stand.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/geometry/vector.h"
+#include "synthesis/problem/messages.h"
+
+namespace mechwright::reading {
+
+constexpr std::size_t most_points = 10000;
+
+/// Points and where each of them stands.
+struct PointList {
+    std::vector<Vector<double>> points{};
+    std::vector<Place> places{};
+    std::string file{};  ///< the file with the points, as messages show it; empty if they stand in the problem file
+    Place named_at{};    ///< the list, or the file's name, in the problem file
+    bool whole = false;  ///< false if anything about the list has been reported
+};
+
+/// The points of a table with two columns.
+void read_point_table(std::string_view text, PointList& list, Messages& messages);
+
+/// An error about a point, in whichever file it stands.
+void add_point_error(const PointList& list, Place place, std::string text, Messages& messages);
+
+}  // namespace mechwright::reading

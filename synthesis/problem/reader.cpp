@@ -1,0 +1,112 @@
+#include "synthesis/problem/reader.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <exception>
+
+#include "synthesis/problem/bytes.h"
+#include "synthesis/problem/sections.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/problem/toml_text.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace reading;
+
+void read_schema(Section& file, Messages& messages) {
+    if (!has(file, "schema")) add_error(messages, file.place, "'schema' is missing: write schema = 1");
+    const auto schema = read_whole_number(file, "schema", messages);
+    if (schema && *schema != 1)
+        add_error(messages, place_of(file, "schema"),
+                  fmt::format("schema {} is not known to this version: write schema = 1", *schema));
+}
+
+void read_mechanism(Section& file, Problem& problem, Messages& messages) {
+    std::vector<std::string_view> names;
+    for (const Mechanism* mechanism : mechanisms())
+        names.push_back(mechanism->name);
+    if (!has(file, "mechanism")) add_error(messages, file.place, "'mechanism' is missing: known are " + listed(names));
+    if (const auto index = read_choice(file, "mechanism", "mechanism", names, messages))
+        problem.mechanism = mechanisms()[*index];
+}
+
+struct Missing {
+    std::string_view key;
+    std::string_view what;
+};
+
+/// Sections of the format that belong to kinds of synthesis which are not built in.
+constexpr std::array<Missing, 6> not_built_in{{{"function", "function generation"},
+                                               {"poses", "body guidance through poses"},
+                                               {"study", "parameter studies"},
+                                               {"cam", "cams"},
+                                               {"segment", "cams"},
+                                               {"quick-return", "quick returns"}}};
+
+void report_not_built_in(Section& file, Messages& messages) {
+    for (const Missing& missing : not_built_in) {
+        if (!has(file, missing.key)) continue;
+        file.reported.push_back(missing.key);
+        add_error(messages, key_place(file, missing.key),
+                  fmt::format("unknown key '{}': this version does not do {}", missing.key, missing.what));
+    }
+}
+
+void read_table(const toml::table& table, Problem& problem, Messages& messages) {
+    Section file{&table, "", {1, 1}};
+    read_schema(file, messages);
+    read_mechanism(file, problem, messages);
+    if (auto title = read_string(file, "title", messages)) problem.title = *std::move(title);
+    read_units(file, problem, messages);
+    read_dimensions(file, problem, messages);
+    read_path(file, problem, messages);
+    read_objective(file, problem, messages);
+    read_motion(file, problem, messages);
+    read_solver(file, problem, messages);
+    read_requirements(file, problem, messages);
+    report_not_built_in(file, messages);
+    report_unknown_keys(file, messages);
+}
+
+void read_text(std::string_view text, Problem& problem, Messages& messages) {
+    problem.sha256 = sha256(text);
+    const auto table = parse_toml(text, messages);
+    if (!table) return;
+    if (table->empty())
+        return add_error(messages, Place{},
+                         "the file is empty: a problem needs at least schema = 1, mechanism = \"...\" and a section "
+                         "[dimensions]");
+    read_table(*table, problem, messages);
+}
+
+}  // namespace
+
+ReadProblem parse_problem(std::string_view text, const std::string& file) {
+    ReadProblem read;
+    Messages messages{.file = file};
+    read.problem.file = file;
+    try {
+        read_text(text, read.problem, messages);
+    } catch (const std::exception& exhausted) {  // memory, in the parser or here: nothing else throws
+        add_error(messages, fmt::format("cannot be read: {}", exhausted.what()));
+    }
+    read.unreadable = messages.unreadable;
+    read.messages = sorted(std::move(messages));
+    return read;
+}
+
+ReadProblem read_problem(const std::string& file) {
+    constexpr std::size_t most_bytes = 64 << 20;
+    const Bytes read = read_bytes(file, most_bytes, true);
+    if (read.failure.empty()) return parse_problem(read.bytes, file);
+    ReadProblem failed;
+    failed.problem.file = file;
+    failed.messages.push_back({file, 0, 0, read.failure});
+    failed.unreadable = read.unreadable;
+    return failed;
+}
+
+}  // namespace mechwright

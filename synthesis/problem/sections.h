@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// One reader for each section of a problem file. Each fills its part of the problem, reports what is wrong, and does
+/// nothing if its section is absent. What the mechanism decides is left out where the mechanism is unknown.
+
+#include <optional>
+#include <string_view>
+
+#include "synthesis/problem/points.h"
+#include "synthesis/problem/section.h"
+
+namespace mechwright::reading {
+
+/// An angle of the file in radians.
+double to_radians(const Units& units, double angle);
+
+/// A full turn in the file's unit, with room for the rounding of a written 2 pi.
+double full_turn(const Units& units);
+
+void read_units(Section& file, Problem& problem, Messages& messages);
+void read_dimensions(Section& file, Problem& problem, Messages& messages);
+void read_requirements(Section& file, Problem& problem, Messages& messages);
+void read_objective(Section& file, Problem& problem, Messages& messages);
+void read_path(Section& file, Problem& problem, Messages& messages);
+void read_motion(Section& file, Problem& problem, Messages& messages);
+void read_solver(Section& file, Problem& problem, Messages& messages);
+
+/// A quantity of the mechanism by its name: its index. Path quantities are accepted only in files with a [path].
+std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view what, const Section& file,
+                                       const Problem& problem, Messages& messages);
+
+/// The points of a [path], from its list or the file it names.
+PointList read_points(Section& path, const Problem& problem, Messages& messages);
+
+}  // namespace mechwright::reading

@@ -1,0 +1,97 @@
+#include "synthesis/program/assess.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "synthesis/report/document.h"
+#include "synthesis/report/path_values.h"
+#include "synthesis/report/standing.h"
+#include "synthesis/report/units.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr double without_limit = std::numeric_limits<double>::infinity();
+
+double range_violation(const Problem& problem, const Design& design) {
+    double worst = 0;
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i) {
+        const DimensionRange& range = problem.dimensions[i];
+        const double value = design.dimensions[i];
+        const double size = std::max({std::abs(range.min), std::abs(range.max), std::numeric_limits<double>::min()});
+        worst = std::max({worst, (range.min - value) / size, (value - range.max) / size});
+        const bool length = problem.mechanism->dimensions[i].kind == DimensionKind::length;
+        if (!std::isfinite(value) || (length && !(value > 0))) return without_limit;
+    }
+    return worst;
+}
+
+/// Points that the mechanism cannot reach assembled, and untimed points out of order.
+double path_violation(const Problem& problem, const Design& design) {
+    if (!problem.path) return 0;
+    double worst = 0;
+    for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
+        PathMiss miss{};
+        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i],
+                                     problem.path->points[i], miss);
+        if (!(miss.margin >= 0)) return without_limit;
+    }
+    if (problem.path->prescribed_timing || design.path_angles.size() < 3) return worst;
+    const double direction = design.path_angles.back() > design.path_angles.front() ? 1 : -1;
+    for (std::size_t i = 1; i < design.path_angles.size(); ++i)
+        worst = std::max(worst, -direction * (design.path_angles[i] - design.path_angles[i - 1]));
+    const double turn = std::abs(design.path_angles.back() - design.path_angles.front());
+    return std::max(worst, turn - 2 * std::numbers::pi);
+}
+
+/// The objective in the file's units; NaN where a term has no value.
+double objective_of(const Problem& problem, const Design& design) {
+    if (!problem.objective) return 0;
+    const Objective& objective = *problem.objective;
+    const auto value_of = [&](const ObjectiveTerm& term) {
+        const auto value = quantity_value(problem, term.quantity, design);
+        return value ? in_file_unit(*value, problem.mechanism->quantities[term.quantity].unit, problem.units)
+                     : std::numeric_limits<double>::quiet_NaN();
+    };
+    if (objective.terms.size() == 1) return value_of(objective.terms.front());
+    double total = objective.worst ? (maximizes(problem) ? without_limit : -without_limit) : 0;
+    for (const ObjectiveTerm& term : objective.terms) {
+        const double value = term.weight * value_of(term);
+        if (std::isnan(value)) return value;
+        if (!objective.worst)
+            total += term.maximize ? -value : value;
+        else
+            total = term.maximize ? std::min(total, value) : std::max(total, value);
+    }
+    return total;
+}
+
+}  // namespace
+
+Solution assess(const Problem& problem, Design design) {
+    Solution s;
+    s.objective = objective_of(problem, design);
+    s.violation = std::max(range_violation(problem, design), path_violation(problem, design));
+    for (const Requirement& r : problem.requirements)
+        s.violation = std::max(s.violation, standing_of(problem, r, design).violation.value_or(without_limit));
+    if (std::isnan(s.objective)) s.violation = without_limit;
+    s.feasible = s.violation <= problem.solver.tolerance;
+    s.design = std::move(design);
+    return s;
+}
+
+bool maximizes(const Problem& problem) {
+    return problem.objective && (problem.objective->terms.size() == 1 || problem.objective->worst) &&
+           problem.objective->terms.front().maximize;
+}
+
+bool preferred(const Problem& problem, const Solution& a, const Solution& b) {
+    if (a.feasible != b.feasible) return a.feasible;
+    if (!a.feasible && a.violation != b.violation) return a.violation < b.violation;
+    return maximizes(problem) ? a.objective > b.objective : a.objective < b.objective;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,362 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "synthesis/program/program.h"
+
+namespace mechwright {
+
+namespace {
+
+/// How far a condition of motion is kept from its limit, in lengths of the program: at the limit itself lies a change
+/// point, where no design passes verification.
+constexpr double condition_margin = 1e-6;
+/// A length whose range starts at zero starts at this part of its greatest value.
+constexpr double least_length = 1e-6;
+/// The least crank angle between neighbouring points of an untimed path.
+constexpr double least_step = 1e-6;
+
+/// The power of two below a length.
+double power_of_two(double length) { return std::exp2(std::floor(std::log2(length))); }
+
+double path_extent(const PathTarget& path) {
+    const auto [left, right] = std::minmax_element(path.points.begin(), path.points.end(),
+                                                   [](const auto& a, const auto& b) { return a.x < b.x; });
+    const auto [low, high] = std::minmax_element(path.points.begin(), path.points.end(),
+                                                 [](const auto& a, const auto& b) { return a.y < b.y; });
+    return std::hypot(right->x - left->x, high->y - low->y);
+}
+
+/// The power of two close to the size that the problem speaks of: its longest fixed link, else its path, else its ranges.
+double length_scale(const Problem& problem) {
+    double fixed = 0;
+    double ranged = 0;
+    for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
+        const DimensionRange& d = problem.dimensions[i];
+        if (problem.mechanism->dimensions[i].kind != DimensionKind::length) continue;
+        if (d.fixed()) fixed = std::max(fixed, d.max);
+        ranged = std::max(ranged, std::sqrt(std::max(d.min, 0.01 * d.max) * d.max));
+    }
+    if (fixed > 0) return power_of_two(fixed);
+    const double extent = problem.path ? path_extent(*problem.path) : 0;
+    return power_of_two(extent > 0 ? extent : ranged);
+}
+
+bool is_angle(const Dimension& d) { return d.kind == DimensionKind::angle; }
+
+/// What a value of this unit is divided by in the program.
+double unit_scale(Unit unit, double length) {
+    switch (unit) {
+        case Unit::length: return length;
+        case Unit::area: return length * length;
+        case Unit::none:
+        case Unit::angle: return 1;
+    }
+    return 1;
+}
+
+/// Builds one program step by step; the parts below are in the order in which they are called.
+struct Builder {
+    const Problem& problem;
+    Program program;
+    Motion motion;
+    std::size_t next_choice = 0;
+
+    Builder(const Problem& p, const Variant& v) : problem(p), motion(motion_of(p, v.family, v.assembly)) {
+        program.problem = &p;
+        program.variant = v;
+        program.length = length_scale(p);
+    }
+
+    void add_dimensions() {
+        const auto& kinds = problem.mechanism->dimensions;
+        program.variable_of.assign(kinds.size(), -1);
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            const DimensionRange& range = problem.dimensions[i];
+            const double scale = is_angle(kinds[i]) ? 1 : program.length;
+            program.dimensions.push_back(range.min / scale);
+            if (range.fixed()) continue;
+            // A timed path alone needs the start angle; an untimed one finds its own crank angles.
+            const bool unused_start =
+                problem.mechanism->path_reads > 0 && i == problem.mechanism->path_roles.start &&
+                !(problem.path && problem.path->prescribed_timing);
+            if (unused_start) {
+                program.dimensions.back() = range.start.value_or(range.min) / scale;
+                continue;
+            }
+            const bool length = kinds[i].kind == DimensionKind::length;
+            const double lower = length ? std::max(range.min, least_length * range.max) : range.min;
+            program.variable_of[i] = static_cast<std::ptrdiff_t>(program.variables.size());
+            program.variables.push_back({std::string(kinds[i].name), lower / scale, range.max / scale});
+        }
+    }
+
+    void add_path() {
+        if (!problem.path) return;
+        const PathTarget& path = *problem.path;
+        program.path.emplace();
+        for (const auto& point : path.points)
+            program.targets.push_back({point.x / program.length, point.y / program.length});
+        if (path.prescribed_timing) return;
+        constexpr double pi = std::numbers::pi;
+        const std::size_t n = path.points.size();
+        const int direction = program.variant.direction;
+        program.first_path_angle = program.variables.size();
+        for (std::size_t i = 0; i < n; ++i)
+            program.variables.push_back({"crank angle at point " + std::to_string(i + 1),
+                                         i == 0 ? -pi : (direction > 0 ? -pi : -3 * pi),
+                                         i == 0 ? pi : (direction > 0 ? 3 * pi : pi)});
+        const double sign = direction;
+        for (std::size_t i = 0; i + 1 < n; ++i)
+            add_row("order of points " + std::to_string(i + 1) + " and " + std::to_string(i + 2),
+                    {{}, {{program.first_path_angle + i + 1, sign}, {program.first_path_angle + i, -sign}}}, least_step,
+                    unlimited);
+        if (n > 2) {
+            const bool meets = path.points.front().x == path.points.back().x &&
+                               path.points.front().y == path.points.back().y;
+            add_row("points within one turn",
+                    {{}, {{program.first_path_angle + n - 1, sign}, {program.first_path_angle, -sign}}}, -unlimited,
+                    2 * pi - (meets ? 0 : least_step));
+        }
+    }
+
+    void add_row(std::string name, LinearForm form, double lower, double upper) {
+        program.rows.push_back({std::move(name), std::move(form), lower, upper});
+    }
+
+    void add_conditions_of_motion() {
+        const Family& family = problem.mechanism->families[program.variant.family];
+        for (const LinearCondition& condition : family.conditions) {
+            LinearForm form;
+            for (std::size_t i = 0; i < condition.coefficients.size(); ++i) {
+                if (program.variable_of[i] >= 0)
+                    form.variables.push_back(
+                        {static_cast<std::size_t>(program.variable_of[i]), condition.coefficients[i]});
+                else
+                    form.constant += condition.coefficients[i] * program.dimensions[i];
+            }
+            add_row(std::string(condition.name), std::move(form), condition_margin, unlimited);
+        }
+        if (family.assembly_margin && family.assembly_margin->defined(motion)) {
+            const QuantityBlock& block = block_of(*family.assembly_margin);
+            for (std::size_t k = 0; k < block.count; ++k)
+                add_row(std::string(family.assembly_margin->name), {{{block.first + k, 1}}, {}}, condition_margin,
+                        unlimited);
+        }
+    }
+
+    const QuantityBlock& block_of(const Quantity& quantity) {
+        for (const QuantityBlock& block : program.blocks)
+            if (block.quantity == &quantity) return block;
+        program.blocks.push_back({&quantity, motion, program.outputs, quantity.components(motion)});
+        program.outputs += program.blocks.back().count;
+        return program.blocks.back();
+    }
+
+    std::size_t place(std::optional<std::size_t>& output, std::size_t count) {
+        if (!output) {
+            output = program.outputs;
+            program.outputs += count;
+        }
+        return *output;
+    }
+
+    double total_weight() const {
+        return std::accumulate(problem.path->weights.begin(), problem.path->weights.end(), 0.0);
+    }
+
+    /// The component chosen by this variant for the next disjunction.
+    std::size_t chosen() {
+        return next_choice < program.variant.choices.size() ? program.variant.choices[next_choice++] : 0;
+    }
+
+    /// lower <= factor output <= upper, divided by the greater of the two limits.
+    void add_limits(const std::string& name, std::size_t output, double factor, double lower, double upper) {
+        const double size = std::max(std::isfinite(lower) ? std::abs(lower) : 0, std::isfinite(upper) ? std::abs(upper) : 0);
+        const double scale = size > 0 ? 1 / size : 1;
+        add_row(name, {{{output, factor * scale}}, {}}, lower * scale, upper * scale);
+        program.rows.back().requirement = true;
+    }
+
+    /// The limits that a requirement sets, in the program's unit.
+    struct Limits {
+        double lower;
+        double upper;
+    };
+
+    Limits limits_of(const Quantity& quantity, const Requirement& r) const {
+        const double unit = unit_scale(quantity.unit, program.length);
+        if (r.equal) return {*r.equal / unit, *r.equal / unit};
+        return {r.min ? *r.min / unit : -unlimited, r.max ? *r.max / unit : unlimited};
+    }
+
+    void add_path_requirement(const Quantity& quantity, const Requirement& r) {
+        const auto [lower, upper] = limits_of(quantity, r);
+        const std::string name(quantity.name);
+        if (quantity.path == PathMeasure::sum_of_squares)
+            return add_limits(name, place(program.path->sum, 1), 1, lower, upper);
+        if (quantity.path == PathMeasure::root_mean_square)
+            return add_limits(name, place(program.path->sum, 1), 1 / total_weight(), lower * std::abs(lower),
+                              upper * std::abs(upper));
+        const std::size_t first = place(program.path->squares, program.targets.size());
+        for (std::size_t i = 0; i < program.targets.size(); ++i)
+            add_limits(name, first + i, 1, -unlimited, upper * std::abs(upper));
+    }
+
+    void add_requirements() {
+        for (const Requirement& r : problem.requirements) {
+            const Quantity& quantity = problem.mechanism->quantities[r.quantity];
+            if (quantity.path != PathMeasure::none) {
+                add_path_requirement(quantity, r);
+                continue;
+            }
+            const auto [lower, upper] = limits_of(quantity, r);
+            const QuantityBlock block = block_of(quantity);
+            // The side on which every component must lie, then the side on which one must.
+            const bool single = block.count == 1;
+            const bool all_above = single || quantity.reduce == Reduce::least;
+            const bool all_below = single || quantity.reduce == Reduce::greatest;
+            const std::size_t one = !single && is_disjunctive(quantity, r) ? chosen() : 0;
+            for (std::size_t k = 0; k < block.count; ++k) {
+                const double low = all_above || k == one ? lower : -unlimited;
+                const double high = all_below || k == one ? upper : unlimited;
+                if (std::isfinite(low) || std::isfinite(high))
+                    add_limits(std::string(quantity.name), block.first + k, 1, low, high);
+            }
+        }
+    }
+
+    /// The outputs whose worst is the value of a term, and whether that worst is the least.
+    struct TermOutputs {
+        std::vector<LinearTerm> outputs;
+        bool least;
+    };
+
+    TermOutputs outputs_of(const ObjectiveTerm& term, bool alone) {
+        const Quantity& quantity = problem.mechanism->quantities[term.quantity];
+        PathBlock* path = program.path ? &*program.path : nullptr;
+        switch (quantity.path) {
+            case PathMeasure::sum_of_squares: return {{{place(path->sum, 1), 1}}, false};
+            case PathMeasure::root_mean_square:
+                // Alone it is least where the sum is, and the sum is smooth.
+                if (alone) return {{{place(path->sum, 1), 1}}, false};
+                return {{{place(path->rms, 1), 1}}, false};
+            case PathMeasure::greatest: {
+                const std::size_t n = program.targets.size();
+                const std::size_t first = alone ? place(path->squares, n) : place(path->distances, n);
+                TermOutputs all{{}, false};
+                for (std::size_t i = 0; i < n; ++i)
+                    all.outputs.push_back({first + i, 1});
+                return all;
+            }
+            case PathMeasure::none: break;
+        }
+        const QuantityBlock block = block_of(quantity);
+        const bool least = quantity.reduce == Reduce::least;
+        if (block.count == 1) return {{{block.first, 1}}, least};
+        // Of a minimised least or maximised greatest value one component decides.
+        if (least != term.maximize)
+            return {{{block.first + (is_disjunctive(quantity, term) ? chosen() : 0), 1}}, least};
+        TermOutputs all{{}, least};
+        for (std::size_t k = 0; k < block.count; ++k)
+            all.outputs.push_back({block.first + k, 1});
+        return all;
+    }
+
+    /// A variable that lies above (below) all outputs, with the rows that keep it there.
+    std::size_t add_epigraph(const std::vector<LinearTerm>& outputs, bool above, const std::string& name) {
+        constexpr double far = 1e6;
+        const std::size_t t = program.variables.size();
+        program.variables.push_back({"worst " + name, -far, far});
+        for (const LinearTerm& output : outputs) {
+            const double sign = above ? 1 : -1;
+            add_row("worst " + name, {{{output.index, -sign * output.factor}}, {{t, sign}}}, 0, unlimited);
+        }
+        program.epigraphs.push_back({t, above, outputs});
+        return t;
+    }
+
+    void add_objective() {
+        if (!problem.objective) {
+            program.closest_to_reference = true;
+            return;
+        }
+        const Objective& objective = *problem.objective;
+        const bool alone = objective.terms.size() == 1;
+        if (objective.worst && !alone) {
+            const bool maximize = objective.terms.front().maximize;
+            std::vector<LinearTerm> outputs;
+            for (const ObjectiveTerm& term : objective.terms)
+                for (LinearTerm& output : outputs_of(term, false).outputs)
+                    outputs.push_back({output.index, output.factor * term.weight});
+            program.objective.variables.push_back(
+                {add_epigraph(outputs, !maximize, "objective"), maximize ? -1.0 : 1.0});
+            return;
+        }
+        for (const ObjectiveTerm& term : objective.terms) {
+            const TermOutputs value = outputs_of(term, alone);
+            const double factor = (term.maximize ? -1 : 1) * term.weight;
+            if (value.outputs.size() == 1)
+                program.objective.outputs.push_back({value.outputs.front().index, factor});
+            else
+                program.objective.variables.push_back(
+                    {add_epigraph(value.outputs, !value.least,
+                                  std::string(problem.mechanism->quantities[term.quantity].name)),
+                     factor});
+        }
+    }
+};
+
+}  // namespace
+
+Program build_program(const Problem& problem, const Variant& variant) {
+    Builder builder(problem, variant);
+    builder.add_dimensions();
+    builder.add_path();
+    builder.add_conditions_of_motion();
+    builder.add_requirements();
+    builder.add_objective();
+    Program program = std::move(builder.program);
+    // Where nothing is to be optimised, designs close to the preferred or middle values are asked for.
+    program.reference = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(program.size()));
+    for (std::size_t i = 0; i < program.variable_of.size(); ++i) {
+        const std::ptrdiff_t v = program.variable_of[i];
+        if (v < 0) continue;
+        const Variable& variable = program.variables[static_cast<std::size_t>(v)];
+        const double scale = is_angle(problem.mechanism->dimensions[i]) ? 1 : program.length;
+        const auto& start = problem.dimensions[i].start;
+        program.reference[v] = start ? *start / scale : 0.5 * (variable.lower + variable.upper);
+    }
+    return program;
+}
+
+Program relaxed(Program program) {
+    constexpr double far = 1e3;
+    const std::size_t shortfall = program.variables.size();
+    program.variables.push_back({"shortfall", 0, far});
+    program.reference.conservativeResize(program.reference.size() + 1);
+    program.reference[program.reference.size() - 1] = 0;
+    std::vector<Row> rows;
+    std::vector<LinearTerm> missed;
+    for (const Row& row : program.rows) {
+        if (!row.requirement || row.equality()) {
+            rows.push_back(row);
+            continue;
+        }
+        const auto add = [&](double lower, double upper, double sign) {
+            rows.push_back(row);
+            rows.back().lower = lower;
+            rows.back().upper = upper;
+            rows.back().form.variables.push_back({shortfall, sign});
+        };
+        if (std::isfinite(row.lower)) add(row.lower, unlimited, 1);
+        if (std::isfinite(row.upper)) add(-unlimited, row.upper, -1);
+    }
+    program.rows = std::move(rows);
+    program.objective = {{}, {{shortfall, 1}}, 0};
+    program.closest_to_reference = false;
+    return program;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,135 @@
+#pragma once
+/// \file
+/// A variant of a problem as a nonlinear program
+///
+///     minimise f(x)  subject to  lower <= c(x) <= upper  and bounds on x,
+///
+/// with exact first and second derivatives. Lengths are divided by one power of two close to the size of the problem,
+/// angles are radians, so that every number a solver meets is of order one; each constraint is scaled so that its
+/// violation is the relative one that the problem's tolerance speaks of.
+///
+/// Objective and constraints are linear in the variables and in *outputs*: smooth components of quantities, and measures
+/// of the path.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synthesis/program/result.h"
+#include "synthesis/program/variant.h"
+
+namespace mechwright {
+
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+struct Variable {
+    std::string name;
+    double lower;
+    double upper;
+};
+
+struct LinearTerm {
+    std::size_t index;
+    double factor;
+};
+
+struct LinearForm {
+    std::vector<LinearTerm> outputs;
+    std::vector<LinearTerm> variables;
+    double constant = 0;
+};
+
+struct Row {
+    std::string name;
+    LinearForm form;
+    double lower = -unlimited;
+    double upper = unlimited;
+    bool requirement = false;  ///< stands in the problem, and is not a condition for the rest to make sense
+    bool equality() const { return lower == upper; }
+};
+
+/// The components of one quantity as outputs first, first + 1, ...
+struct QuantityBlock {
+    const Quantity* quantity;
+    Motion motion;
+    std::size_t first;
+    std::size_t count;
+};
+
+/// The measures of the path as outputs; those not asked for have no place.
+struct PathBlock {
+    std::optional<std::size_t> sum;        ///< weighted sum of squared distances
+    std::optional<std::size_t> rms;        ///< root of its weighted mean; not smooth at zero
+    std::optional<std::size_t> squares;    ///< squared distances, one per point
+    std::optional<std::size_t> distances;  ///< distances, one per point; not smooth at zero
+};
+
+/// A variable that bounds outputs from one side so that the worst of them can be optimised smoothly.
+struct Epigraph {
+    std::size_t variable;
+    bool above;  ///< variable >= each output, else <= each
+    std::vector<LinearTerm> outputs;
+};
+
+struct Program {
+    const Problem* problem = nullptr;
+    Variant variant;
+    double length = 1;  ///< the power of two by which lengths are divided
+
+    std::vector<double> dimensions;              ///< scaled; those that are variables are overwritten at evaluation
+    std::vector<std::ptrdiff_t> variable_of;     ///< by dimension: its variable, or -1
+    std::vector<Variable> variables;             ///< dimensions, then path angles, then epigraphs
+    std::size_t first_path_angle = 0;            ///< of as many as there are points, for an untimed path
+    std::vector<Vector<double>> targets;         ///< scaled
+    std::vector<QuantityBlock> blocks;
+    std::optional<PathBlock> path;
+    std::vector<Epigraph> epigraphs;
+    std::size_t outputs = 0;
+
+    LinearForm objective;
+    bool closest_to_reference = false;  ///< no objective: the least squared distance from `reference`
+    Eigen::VectorXd reference;
+    std::vector<Row> rows;
+
+    std::size_t size() const { return variables.size(); }
+    bool untimed_path() const { return path && !problem->path->prescribed_timing; }
+};
+
+/// Builds the program of a variant. `problem` must outlive it.
+Program build_program(const Problem& problem, const Variant& variant);
+
+/// The same program asking for the least greatest violation of the required inequalities, as its last variable; equalities
+/// and conditions of motion are kept.
+Program relaxed(Program program);
+
+/// Objective and rows at a point.
+struct ProgramValues {
+    bool assembled = false;  ///< false: the mechanism does not close where it is needed; nothing else is then valid
+    double objective = 0;
+    Eigen::VectorXd rows;
+    Eigen::VectorXd gradient;  ///< of the objective; only where asked for
+    Eigen::MatrixXd jacobian;  ///< [row][variable]; only where asked for
+};
+
+/// Evaluates the program at x. Derivatives cost several times the values and are computed only if asked for; values are
+/// the same bits either way.
+void evaluate(const Program& program, const Eigen::VectorXd& x, bool derivatives, ProgramValues& out);
+
+/// The Hessian of weight f(x) + sum multipliers[i] c_i(x), full symmetric.
+Eigen::MatrixXd lagrangian_hessian(const Program& program, const Eigen::VectorXd& x, double weight,
+                                   const Eigen::VectorXd& multipliers);
+
+/// The greatest violation of rows and bounds; infinite where the mechanism does not assemble.
+double violation(const Program& program, const Eigen::VectorXd& x, const ProgramValues& values);
+
+/// Sets the epigraph variables of x to the worst of what they bound.
+void settle_epigraphs(const Program& program, Eigen::VectorXd& x);
+
+/// The point of the program as a design in the user's lengths, and the other way round (for a design of this variant).
+Design design_at(const Program& program, const Eigen::VectorXd& x);
+Eigen::VectorXd point_of(const Program& program, const Design& design);
+
+}  // namespace mechwright

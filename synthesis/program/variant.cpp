@@ -1,0 +1,130 @@
+#include "synthesis/program/variant.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace mechwright {
+
+Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembly) {
+    Motion motion;
+    motion.assembly = assembly;
+    motion.family = family;
+    motion.full_turn = problem.mechanism->families[family].full_turn && !problem.crank_range;
+    if (problem.crank_range) {
+        motion.from = problem.crank_range->x;
+        motion.to = problem.crank_range->y;
+    } else if (motion.full_turn) {
+        motion.to = 2 * std::numbers::pi;
+    } else {
+        motion.from = 1;  // not known before the design is
+        motion.to = 0;
+        // A timed path from a fixed start tells which range the crank needs.
+        if (problem.path && problem.path->prescribed_timing) {
+            const DimensionRange& start = problem.dimensions[problem.mechanism->path_roles.start];
+            if (start.fixed()) {
+                const auto [least, greatest] =
+                    std::minmax_element(problem.path->crank_angles.begin(), problem.path->crank_angles.end());
+                motion.from = start.min + *least;
+                motion.to = start.min + *greatest;
+            }
+        }
+    }
+    return motion;
+}
+
+bool is_disjunctive(const Quantity& quantity, const Requirement& requirement) {
+    if (quantity.reduce == Reduce::only || quantity.worst_first) return false;
+    return requirement.equal || (quantity.reduce == Reduce::least ? requirement.max : requirement.min);
+}
+
+bool is_disjunctive(const Quantity& quantity, const ObjectiveTerm& term) {
+    if (quantity.reduce == Reduce::only || quantity.worst_first) return false;
+    return (quantity.reduce == Reduce::least) != term.maximize;
+}
+
+std::vector<Disjunction> disjunctions(const Problem& problem, const Motion& motion) {
+    std::vector<Disjunction> all;
+    const auto add = [&](std::size_t index, const auto& condition) {
+        const Quantity& quantity = problem.mechanism->quantities[index];
+        if (quantity.path != PathMeasure::none || !is_disjunctive(quantity, condition)) return;
+        const std::size_t components = quantity.components(motion);
+        if (components > 1) all.push_back({index, components});
+    };
+    for (const Requirement& r : problem.requirements)
+        add(r.quantity, r);
+    if (problem.objective)
+        for (const ObjectiveTerm& t : problem.objective->terms)
+            add(t.quantity, t);
+    return all;
+}
+
+namespace {
+
+/// Whether every quantity that the problem names has a value in this motion.
+bool all_defined(const Problem& problem, const Motion& motion) {
+    const auto defined = [&](std::size_t index) {
+        const Quantity& quantity = problem.mechanism->quantities[index];
+        return quantity.path != PathMeasure::none || quantity.defined(motion);
+    };
+    return std::all_of(problem.requirements.begin(), problem.requirements.end(),
+                       [&](const Requirement& r) { return defined(r.quantity); }) &&
+           (!problem.objective || std::all_of(problem.objective->terms.begin(), problem.objective->terms.end(),
+                                              [&](const ObjectiveTerm& t) { return defined(t.quantity); }));
+}
+
+/// Whether a problem names a quantity that is measured over the motion. Where it does and gives no range, the motion of
+/// a crank that does not turn fully ends at toggles, and there is nothing to design.
+std::vector<std::size_t> families_of(const Problem& problem) {
+    const auto& families = problem.mechanism->families;
+    std::vector<std::size_t> usable;
+    for (std::size_t f = 0; f < families.size(); ++f) {
+        const Motion motion = motion_of(problem, f, 0);
+        const bool range_known = families[f].full_turn || problem.crank_range || problem.path;
+        if (range_known && all_defined(problem, motion)) usable.push_back(f);
+    }
+    // Over a given range the family of limited motions contains all others.
+    if (problem.crank_range)
+        for (const std::size_t f : usable)
+            if (!families[f].full_turn) return {f};
+    return usable;
+}
+
+/// All ways to choose one component for each disjunction.
+std::vector<std::vector<std::size_t>> all_choices(const std::vector<Disjunction>& all) {
+    constexpr std::size_t most = 64;
+    std::vector<std::vector<std::size_t>> choices{{}};
+    for (const Disjunction& d : all) {
+        std::vector<std::vector<std::size_t>> longer;
+        for (const auto& choice : choices)
+            for (std::size_t k = 0; k < d.components && longer.size() < most; ++k) {
+                longer.push_back(choice);
+                longer.back().push_back(k);
+            }
+        choices = std::move(longer);
+    }
+    return choices;
+}
+
+}  // namespace
+
+std::vector<Variant> variants(const Problem& problem) {
+    std::vector<Variant> all;
+    const bool untimed = problem.path && !problem.path->prescribed_timing && problem.path->points.size() > 2;
+    for (const std::size_t family : families_of(problem))
+        for (const std::size_t assembly : problem.assemblies)
+            for (const int direction : untimed ? std::vector<int>{1, -1} : std::vector<int>{1})
+                for (auto& choice : all_choices(disjunctions(problem, motion_of(problem, family, assembly))))
+                    all.push_back({family, assembly, direction, std::move(choice)});
+    return all;
+}
+
+std::string name_of(const Problem& problem, const Variant& variant) {
+    std::string name(problem.mechanism->families[variant.family].name);
+    if (problem.mechanism->assemblies.size() > 1) {
+        name += ", ";
+        name += problem.mechanism->assemblies[variant.assembly];
+    }
+    return name;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,226 @@
+#include "synthesis/report/document.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/report/path_values.h"
+#include "synthesis/report/standing.h"
+#include "synthesis/report/units.h"
+#include "synthesis/report/versions.h"
+
+namespace mechwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Numbers that are not finite are never written.
+void put(Json& object, std::string_view name, double number) {
+    if (std::isfinite(number)) object[std::string(name)] = number;
+}
+
+Json pairs(const std::vector<Vector<double>>& points) {
+    Json list = Json::array();
+    for (const Vector<double>& p : points)
+        list.push_back({p.x, p.y});
+    return list;
+}
+
+Json angles(const std::vector<double>& radians, const Units& units) {
+    Json list = Json::array();
+    for (const double angle : radians)
+        list.push_back(in_file_unit(angle, Unit::angle, units));
+    return list;
+}
+
+Json given_dimensions(const Problem& problem) {
+    Json given = Json::object();
+    for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
+        const DimensionRange& range = problem.dimensions[i];
+        if (!range.named) continue;
+        const Dimension& dimension = problem.mechanism->dimensions[i];
+        const auto outside = [&](double x) { return in_file_unit(x, unit_of(dimension.kind), problem.units); };
+        if (range.fixed())
+            given[std::string(dimension.name)] = outside(range.min);
+        else
+            given[std::string(dimension.name)] = {{"min", outside(range.min)}, {"max", outside(range.max)}};
+    }
+    return given;
+}
+
+Json design_of(const Problem& problem, const Design& design) {
+    const Mechanism& mechanism = *problem.mechanism;
+    Json json = Json::object();
+    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
+        const Dimension& dimension = mechanism.dimensions[i];
+        const double value = design.dimensions[i];
+        if (!dimension.required && !problem.dimensions[i].named && value == 0) continue;
+        put(json, dimension.name, in_file_unit(value, unit_of(dimension.kind), problem.units));
+    }
+    if (!mechanism.assemblies.empty()) json["assembly"] = mechanism.assemblies[design.assembly];
+    json["kind"] = mechanism.describe(design.dimensions);
+    return json;
+}
+
+void put_value_of(Json& json, std::string_view name, const Problem& problem, std::size_t quantity,
+                  const Design& design) {
+    if (const std::optional<double> value = quantity_value(problem, quantity, design))
+        put(json, name, in_file_unit(*value, problem.mechanism->quantities[quantity].unit, problem.units));
+}
+
+Json objective_of(const Problem& problem, const Solution& solution) {
+    const Objective& objective = *problem.objective;
+    const auto quantity_and_sense = [&](const ObjectiveTerm& term) {
+        return Json{{"quantity", problem.mechanism->quantities[term.quantity].name},
+                    {"sense", term.maximize ? "maximize" : "minimize"}};
+    };
+    Json json;
+    if (objective.terms.size() == 1) {
+        json = quantity_and_sense(objective.terms.front());
+    } else {
+        Json terms = Json::array();
+        for (const ObjectiveTerm& term : objective.terms) {
+            Json one = quantity_and_sense(term);
+            put(one, "weight", term.weight);
+            put_value_of(one, "value", problem, term.quantity, solution.design);
+            terms.push_back(std::move(one));
+        }
+        json = {{"terms", std::move(terms)}, {"reduce", objective.worst ? "max" : "sum"}};
+    }
+    put(json, "value", solution.objective);
+    return json;
+}
+
+Json requirements_of(const Problem& problem, const Design& design) {
+    Json list = Json::array();
+    for (const Requirement& requirement : problem.requirements) {
+        const Quantity& quantity = problem.mechanism->quantities[requirement.quantity];
+        const Standing standing = standing_of(problem, requirement, design);
+        const auto outside = [&](double x) { return in_file_unit(x, quantity.unit, problem.units); };
+        Json one{{"quantity", quantity.name}};
+        if (standing.value) put(one, "value", outside(*standing.value));
+        if (requirement.equal) put(one, "equal", outside(*requirement.equal));
+        if (requirement.min) put(one, "min", outside(*requirement.min));
+        if (requirement.max) put(one, "max", outside(*requirement.max));
+        if (standing.violation) put(one, "violation", *standing.violation);
+        one["active"] = standing.active;
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
+Json quantities_of(const Problem& problem, const Design& design) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < problem.mechanism->quantities.size(); ++i)
+        put_value_of(json, problem.mechanism->quantities[i].name, problem, i, design);
+    return json;
+}
+
+Json path_of(const Problem& problem, const Solution* best) {
+    const PathTarget& target = *problem.path;
+    Json json{{"points", pairs(target.points)},
+              {"timing", target.prescribed_timing ? "prescribed" : "free"},
+              {"closed", target.closed}};
+    if (std::any_of(target.weights.begin(), target.weights.end(), [](double w) { return w != 1; }))
+        json["weights"] = target.weights;
+    if (target.prescribed_timing) json["prescribed_angles"] = angles(target.crank_angles, problem.units);
+    if (!best) return json;
+    if (const std::optional<PathValues> values = path_values(problem, best->design)) {
+        json["reached"] = pairs(values->reached);
+        json["crank_angles"] = angles(best->design.path_angles, problem.units);
+        json["distances"] = values->distances;
+    }
+    return json;
+}
+
+Json verification_of(const Result& result) {
+    Json checks = Json::array();
+    for (const Check& check : result.verification)
+        checks.push_back({{"name", check.name}, {"passed", check.passed}, {"detail", check.detail}});
+    return {{"passed", result.verified()}, {"checks", std::move(checks)}};
+}
+
+Json alternatives_of(const Problem& problem, const Result& result) {
+    Json list = Json::array();
+    for (const Solution& solution : result.alternatives) {
+        Json one{{"design", design_of(problem, solution.design)}};
+        put(one, "objective", solution.objective);
+        if (!solution.design.path_angles.empty())
+            one["path_angles"] = angles(solution.design.path_angles, problem.units);
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
+Json search_of(const Problem& problem, const SearchReport& search) {
+    Json json{{"method", search.method}, {"complete", search.complete}};
+    if (!search.argument.empty()) json["argument"] = search.argument;
+    json["starts"] = search.starts;
+    json["local_optima"] = search.local_optima;
+    json["hits"] = search.hits;
+    put(json, "missed_chance", search.missed_chance);
+    json["evaluations"] = search.evaluations;
+    json["seed"] = problem.solver.seed;
+    put(json, "seconds", search.seconds);
+    return json;
+}
+
+Json head(const Problem& problem) {
+    return {{"schema", 1},
+            {"problem",
+             {{"file", problem.file},
+              {"sha256", problem.sha256},
+              {"title", problem.title},
+              {"mechanism", problem.mechanism->name}}},
+            {"program",
+             {{"version", program_version()},
+              {"libraries", {{"ipopt", ipopt_version()}, {"nlopt", nlopt_version()}, {"eigen", eigen_version()}}}}},
+            {"units", {{"angle", problem.units.degrees ? "deg" : "rad"}, {"length", problem.units.length}}}};
+}
+
+/// The members from tolerance to path.
+void put_body(Json& json, const Problem& problem, const Solution* best) {
+    put(json, "tolerance", problem.solver.tolerance);
+    json["dimensions"] = given_dimensions(problem);
+    if (problem.crank_range)
+        json["crank_range"] = angles({problem.crank_range->x, problem.crank_range->y}, problem.units);
+    if (best) {
+        json["design"] = design_of(problem, best->design);
+        if (problem.objective) json["objective"] = objective_of(problem, *best);
+        if (!problem.requirements.empty()) json["requirements"] = requirements_of(problem, best->design);
+        json["quantities"] = quantities_of(problem, best->design);
+    }
+    if (problem.path) json["path"] = path_of(problem, best);
+}
+
+}  // namespace
+
+std::string_view name_of(Status status) {
+    switch (status) {
+        case Status::solved: return "solved";
+        case Status::infeasible: return "infeasible";
+        case Status::limit: return "limit";
+        case Status::unverified: return "unverified";
+        case Status::interrupted: return "interrupted";
+    }
+    return "";
+}
+
+nlohmann::ordered_json document(const Problem& problem, const Result& result) {
+    Json json = head(problem);
+    json["status"] = name_of(result.status);
+    if (!result.note.empty()) json["note"] = result.note;
+    put_body(json, problem, result.best ? &*result.best : nullptr);
+    if (!result.verification.empty()) json["verification"] = verification_of(result);
+    json["alternatives"] = alternatives_of(problem, result);
+    json["search"] = search_of(problem, result.search);
+    return json;
+}
+
+nlohmann::ordered_json analysis_document(const Problem& problem, const Solution& solution) {
+    Json json = head(problem);
+    put_body(json, problem, &solution);
+    return json;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// A finished design on its motion and on its coupler path.
+
+#include <optional>
+#include <vector>
+
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+/// The motion over which the problem judges a design; from > to if it assembles nowhere.
+Motion motion_of(const Problem& problem, const Design& design);
+
+/// Where a design comes to lie at each target point. With weights w and distances d: sum w d^2,
+/// sqrt(sum w d^2 / sum w), and the greatest plain distance.
+struct PathValues {
+    std::vector<Vector<double>> reached;
+    std::vector<double> distances;
+    double sum_of_squares = 0;
+    double root_mean_square = 0;
+    double greatest = 0;
+};
+
+/// Nothing without a path target, where the design has no crank angles for it, or where a distance is not finite.
+std::optional<PathValues> path_values(const Problem& problem, const Design& design);
+
+}  // namespace mechwright

@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "synthesis/report/document.h"
+#include "synthesis/report/path_values.h"
+
+namespace mechwright {
+
+namespace {
+
+std::optional<double> path_quantity(const Problem& problem, PathMeasure measure, const Design& design) {
+    const std::optional<PathValues> path = path_values(problem, design);
+    if (!path) return std::nullopt;
+    switch (measure) {
+        case PathMeasure::sum_of_squares: return path->sum_of_squares;
+        case PathMeasure::root_mean_square: return path->root_mean_square;
+        case PathMeasure::greatest: return path->greatest;
+        case PathMeasure::none: break;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> reduced(Reduce reduce, std::span<const double> components) {
+    if (components.empty()) return std::nullopt;
+    switch (reduce) {
+        case Reduce::only: return components.front();
+        case Reduce::least: return *std::min_element(components.begin(), components.end());
+        case Reduce::greatest: return *std::max_element(components.begin(), components.end());
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Motion motion_of(const Problem& problem, const Design& design) {
+    const std::array<double, 2> range =
+        problem.crank_range ? std::array{problem.crank_range->x, problem.crank_range->y} : std::array<double, 2>{};
+    return problem.mechanism->motion(design.dimensions, design.assembly, problem.crank_range ? range.data() : nullptr);
+}
+
+std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design) {
+    const Quantity& q = problem.mechanism->quantities[quantity];
+    const Motion motion = motion_of(problem, design);
+    if (!(motion.from <= motion.to)) return std::nullopt;
+
+    std::optional<double> value;
+    if (q.path != PathMeasure::none) {
+        value = path_quantity(problem, q.path, design);
+    } else if (q.defined(motion)) {
+        std::array<double, Quantity::most_components> components{};
+        const std::size_t count = q.components(motion);
+        Measurement measurement;
+        measurement.value = components;
+        q.measure(motion, design.dimensions, measurement);
+        const std::span<const double> all(components.data(), count);
+        if (std::any_of(all.begin(), all.end(), [](double c) { return std::isnan(c); })) return std::nullopt;
+        value = reduced(q.reduce, all);
+    }
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<PathValues> path_values(const Problem& problem, const Design& design) {
+    const std::optional<PathTarget>& target = problem.path;
+    if (!target || target->points.empty() || design.path_angles.size() != target->points.size()) return std::nullopt;
+    PathValues values;
+    double sum = 0;
+    double weights = 0;
+    for (std::size_t i = 0; i < target->points.size(); ++i) {
+        PathMiss miss{};
+        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], target->points[i],
+                                     miss);
+        const double distance = std::hypot(miss.miss.x, miss.miss.y);
+        if (!std::isfinite(distance)) return std::nullopt;
+        const double weight = i < target->weights.size() ? target->weights[i] : 1;
+        sum += weight * distance * distance;
+        weights += weight;
+        values.reached.push_back(target->points[i] - miss.miss);
+        values.distances.push_back(distance);
+        values.greatest = std::max(values.greatest, distance);
+    }
+    values.sum_of_squares = sum;
+    values.root_mean_square = weights > 0 ? std::sqrt(sum / weights) : 0;
+    return values;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,62 @@
+#include "synthesis/report/units.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "synthesis/problem/sections.h"
+#include "synthesis/problem/text.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr std::size_t longest_label = 20;
+
+/// Rounded to a number of significant decimal digits.
+double rounded(double value, int digits) {
+    char text[64];
+    const auto written = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1);
+    double result = value;
+    std::from_chars(text, written.ptr, result);
+    return result;
+}
+
+double degrees_of(double radians, const Units& units) {
+    const double plain = radians * (180 / std::numbers::pi);
+    if (!std::isfinite(plain)) return plain;
+    for (const int digits : {15, 16}) {
+        const double candidate = rounded(plain, digits);
+        if (reading::to_radians(units, candidate) == radians) return candidate;
+    }
+    for (const double towards : {plain, 0.0, std::numeric_limits<double>::infinity()}) {
+        const double candidate = std::nextafter(plain, towards);
+        if (reading::to_radians(units, candidate) == radians) return candidate;
+    }
+    return plain;
+}
+
+}  // namespace
+
+Unit unit_of(DimensionKind kind) { return kind == DimensionKind::angle ? Unit::angle : Unit::length; }
+
+double in_file_unit(double value, Unit unit, const Units& units) {
+    return unit == Unit::angle && units.degrees ? degrees_of(value, units) : value;
+}
+
+double from_file_unit(double number, Unit unit, const Units& units) {
+    return unit == Unit::angle ? reading::to_radians(units, number) : number;
+}
+
+std::string unit_label(Unit unit, const Units& units) {
+    switch (unit) {
+        case Unit::none: return {};
+        case Unit::angle: return units.degrees ? "deg" : "rad";
+        case Unit::length: return reading::printable(units.length, longest_label);
+        case Unit::area: return reading::printable(units.length, longest_label) + "^2";
+    }
+    return {};
+}
+
+}  // namespace mechwright

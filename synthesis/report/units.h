@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// Units at the edge of the program: inside, angles are radians and lengths are the file's; outside, everything is in
+/// the file's units.
+
+#include <string>
+
+#include "synthesis/problem/problem.h"
+
+namespace mechwright {
+
+/// The unit of a dimension's values.
+Unit unit_of(DimensionKind kind);
+
+/// A value of the given unit as the file would write it. An angle in degrees is rounded to the shortest number that
+/// reads back as the same radians, so that 60 deg do not come out as 59.99999999999999; where none does, the radians it
+/// reads back as are their neighbours.
+double in_file_unit(double value, Unit unit, const Units& units);
+
+/// The value that the file means by a number.
+double from_file_unit(double number, Unit unit, const Units& units);
+
+/// "deg", "rad", "mm", "mm^2", or empty for plain numbers.
+std::string unit_label(Unit unit, const Units& units);
+
+}  // namespace mechwright

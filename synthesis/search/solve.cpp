@@ -1,0 +1,197 @@
+#include "synthesis/search/solve.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "synthesis/exact/closed_form.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/report/document.h"
+#include "synthesis/search/multistart.h"
+#include "synthesis/verify/verify.h"
+
+namespace mechwright {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What a method leaves for verification: candidates in order of preference, and what it can say of its search.
+struct Found {
+    std::vector<Solution> candidates;
+    SearchReport report;
+    bool infeasible = false;  ///< proved
+    bool stopped = false;
+};
+
+struct Method {
+    std::string_view name;
+    std::string_view meaning;
+    std::string (*why_not)(const Problem&);
+    Found (*run)(const Problem&, const RunOptions&, Clock::time_point deadline);
+};
+
+std::size_t design_variables(const Problem& problem) {
+    return static_cast<std::size_t>(std::count_if(problem.dimensions.begin(), problem.dimensions.end(),
+                                                  [](const DimensionRange& d) { return !d.fixed(); }));
+}
+
+
+/// What no local search can do.
+std::string why_no_search(const Problem& problem) {
+    for (const Requirement& r : problem.requirements)
+        if (problem.mechanism->quantities[r.quantity].path == PathMeasure::greatest && (r.min || r.equal))
+            return "path-max can only be limited from above";
+    return {};
+}
+
+Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) {
+    Found found;
+    found.report.method = "closed-form";
+    const auto outcome = solve_in_closed_form(problem);
+    if (!outcome) return found;
+    found.candidates.push_back(*outcome->best);
+    found.infeasible = outcome->infeasible;
+    found.report.complete = true;
+    found.report.argument = outcome->argument;
+    found.report.local_optima = outcome->infeasible ? 0 : 1;
+    found.report.missed_chance = 0;
+    found.report.evaluations = 1;
+    return found;
+}
+
+Found search(std::string_view name, LocalMethod local, const Problem& problem, const RunOptions& options,
+             Clock::time_point deadline) {
+    Multistart m = multistart(problem, local, options, deadline);
+    Found found{std::move(m.optima), m.report, false, m.stopped};
+    found.report.method = name;
+    return found;
+}
+
+Found with_slsqp(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    return search("slsqp", slsqp, problem, options, deadline);
+}
+
+Found with_ipopt(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    return search("ipopt", ipopt, problem, options, deadline);
+}
+
+Found automatic(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    if (why_no_closed_form(problem).empty()) {
+        Found found = closed_form(problem, options, deadline);
+        if (found.report.complete) return found;
+    }
+    return with_slsqp(problem, options, deadline);
+}
+
+constexpr std::array<Method, 4> methods{{
+    {"auto", "a closed form where one covers the problem, else slsqp", why_no_search, automatic},
+    {"closed-form", "crank-rockers of given swing and time ratio with the best transmission angle: the global optimum",
+     why_no_closed_form, closed_form},
+    {"slsqp", "sequential quadratic programming (NLopt) from many starts, exact gradients, Newton polish", why_no_search,
+     with_slsqp},
+    {"ipopt", "interior point (Ipopt) from many starts, exact Hessians, Newton polish; one thread", why_no_search,
+     with_ipopt},
+}};
+
+const Method* find_method(std::string_view name) {
+    const auto at = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.name == name; });
+    return at == methods.end() ? nullptr : &*at;
+}
+
+/// The first candidate that passes verification becomes the design, the others alternatives; if none passes, the first.
+void choose_verified(const Problem& problem, std::vector<Solution> candidates, Result& result) {
+    constexpr std::size_t most_tried = 16;
+    constexpr std::size_t most_alternatives = 20;
+    std::vector<Check> first_checks;
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < std::min(most_tried, candidates.size()) && candidates[i].feasible; ++i) {
+        result.best = candidates[i];
+        result.verification = verify(document(problem, result));
+        if (i == 0) first_checks = result.verification;
+        chosen = i;
+        if (result.verified()) break;
+    }
+    if (!result.verified()) {
+        chosen = 0;
+        result.best = candidates.front();
+        result.verification = std::move(first_checks);
+    }
+    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(chosen));
+    for (Solution& s : candidates)
+        if (s.feasible && result.alternatives.size() < most_alternatives) result.alternatives.push_back(std::move(s));
+}
+
+}  // namespace
+
+bool Result::verified() const {
+    return !verification.empty() &&
+           std::all_of(verification.begin(), verification.end(), [](const Check& c) { return c.passed; });
+}
+
+Result solve(const Problem& problem, const RunOptions& options) {
+    const Clock::time_point begin = Clock::now();
+    const auto budget = std::chrono::duration<double>(std::min(problem.solver.time_limit, 1e9));
+    const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(budget);
+    const Method* method = find_method(problem.solver.method);
+
+    Result result;
+    Found found;
+    if (design_variables(problem) == 0 && !(problem.path && !problem.path->prescribed_timing)) {
+        found.candidates.push_back(evaluate_given(problem));
+        found.report = {"given", true, "every dimension is given", 0, 1, 0, 0, 1, 0};
+        found.infeasible = !found.candidates.front().feasible;
+    } else {
+        found = method->run(problem, options, deadline);
+    }
+    result.search = found.report;
+    const bool feasible = !found.candidates.empty() && found.candidates.front().feasible;
+    if (feasible)
+        choose_verified(problem, std::move(found.candidates), result);
+    else if (!found.candidates.empty())
+        result.best = std::move(found.candidates.front());
+
+    const bool interrupted = options.stop && options.stop->load();
+    if (found.stopped)
+        result.status = interrupted ? Status::interrupted : Status::limit;
+    else if (!feasible)
+        result.status = Status::infeasible;
+    else
+        result.status = result.verified() ? Status::solved : Status::unverified;
+    if (result.status == Status::infeasible) {
+        if (found.infeasible)
+            result.note = "proved: no design meets the requirements; the best that can be had is shown";
+        else if (result.best)
+            result.note = "no design was found by a search that ran to its end; the least-violating one is shown";
+        else
+            result.note = "no kind of motion of this mechanism has all the quantities that the problem names";
+    }
+    result.search.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    return result;
+}
+
+std::vector<MethodDescription> all_methods() {
+    std::vector<MethodDescription> all;
+    for (const Method& m : methods)
+        all.push_back({m.name, m.meaning});
+    return all;
+}
+
+std::string why_not_applicable(std::string_view name, const Problem& problem) {
+    const Method* method = find_method(name);
+    return method ? method->why_not(problem) : "there is no method of this name";
+}
+
+Solution evaluate_given(const Problem& problem) {
+    Design design;
+    for (const DimensionRange& d : problem.dimensions)
+        design.dimensions.push_back(d.min);
+    design.assembly = problem.assemblies.front();
+    if (problem.path && problem.path->prescribed_timing)
+        for (const double angle : problem.path->crank_angles)
+            design.path_angles.push_back(design.dimensions[problem.mechanism->path_roles.start] + angle);
+    return assess(problem, std::move(design));
+}
+
+}  // namespace mechwright

@@ -1,0 +1,228 @@
+#include "synthesis/search/starts.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "synthesis/search/low_discrepancy.h"
+
+namespace mechwright {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Complex = std::complex<double>;
+
+/// Lengths are sampled evenly in their logarithm over at most this part of their greatest value.
+constexpr double widest_ratio = 1e-3;
+
+DimensionKind kind_of(const Program& program, std::size_t dimension) {
+    return program.problem->mechanism->dimensions[dimension].kind;
+}
+
+/// A value of variable v at the fraction u of its range.
+double sampled(const Variable& v, DimensionKind kind, double u) {
+    if (kind != DimensionKind::length) return v.lower + u * (v.upper - v.lower);
+    const double low = std::max(v.lower, widest_ratio * v.upper);
+    return low * std::pow(v.upper / low, u);
+}
+
+/// Crank angles along an untimed path: a start, a span, and steps that follow the distances between the points.
+void sample_path_angles(const Program& program, double start, double span, VectorXd& x) {
+    const std::size_t n = program.targets.size();
+    std::vector<double> along(n, 0.0);
+    for (std::size_t i = 1; i < n; ++i)
+        along[i] = along[i - 1] + std::hypot(program.targets[i].x - program.targets[i - 1].x,
+                                             program.targets[i].y - program.targets[i - 1].y);
+    const PathTarget& path = *program.problem->path;
+    constexpr double turn = 2 * std::numbers::pi;
+    double whole = (0.1 + 0.85 * span) * turn;
+    const bool meets = along[n - 1] > 0 && program.targets.front().x == program.targets.back().x &&
+                       program.targets.front().y == program.targets.back().y;
+    if (meets)
+        whole = turn;
+    else if (path.closed)
+        whole = turn * static_cast<double>(n - 1) / static_cast<double>(n);
+    const double first = (start - 0.5) * turn;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double even = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0;
+        const double part = along[n - 1] > 0 ? 0.5 * (along[i] / along[n - 1] + even) : even;
+        x[static_cast<Index>(program.first_path_angle + i)] = first + program.variant.direction * whole * part;
+    }
+}
+
+/// Sum of violations of the rows that are linear in the variables alone: conditions of motion, order.
+double linear_violation(const Program& program, const VectorXd& x) {
+    double sum = 0;
+    for (const Row& row : program.rows) {
+        if (!row.form.outputs.empty()) continue;
+        double c = row.form.constant;
+        for (const LinearTerm& t : row.form.variables)
+            c += t.factor * x[static_cast<Index>(t.index)];
+        sum += std::max({0.0, row.lower - c, c - row.upper});
+    }
+    return sum;
+}
+
+/// What screening ranks candidates by; both parts are of order one.
+double merit(const Program& program, const VectorXd& x) {
+    ProgramValues values;
+    evaluate(program, x, false, values);
+    if (!values.assembled) return unlimited;
+    const double worst = violation(program, x, values);
+    return values.objective + 10 * worst;
+}
+
+double into_range(double angle, const Variable& v) {
+    constexpr double turn = 2 * std::numbers::pi;
+    while (angle > v.upper)
+        angle -= turn;
+    while (angle < v.lower)
+        angle += turn;
+    return std::min(angle, v.upper);
+}
+
+}  // namespace
+
+void fit_placement(const Program& program, VectorXd& x) {
+    const PathRoles& roles = program.problem->mechanism->path_roles;
+    const auto variable = [&](std::size_t dimension) { return program.variable_of[dimension]; };
+    const bool free_point = variable(roles.along) >= 0 && variable(roles.across) >= 0;
+    const bool free_origin = variable(roles.origin_x) >= 0 && variable(roles.origin_y) >= 0;
+    bool free_size = variable(roles.tilt) >= 0;
+    for (std::size_t i = 0; i < program.variable_of.size(); ++i)
+        if (kind_of(program, i) == DimensionKind::length) free_size = free_size && variable(i) >= 0;
+    const int unknowns = (free_point ? 1 : 0) + (free_origin ? 1 : 0) + (free_size ? 1 : 0);
+    const auto n = static_cast<Index>(program.targets.size());
+    if (unknowns == 0 || n < unknowns) return;
+
+    std::vector<double> dimensions = program.dimensions;
+    for (std::size_t i = 0; i < dimensions.size(); ++i)
+        if (variable(i) >= 0) dimensions[i] = x[variable(i)];
+    const Complex point(dimensions[roles.along], dimensions[roles.across]);
+    const Complex origin(dimensions[roles.origin_x], dimensions[roles.origin_y]);
+    const Complex direction = std::polar(1.0, dimensions[roles.tilt]);
+    const double start = dimensions[roles.start];
+    for (const std::size_t i : {roles.along, roles.across, roles.origin_x, roles.origin_y, roles.tilt})
+        dimensions[i] = 0;
+    const auto guided_point = [&](double along, double crank_angle, double& margin) {
+        dimensions[roles.along] = along;
+        PathMiss miss{};
+        program.problem->mechanism->path_miss(program.variant.assembly, dimensions, crank_angle, {0, 0}, miss);
+        margin = miss.margin;
+        return -Complex(miss.miss.x, miss.miss.y);
+    };
+
+    Eigen::MatrixXcd columns(n, unknowns);
+    Eigen::VectorXcd target(n);
+    for (Index i = 0; i < n; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const double angle = program.untimed_path() ? x[static_cast<Index>(program.first_path_angle + k)]
+                                                    : start + program.problem->path->crank_angles[k];
+        double margin = 0;
+        const Complex p = guided_point(0, angle, margin);
+        const Complex w = guided_point(1, angle, margin) - p;
+        if (!(margin >= 0)) return;
+        const double weight = std::sqrt(program.problem->path->weights[k]);
+        Complex known(0);
+        Index column = 0;
+        if (free_origin)
+            columns(i, column++) = weight;
+        else
+            known += origin;
+        if (free_size)
+            columns(i, column++) = weight * (free_point ? p : p + point * w);
+        else
+            known += direction * (free_point ? p : p + point * w);
+        if (free_point) columns(i, column++) = weight * w;
+        target[i] = weight * (Complex(program.targets[k].x, program.targets[k].y) - known);
+    }
+    const Eigen::VectorXcd solved = columns.colPivHouseholderQr().solve(target);
+    if (!solved.real().allFinite() || !solved.imag().allFinite()) return;
+
+    const auto set = [&](std::size_t dimension, double value) {
+        const Variable& v = program.variables[static_cast<std::size_t>(variable(dimension))];
+        x[variable(dimension)] = std::clamp(value, v.lower, v.upper);
+    };
+    Index column = 0;
+    if (free_origin) {
+        set(roles.origin_x, solved[column].real());
+        set(roles.origin_y, solved[column].imag());
+        ++column;
+    }
+    Complex turn = direction;
+    if (free_size) {
+        const Complex z = solved[column++];
+        const double size = std::abs(z);
+        if (!(size > 0)) return;
+        turn = z / size;
+        for (std::size_t i = 0; i < program.variable_of.size(); ++i)
+            if (kind_of(program, i) == DimensionKind::length) set(i, size * x[variable(i)]);
+        const auto tilt = static_cast<std::size_t>(variable(roles.tilt));
+        x[variable(roles.tilt)] = into_range(std::arg(z), program.variables[tilt]);
+        if (!free_point && variable(roles.along) >= 0) set(roles.along, size * point.real());
+        if (!free_point && variable(roles.across) >= 0) set(roles.across, size * point.imag());
+    }
+    if (free_point) {
+        const Complex fitted = solved[column] / turn;
+        set(roles.along, fitted.real());
+        set(roles.across, fitted.imag());
+    }
+}
+
+Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates) {
+    const auto n = static_cast<Index>(program.size());
+    const std::size_t sampled_dimensions = program.variable_of.size() + 2;
+    const LowDiscrepancy sequence(sampled_dimensions, seed, program.variant.family * 16 + program.variant.assembly);
+    constexpr int tries = 40;  // draws for each candidate until the conditions of motion hold
+    const auto base = static_cast<std::uint64_t>(index) * static_cast<std::uint64_t>(candidates * tries);
+
+    VectorXd best = VectorXd::Zero(n);
+    double least = unlimited;
+    bool found = false;
+    const auto consider = [&](VectorXd x) {
+        if (program.path) fit_placement(program, x);
+        settle_epigraphs(program, x);
+        const double m = merit(program, x);
+        if (found && !(m < least)) return;
+        best = std::move(x);
+        least = m;
+        found = true;
+    };
+
+    if (index == 0) {
+        VectorXd x = program.reference;
+        if (program.untimed_path()) sample_path_angles(program, 0.5, 0.5, x);
+        consider(std::move(x));
+    }
+    // Candidates that miss the conditions of motion are used only where none meets them.
+    VectorXd closest;
+    double closest_violation = unlimited;
+    int accepted = 0;
+    for (int draw = 0; draw < candidates * tries && accepted < candidates; ++draw) {
+        const std::uint64_t k = base + static_cast<std::uint64_t>(draw);
+        VectorXd x = VectorXd::Zero(n);
+        for (std::size_t i = 0; i < program.variable_of.size(); ++i)
+            if (program.variable_of[i] >= 0)
+                x[program.variable_of[i]] =
+                    sampled(program.variables[static_cast<std::size_t>(program.variable_of[i])], kind_of(program, i),
+                            sequence(k, i));
+        if (program.untimed_path())
+            sample_path_angles(program, sequence(k, sampled_dimensions - 2), sequence(k, sampled_dimensions - 1), x);
+        const double missed = linear_violation(program, x);
+        if (missed == 0) {
+            ++accepted;
+            consider(std::move(x));
+        } else if (missed < closest_violation) {
+            closest_violation = missed;
+            closest = std::move(x);
+        }
+    }
+    if (accepted == 0 && closest.size() > 0) consider(std::move(closest));
+    return best;
+}
+
+}  // namespace mechwright

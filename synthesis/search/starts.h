@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Where local searches start: low-discrepancy candidates in the ranges of the design variables that meet the conditions
+/// of motion, with placement, size and coupler point fitted to a target path where they are free.
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "synthesis/program/program.h"
+
+namespace mechwright {
+
+/// Start number `index` of a program, a function of (seed, index) alone: the best of `candidates` screened points.
+/// Index 0 begins with the preferred values (or the middles of the ranges).
+Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates);
+
+/// Fits origin, size with tilt, and guided point of x to the target points by linear least squares, as far as they are
+/// design variables, and keeps them in their ranges. With complex numbers the points are O + Z p_i + Y w_i: p_i the
+/// guiding link's own point and w_i its direction at unit size and no tilt, both known from the link lengths and crank
+/// angles; O, Z and Y the unknowns.
+void fit_placement(const Program& program, Eigen::VectorXd& x);
+
+}  // namespace mechwright

@@ -1,0 +1,219 @@
+#include "synthesis/verify/claim.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "synthesis/problem/text.h"
+#include "synthesis/verify/claim_json.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace claims;
+
+constexpr std::size_t most_points = 10000;
+constexpr std::size_t most_entries = 1000;  // requirements, terms of the objective
+constexpr double loosest_tolerance = 1e-2;
+
+std::optional<std::size_t> quantity_named(Reader& in, const Json* name, const std::string& place, const Claim& claim) {
+    const std::string text = in.text(name, place);
+    const int index = find_quantity(*claim.mechanism, text);
+    if (index >= 0) return static_cast<std::size_t>(index);
+    in.fail(fmt::format("{} names the quantity {}, which a {} does not have", place, reading::quoted(text),
+                        claim.mechanism->name));
+    return std::nullopt;
+}
+
+bool is_angle(const Claim& claim, std::size_t dimension) {
+    return claim.mechanism->dimensions[dimension].kind == DimensionKind::angle;
+}
+
+void read_head(Reader& in, const Json& document, Claim& claim) {
+    if (in.number(member(document, "schema"), "schema") != 1) in.fail("schema is not 1");
+    const Json* problem = in.object(member(document, "problem"), "problem");
+    const std::string name = problem ? in.text(member(*problem, "mechanism"), "problem.mechanism") : "";
+    claim.mechanism = find_mechanism(name);
+    if (!claim.mechanism) in.fail(fmt::format("there is no mechanism {}", reading::quoted(name)));
+    if (const Json* units = member(document, "units")) {
+        if (const Json* angle = in.object(units, "units") ? member(*units, "angle") : nullptr) {
+            const std::string unit = in.text(angle, "units.angle");
+            claim.units.degrees = unit == "deg";
+            if (unit != "deg" && unit != "rad") in.fail("units.angle is neither \"deg\" nor \"rad\"");
+        }
+        if (const Json* length = member(*units, "length")) claim.units.length = in.text(length, "units.length");
+    }
+    if (const Json* tolerance = member(document, "tolerance")) {
+        claim.tolerance = in.number(tolerance, "tolerance");
+        if (!(claim.tolerance > 0 && claim.tolerance <= loosest_tolerance))
+            in.fail(fmt::format("tolerance is {}, not above 0 and at most {}", claim.tolerance, loosest_tolerance));
+    }
+}
+
+double dimension_number(Reader& in, const Claim& claim, std::size_t i, const Json* json, const std::string& place) {
+    return is_angle(claim, i) ? in.angle(json, place) : in.number(json, place);
+}
+
+void read_given(Reader& in, const Json& document, Claim& claim) {
+    claim.given.resize(claim.mechanism->dimensions.size());
+    const Json* given = in.object(member(document, "dimensions"), "dimensions");
+    if (!given) return;
+    for (const auto& [name, value] : given->items()) {
+        const std::string place = "dimensions." + reading::quoted(name);
+        const int index = find_dimension(*claim.mechanism, name);
+        if (index < 0) return in.fail(fmt::format("a {} does not have {}", claim.mechanism->name, place));
+        const auto i = static_cast<std::size_t>(index);
+        if (value.is_object()) {
+            const double min = dimension_number(in, claim, i, member(value, "min"), place + ".min");
+            const double max = dimension_number(in, claim, i, member(value, "max"), place + ".max");
+            claim.given[i] = ClaimedRange{min, max};
+        } else {
+            const double number = dimension_number(in, claim, i, &value, place);
+            claim.given[i] = ClaimedRange{number, number};
+        }
+    }
+}
+
+void read_design(Reader& in, const Json& document, Claim& claim) {
+    const Mechanism& mechanism = *claim.mechanism;
+    claim.design.assign(mechanism.dimensions.size(), 0.0);
+    const Json* design = member(document, "design");
+    if (!design) return in.fail("the document has no design");
+    if (!in.object(design, "design")) return;
+    for (const auto& [name, value] : design->items())
+        if (name != "assembly" && name != "kind" && find_dimension(mechanism, name) < 0)
+            return in.fail(fmt::format("a {} does not have design.{}", mechanism.name, reading::quoted(name)));
+    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
+        const Dimension& dimension = mechanism.dimensions[i];
+        const std::string name(dimension.name);
+        const Json* value = member(*design, name);
+        if (value || dimension.required) claim.design[i] = dimension_number(in, claim, i, value, "design." + name);
+    }
+    if (const Json* kind = member(*design, "kind")) claim.kind = in.text(kind, "design.kind");
+    const Json* assembly = member(*design, "assembly");
+    if (!assembly || mechanism.assemblies.empty()) return;
+    const std::string name = in.text(assembly, "design.assembly");
+    while (claim.assembly < mechanism.assemblies.size() && mechanism.assemblies[claim.assembly] != name)
+        ++claim.assembly;
+    if (claim.assembly == mechanism.assemblies.size())
+        in.fail(fmt::format("a {} does not have the assembly {}", mechanism.name, reading::quoted(name)));
+}
+
+void read_crank_range(Reader& in, const Json& document, Claim& claim) {
+    const Json* range = member(document, "crank_range");
+    if (!range) return;
+    const auto ends = in.numbers(range, "crank_range", 2, true);
+    if (ends.size() != 2) return in.fail("crank_range is not [from, to]");
+    claim.crank_range = Vector<double>{ends[0], ends[1]};
+    if (!(ends[0] < ends[1])) in.fail("crank_range does not rise");
+}
+
+void read_requirements(Reader& in, const Json& document, Claim& claim) {
+    const Json* list = member(document, "requirements");
+    if (!list || !in.array(list, "requirements", most_entries)) return;
+    for (std::size_t i = 0; i < list->size() && in.understood(); ++i) {
+        const Json& one = (*list)[i];
+        const std::string place = fmt::format("requirements[{}]", i);
+        if (!in.object(&one, place)) return;
+        const auto quantity = quantity_named(in, member(one, "quantity"), place + ".quantity", claim);
+        if (!quantity) return;
+        const auto number = [&](const char* name) { return in.optional_number(member(one, name), place + "." + name); };
+        const ClaimedRequirement r{*quantity, number("value"), number("equal"), number("min"), number("max")};
+        if (!r.equal && !r.min && !r.max) in.fail(place + " requires nothing: it has neither equal, min nor max");
+        claim.requirements.push_back(r);
+    }
+}
+
+std::optional<ClaimedTerm> read_term(Reader& in, const Json& json, const std::string& place, const Claim& claim) {
+    const auto quantity = quantity_named(in, member(json, "quantity"), place + ".quantity", claim);
+    if (!quantity) return std::nullopt;
+    const std::string sense = in.text(member(json, "sense"), place + ".sense");
+    if (sense != "maximize" && sense != "minimize") in.fail(place + ".sense is neither \"minimize\" nor \"maximize\"");
+    const double weight = in.optional_number(member(json, "weight"), place + ".weight").value_or(1);
+    return ClaimedTerm{*quantity, sense == "maximize", weight,
+                       in.optional_number(member(json, "value"), place + ".value")};
+}
+
+void read_objective(Reader& in, const Json& document, Claim& claim) {
+    const Json* json = member(document, "objective");
+    if (!json || !in.object(json, "objective")) return;
+    ClaimedObjective objective;
+    objective.value = in.optional_number(member(*json, "value"), "objective.value");
+    const Json* terms = member(*json, "terms");
+    if (!terms) {
+        if (const auto term = read_term(in, *json, "objective", claim)) objective.terms.push_back(*term);
+    } else if (in.array(terms, "objective.terms", most_entries)) {
+        for (std::size_t i = 0; i < terms->size(); ++i) {
+            const std::string place = fmt::format("objective.terms[{}]", i);
+            if (!in.object(&(*terms)[i], place)) return;
+            if (const auto term = read_term(in, (*terms)[i], place, claim)) objective.terms.push_back(*term);
+        }
+        const Json* reduce = member(*json, "reduce");
+        const std::string reduction = reduce ? in.text(reduce, "objective.reduce") : "sum";
+        objective.worst = reduction == "max";
+        if (reduction != "max" && reduction != "sum") in.fail("objective.reduce is neither \"sum\" nor \"max\"");
+    }
+    if (objective.terms.empty()) in.fail("objective has no terms");
+    claim.objective = std::move(objective);
+}
+
+void read_quantities(Reader& in, const Json& document, Claim& claim) {
+    const Json* json = member(document, "quantities");
+    if (!json || !in.object(json, "quantities")) return;
+    for (const auto& [name, value] : json->items()) {
+        const std::string place = "quantities." + reading::quoted(name);
+        const int index = find_quantity(*claim.mechanism, name);
+        if (index < 0) return in.fail(fmt::format("a {} does not have {}", claim.mechanism->name, place));
+        claim.quantities.emplace_back(static_cast<std::size_t>(index), in.number(&value, place));
+    }
+}
+
+void read_path(Reader& in, const Json& document, Claim& claim) {
+    const Json* json = member(document, "path");
+    if (!json || !in.object(json, "path")) return;
+    if (!claim.mechanism->path_point)
+        return in.fail(fmt::format("a {} guides no point along a path", claim.mechanism->name));
+    ClaimedPath path;
+    path.points = in.points(member(*json, "points"), "path.points", most_points);
+    if (path.points.empty()) in.fail("path.points is empty");
+    const std::size_t count = path.points.size();
+    if (const Json* timing = member(*json, "timing")) {
+        const std::string name = in.text(timing, "path.timing");
+        path.prescribed_timing = name == "prescribed";
+        if (name != "prescribed" && name != "free") in.fail("path.timing is neither \"free\" nor \"prescribed\"");
+    }
+    path.weights.assign(count, 1.0);
+    if (const Json* weights = member(*json, "weights"))
+        path.weights = in.numbers(weights, "path.weights", most_points, false);
+    for (const double w : path.weights)
+        if (w < 0) in.fail("path.weights has a negative weight");
+    if (path.weights.size() != count) in.fail("path.weights has not one weight for each point");
+    if (path.prescribed_timing) {
+        path.prescribed_angles =
+            in.numbers(member(*json, "prescribed_angles"), "path.prescribed_angles", most_points, true);
+        if (path.prescribed_angles.size() != count) in.fail("path.prescribed_angles has not one angle for each point");
+    }
+    if (const Json* reached = member(*json, "reached")) path.reached = in.points(reached, "path.reached", most_points);
+    if (const Json* angles = member(*json, "crank_angles"))
+        path.crank_angles = in.numbers(angles, "path.crank_angles", most_points, true);
+    if (const Json* distances = member(*json, "distances"))
+        path.distances = in.numbers(distances, "path.distances", most_points, false);
+    claim.path = std::move(path);
+}
+
+}  // namespace
+
+ReadClaim read_claim(const Json& document) {
+    Reader in;
+    Claim claim;
+    if (!document.is_object()) return {{}, "it is not a JSON object"};
+    read_head(in, document, claim);
+    for (const auto read :
+         {read_given, read_design, read_crank_range, read_requirements, read_objective, read_quantities, read_path})
+        if (in.understood()) read(in, document, claim);
+    return {std::move(claim), in.defect};
+}
+
+}  // namespace mechwright

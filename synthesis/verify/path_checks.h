@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// Checks of what a result says of its coupler path.
+
+#include <vector>
+
+#include "synthesis/verify/rebuilt.h"
+
+namespace mechwright {
+
+/// Reached points and distances, timing or order, and that one assembled branch holds all the points. The design's
+/// claim must have a path.
+std::vector<Check> check_path(const Rebuilt& design);
+
+}  // namespace mechwright

@@ -1,0 +1,130 @@
+#include "synthesis/verify/rebuilt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/constants/constants.hpp>
+
+#include "synthesis/report/units.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr double relative = 1e-9;         // of stated values
+constexpr double angular = 1e-9;          // radians, of stated angles
+constexpr double rounding = 1e-14;        // of values near zero, over the size of what they are computed from
+constexpr double point_rounding = 1e-12;  // of distances, over the size of what a point is computed from
+
+double plain(const Digits50& value) { return value.convert_to<double>(); }
+
+Digits50 to_radians() { return boost::math::constants::pi<Digits50>() / 180; }
+
+RebuiltPath rebuilt_path(const Rebuilt& design) {
+    const Claim& claim = *design.claim;
+    const ClaimedPath& path = *claim.path;
+    const auto point = claim.mechanism->path_point;
+    RebuiltPath result;
+    result.size = design.longest;
+    const auto grow = [&](const Digits50& length) { result.size = std::max<Digits50>(result.size, abs(length)); };
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+        if (claim.mechanism->dimensions[i].kind == DimensionKind::coordinate) grow(design.dimensions[i]);
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const Vector<Digits50> target{path.points[i].x, path.points[i].y};
+        grow(target.x);
+        grow(target.y);
+        result.crank_angles.push_back(from_document(path.crank_angles[i], Unit::angle, claim.units));
+        result.reached.push_back(point(claim.assembly, design.dimensions, result.crank_angles.back()));
+        const Vector<Digits50> miss = target - result.reached.back();
+        result.distances.push_back(sqrt(dot(miss, miss)));
+    }
+    return result;
+}
+
+std::optional<Measured> measured_path(const RebuiltPath& path, const std::vector<double>& weights,
+                                      PathMeasure measure) {
+    const Digits50 slack = point_rounding * path.size;
+    Digits50 sum = 0, sum_slack = 0, weight = 0, greatest = 0;
+    for (std::size_t i = 0; i < path.distances.size(); ++i) {
+        const Digits50& d = path.distances[i];
+        if (!isfinite(d)) return std::nullopt;
+        sum += weights[i] * d * d;
+        sum_slack += weights[i] * (2 * d + slack) * slack;
+        weight += weights[i];
+        greatest = std::max(greatest, d);
+    }
+    switch (measure) {
+        case PathMeasure::sum_of_squares: return Measured{sum, relative * sum + sum_slack};
+        case PathMeasure::root_mean_square: {
+            const Digits50 mean = weight > 0 ? Digits50(sqrt(sum / weight)) : Digits50(0);
+            return Measured{mean, relative * mean + slack};
+        }
+        case PathMeasure::greatest: return Measured{greatest, relative * greatest + slack};
+        case PathMeasure::none: break;
+    }
+    return std::nullopt;
+}
+
+std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity) {
+    if (quantity.path != PathMeasure::none) {
+        if (!design.path) return std::nullopt;
+        return measured_path(*design.path, design.claim->path->weights, quantity.path);
+    }
+    if (!quantity.defined(design.motion)) return std::nullopt;
+    const Digits50 value = quantity.measure_again(design.motion, design.dimensions);
+    if (!isfinite(value)) return std::nullopt;
+    switch (quantity.unit) {
+        case Unit::angle: return Measured{value, angular};
+        case Unit::none: return Measured{value, relative * abs(value) + rounding};
+        case Unit::length: return Measured{value, relative * abs(value) + rounding * design.longest};
+        case Unit::area: return Measured{value, relative * abs(value) + rounding * design.longest * design.longest};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Rebuilt rebuilt(const Claim& claim) {
+    const Mechanism& mechanism = *claim.mechanism;
+    Rebuilt design{&claim, {}, {}, {}, 0, {}};
+    for (std::size_t i = 0; i < claim.design.size(); ++i) {
+        const DimensionKind kind = mechanism.dimensions[i].kind;
+        design.dimensions.push_back(from_document(claim.design[i], unit_of(kind), claim.units));
+        design.rounded.push_back(plain(design.dimensions.back()));
+        if (kind == DimensionKind::length) design.longest = std::max(design.longest, design.dimensions.back());
+    }
+    std::array<double, 2> range{};
+    if (claim.crank_range)
+        range = {plain(from_document(claim.crank_range->x, Unit::angle, claim.units)),
+                 plain(from_document(claim.crank_range->y, Unit::angle, claim.units))};
+    design.motion = mechanism.motion(design.rounded, claim.assembly, claim.crank_range ? range.data() : nullptr);
+    if (claim.path && claim.path->crank_angles.size() == claim.path->points.size()) design.path = rebuilt_path(design);
+    return design;
+}
+
+Measurements::Measurements(const Rebuilt& rebuilt)
+    : design(&rebuilt), known(rebuilt.claim->mechanism->quantities.size()) {}
+
+const std::optional<Measured>& Measurements::of(std::size_t quantity) {
+    auto& entry = known[quantity];
+    if (!entry) entry.emplace(measured(*design, design->claim->mechanism->quantities[quantity]));
+    return *entry;
+}
+
+Digits50 from_document(double number, Unit unit, const Units& units) {
+    return unit == Unit::angle && units.degrees ? number * to_radians() : Digits50(number);
+}
+
+Digits50 in_document(const Digits50& value, Unit unit, const Units& units) {
+    return unit == Unit::angle && units.degrees ? Digits50(value / to_radians()) : value;
+}
+
+std::string shown(const Digits50& value, Unit unit, const Units& units) {
+    const std::string label = unit_label(unit, units);
+    return fmt::format("{:.15g}{}{}", plain(in_document(value, unit, units)), label.empty() ? "" : " ", label);
+}
+
+std::string shown_small(const Digits50& value) { return fmt::format("{:.2g}", plain(value)); }
+
+}  // namespace mechwright

@@ -1,0 +1,59 @@
+#pragma once
+/// \file
+/// The design of a claim rebuilt in fifty digits, and what it measures. Inside, angles are radians.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synthesis/verify/claim.h"
+
+namespace mechwright {
+
+/// A value measured again, with the difference to it that the rounding of a stated value may make.
+struct Measured {
+    Digits50 value;
+    Digits50 slack;
+};
+
+/// Where the design really is at the claimed crank angles.
+struct RebuiltPath {
+    std::vector<Digits50> crank_angles;
+    std::vector<Vector<Digits50>> reached;  ///< NaN where the mechanism does not assemble
+    std::vector<Digits50> distances;
+    Digits50 size;  ///< the longest length or coordinate that a point is computed from
+};
+
+struct Rebuilt {
+    const Claim* claim;
+    std::vector<Digits50> dimensions;
+    std::vector<double> rounded;  ///< the same, rounded
+    Motion motion;
+    Digits50 longest;                 ///< of the lengths
+    std::optional<RebuiltPath> path;  ///< only with one crank angle for each point
+};
+
+Rebuilt rebuilt(const Claim& claim);
+
+/// Every quantity at most once.
+struct Measurements {
+    const Rebuilt* design;
+    std::vector<std::optional<std::optional<Measured>>> known;  ///< by quantity; measured yet, and has a value
+
+    explicit Measurements(const Rebuilt& rebuilt);
+    /// Nothing where the quantity is not defined for the design, or has no finite value.
+    const std::optional<Measured>& of(std::size_t quantity);
+};
+
+/// A number of the document as it counts inside, and the other way round. Degrees are multiplied by pi/180 in fifty
+/// digits, so that nothing is added to the rounding that the document has.
+Digits50 from_document(double number, Unit unit, const Units& units);
+Digits50 in_document(const Digits50& value, Unit unit, const Units& units);
+
+/// "39.5 deg": fifteen digits, in the unit of the document.
+std::string shown(const Digits50& value, Unit unit, const Units& units);
+
+/// "3.1e-12": a small number in a message.
+std::string shown_small(const Digits50& value);
+
+}  // namespace mechwright

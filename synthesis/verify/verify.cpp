@@ -1,0 +1,205 @@
+#include "synthesis/verify/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "synthesis/problem/text.h"
+#include "synthesis/report/units.h"
+#include "synthesis/verify/path_checks.h"
+#include "synthesis/verify/rebuilt.h"
+
+namespace mechwright {
+
+namespace {
+
+const Quantity& quantity_of(const Claim& claim, std::size_t index) { return claim.mechanism->quantities[index]; }
+
+std::string joined(const std::vector<std::string>& parts, std::string_view between) {
+    return fmt::format("{}", fmt::join(parts, between));
+}
+
+/// Why a dimension of the design is not what was asked for; empty if it is. What was given as one number must be that
+/// number, what was not given must be 0; ranges may be left by the tolerance, relative to their greater limit.
+std::string dimension_defect(const Claim& claim, std::size_t i) {
+    const double value = claim.design[i];
+    const auto defect = [&](std::string_view why, double number) {
+        return fmt::format("{} is {}, {} {}", claim.mechanism->dimensions[i].name, value, why, number);
+    };
+    if (!claim.given[i]) return value == 0 ? "" : defect("not given and must be", 0);
+    const auto [min, max] = *claim.given[i];
+    if (min == max) return value == min ? "" : defect("given was", min);
+    const double slack = claim.tolerance * std::max(std::abs(min), std::abs(max));
+    if (value < min - slack) return defect("the least allowed is", min);
+    return value > max + slack ? defect("the greatest allowed is", max) : "";
+}
+
+Check check_ranges(const Claim& claim) {
+    std::vector<std::string> defects;
+    for (std::size_t i = 0; i < claim.design.size(); ++i)
+        if (std::string defect = dimension_defect(claim, i); !defect.empty()) defects.push_back(std::move(defect));
+    return {"dimensions are as given and within their ranges", defects.empty(),
+            defects.empty() ? fmt::format("all {} dimensions", claim.design.size()) : joined(defects, "; ")};
+}
+
+Check check_kind(const Rebuilt& design) {
+    const std::string kind = design.claim->mechanism->describe(design.rounded);
+    const std::string& stated = *design.claim->kind;
+    return {
+        "is the kind of mechanism that is stated", kind == stated,
+        kind == stated ? kind : fmt::format("stated is {}, it is {}", reading::quoted(stated), reading::quoted(kind))};
+}
+
+bool has_its_lengths(const Claim& claim) {
+    for (std::size_t i = 0; i < claim.design.size(); ++i)
+        if (claim.mechanism->dimensions[i].kind == DimensionKind::length && !(claim.design[i] > 0)) return false;
+    return true;
+}
+
+/// What a violation is relative to: the greatest limit, but at least 1 for plain numbers and angles in radians; for
+/// lengths (areas) whose limits are all 0 the longest link (its square).
+Digits50 violation_scale(const Rebuilt& design, Unit unit, const std::vector<Digits50>& limits) {
+    Digits50 scale = 0;
+    for (const Digits50& limit : limits)
+        scale = std::max<Digits50>(scale, abs(limit));
+    if (unit == Unit::none || unit == Unit::angle) return std::max(scale, Digits50(1));
+    if (scale > 0) return scale;
+    return unit == Unit::length ? design.longest : Digits50(design.longest * design.longest);
+}
+
+/// "is at least 40 deg", for each limit of a requirement.
+std::string requirement_name(const Claim& claim, const ClaimedRequirement& r) {
+    const Quantity& quantity = quantity_of(claim, r.quantity);
+    std::vector<std::string> parts;
+    const auto add = [&](std::string_view relation, const std::optional<double>& limit) {
+        const std::string label = unit_label(quantity.unit, claim.units);
+        if (limit) parts.push_back(fmt::format("{} {}{}{}", relation, *limit, label.empty() ? "" : " ", label));
+    };
+    add("equals", r.equal);
+    add("is at least", r.min);
+    add("is at most", r.max);
+    return fmt::format("{} {}", quantity.name, joined(parts, " and "));
+}
+
+Check check_requirement(const ClaimedRequirement& r, Measurements& measurements) {
+    const Rebuilt& design = *measurements.design;
+    const Claim& claim = *design.claim;
+    const Unit unit = quantity_of(claim, r.quantity).unit;
+    Check check{requirement_name(claim, r), false, "it has no value for this design"};
+    const auto& again = measurements.of(r.quantity);
+    if (!again) return check;
+    const auto inside = [&](double number) { return from_document(number, unit, claim.units); };
+    std::vector<Digits50> limits;
+    Digits50 beyond = 0;
+    if (r.equal) beyond = std::max<Digits50>(beyond, abs(again->value - limits.emplace_back(inside(*r.equal))));
+    if (r.min) beyond = std::max<Digits50>(beyond, limits.emplace_back(inside(*r.min)) - again->value);
+    if (r.max) beyond = std::max<Digits50>(beyond, again->value - limits.emplace_back(inside(*r.max)));
+    const Digits50 violation = beyond / violation_scale(design, unit, limits);
+    check.passed = violation <= claim.tolerance;
+    check.detail = fmt::format("measured again {}, relative violation {}, allowed {:.2g}",
+                               shown(again->value, unit, claim.units), shown_small(violation), claim.tolerance);
+    return check;
+}
+
+/// Whether a stated value is the one measured again; if not, why.
+std::string stated_defect(std::size_t quantity, const std::optional<double>& stated, Measurements& measurements) {
+    const Claim& claim = *measurements.design->claim;
+    const std::string_view name = quantity_of(claim, quantity).name;
+    const Unit unit = quantity_of(claim, quantity).unit;
+    const auto& again = measurements.of(quantity);
+    if (!again) return fmt::format("{} has no value for this design", name);
+    const std::string measured = shown(again->value, unit, claim.units);
+    if (!stated) return fmt::format("{} is not stated, measured again {}", name, measured);
+    const Digits50 value = from_document(*stated, unit, claim.units);
+    if (abs(value - again->value) <= again->slack) return {};
+    return fmt::format("{} is stated as {}, measured again {}", name, shown(value, unit, claim.units), measured);
+}
+
+Check stated_check(std::string name, std::vector<std::string> defects) {
+    defects.erase(std::remove(defects.begin(), defects.end(), std::string()), defects.end());
+    return {std::move(name), defects.empty(),
+            defects.empty() ? "measured again to 1e-9 relative, angles to 1e-9 rad" : joined(defects, "; ")};
+}
+
+/// The objective in the user's sense and units: the one term, the worst term, or the weighted sum, in which terms of
+/// the sense of the first count positively.
+std::optional<Measured> objective_again(const ClaimedObjective& objective, Measurements& measurements) {
+    const Claim& claim = *measurements.design->claim;
+    const bool maximize = objective.terms.front().maximize;
+    Measured total{0, 0};
+    for (std::size_t i = 0; i < objective.terms.size(); ++i) {
+        const ClaimedTerm& term = objective.terms[i];
+        const auto& again = measurements.of(term.quantity);
+        if (!again) return std::nullopt;
+        const Unit unit = quantity_of(claim, term.quantity).unit;
+        const Digits50 value = term.weight * in_document(again->value, unit, claim.units);
+        const Digits50 slack = term.weight * in_document(again->slack, unit, claim.units);
+        if (!objective.worst) {
+            total.value += term.maximize == maximize ? value : Digits50(-value);
+            total.slack += slack;
+        } else if (i == 0 || (maximize ? value < total.value : value > total.value)) {
+            total = {value, slack};
+        }
+    }
+    return total;
+}
+
+Check check_objective(const ClaimedObjective& objective, Measurements& measurements) {
+    std::vector<std::string> defects;
+    if (objective.terms.size() > 1)
+        for (const ClaimedTerm& term : objective.terms)
+            defects.push_back(stated_defect(term.quantity, term.value, measurements));
+    const auto again = objective_again(objective, measurements);
+    if (!again)
+        defects.push_back("it has no value for this design");
+    else if (!objective.value)
+        defects.push_back("it is not stated");
+    else if (!(abs(*objective.value - again->value) <= again->slack))
+        defects.push_back(fmt::format("it is stated as {:.15g}, measured again {:.15g}", *objective.value,
+                                      again->value.convert_to<double>()));
+    return stated_check("the objective is as stated", std::move(defects));
+}
+
+std::vector<Check> checks_of(const Claim& claim) {
+    std::vector<Check> checks{check_ranges(claim)};
+    const Rebuilt design = rebuilt(claim);
+    if (claim.kind) checks.push_back(check_kind(design));
+    for (Check& check : claim.mechanism->check_motion(design.motion, design.dimensions))
+        checks.push_back(std::move(check));
+    if (!has_its_lengths(claim)) return checks;
+
+    Measurements measurements(design);
+    for (const ClaimedRequirement& r : claim.requirements) {
+        checks.push_back(check_requirement(r, measurements));
+        checks.push_back(stated_check(fmt::format("{} is as stated", quantity_of(claim, r.quantity).name),
+                                      {stated_defect(r.quantity, r.value, measurements)}));
+    }
+    if (claim.objective) checks.push_back(check_objective(*claim.objective, measurements));
+    if (!claim.quantities.empty()) {
+        std::vector<std::string> defects;
+        for (const auto& [quantity, value] : claim.quantities)
+            defects.push_back(stated_defect(quantity, value, measurements));
+        checks.push_back(stated_check("all listed quantities are as stated", std::move(defects)));
+    }
+    if (claim.path)
+        for (Check& check : check_path(design))
+            checks.push_back(std::move(check));
+    return checks;
+}
+
+}  // namespace
+
+std::vector<Check> verify(const nlohmann::ordered_json& document) {
+    const auto not_understood = [](std::string why) {
+        return std::vector<Check>{{"the document can be understood", false, std::move(why)}};
+    };
+    try {
+        const auto [claim, defect] = read_claim(document);
+        return defect.empty() ? checks_of(claim) : not_understood(defect);
+    } catch (const std::exception& error) {
+        return not_understood(std::string("verification stopped: ") + error.what());
+    }
+}
+
+}  // namespace mechwright

@@ -1,0 +1,24 @@
+# Run by the tests install/*: see CMakeLists.txt beside this file.
+file(REMOVE_RECURSE ${scratch})
+
+function(run)
+    execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# Searched only where the component may look.
+if(component STREQUAL "analysis")
+    foreach(package Boost CLI11 fmt nlohmann_json Threads tomlplusplus PkgConfig)
+        list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+    endforeach()
+endif()
+
+run(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/first)
+# Nothing may point back to where it was first.
+file(RENAME ${scratch}/first ${scratch}/prefix)
+
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${scratch}/build -G ${generator}
+    -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_EXE_LINKER_FLAGS=${link_flags}
+    -D CMAKE_PREFIX_PATH=${scratch}/prefix -D component=${component} ${without})
+run(${CMAKE_COMMAND} --build ${scratch}/build)
+run(${scratch}/build/consumer)
+run(${scratch}/prefix/bin/mechwright --version)

@@ -1,0 +1,91 @@
+#include "tests/problem/problem_text.h"
+
+namespace mechwright::test {
+
+namespace {
+
+ReadProblem read_solver(const std::string& line) { return read(valid + "[solver]\n" + line + "\n"); }
+ReadProblem read_motion(const std::string& line) { return read(valid + "[motion]\n" + line + "\n"); }
+
+}  // namespace
+
+TEST(Units, AnAngleUnitIsDegOrRad) {
+    EXPECT_TRUE(only_says(read(valid + "[units]\nangle = \"degrees\"\n"), "p.toml:9:9",
+                          {"unknown unit of angle 'degrees'", "deg, rad"}));
+    EXPECT_TRUE(only_says(read(valid + "[units]\nangle = \"radd\"\n"), "p.toml:9:9", {"did you mean 'rad'"}));
+    EXPECT_TRUE(only_says(read(valid + "[units]\nangle = 360\n"), "p.toml:9:9", {"'angle' in [units]", "string"}));
+}
+
+TEST(Units, ALengthUnitIsAString) {
+    EXPECT_TRUE(only_says(read(valid + "[units]\nlength = 1\n"), "p.toml:9:10", {"'length' in [units]", "string"}));
+}
+
+TEST(Units, AnUnknownKeyIsAnErrorWithTheNearestName) {
+    EXPECT_TRUE(
+        only_says(read(valid + "[units]\nlenght = \"mm\"\n"), "p.toml:9:1", {"'lenght' in [units]", "'length'"}));
+}
+
+TEST(Motion, ACrankRangeIsTwoRisingAngles) {
+    EXPECT_TRUE(accepted(read_motion("crank_range = [-90, 90]")));
+    EXPECT_TRUE(only_says(read_motion("crank_range = [90, -90]"), "p.toml:9:15", {"crank_range", "rise", "90", "-90"}));
+    EXPECT_TRUE(only_says(read_motion("crank_range = [90, 90]"), "p.toml:9:15", {"crank_range", "rise"}));
+    EXPECT_TRUE(only_says(read_motion("crank_range = [1]"), "p.toml:9:15", {"two angles", "not 1"}));
+    EXPECT_TRUE(only_says(read_motion("crank_range = 90"), "p.toml:9:15", {"list of numbers", "a number"}));
+    EXPECT_TRUE(only_says(read_motion("crank_range = [0, \"x\"]"), "p.toml:9:19", {"number 2", "a string"}));
+    EXPECT_TRUE(only_says(read_motion("crank_range = [0, inf]"), "p.toml:9:19", {"number 2", "finite"}));
+}
+
+TEST(Motion, ACrankRangeIsOneTurnAtMost) {
+    EXPECT_TRUE(accepted(read_motion("crank_range = [10, 370]")));
+    EXPECT_TRUE(only_says(read_motion("crank_range = [10, 371]"), "p.toml:9:15", {"10", "371", "one full turn"}));
+    const std::string radians = "[units]\nangle = \"rad\"\n";
+    EXPECT_TRUE(accepted(read(valid + radians + "[motion]\ncrank_range = [0, 6.283185307179586]\n")));
+    EXPECT_TRUE(only_says(read(valid + radians + "[motion]\ncrank_range = [0, 6.3]\n"), "p.toml:11:15", {"turn"}));
+}
+
+TEST(Motion, AnUnknownKeyIsAnErrorWithTheNearestName) {
+    EXPECT_TRUE(only_says(read_motion("crank-range = [0, 9]"), "p.toml:9:1", {"'crank-range'", "'crank_range'"}));
+}
+
+TEST(Solver, StartsAreWithinLimits) {
+    EXPECT_TRUE(accepted(read_solver("starts = 1")));
+    EXPECT_TRUE(accepted(read_solver("starts = 100000")));
+    EXPECT_TRUE(only_says(read_solver("starts = 0"), "p.toml:9:10", {"'starts'", "between 1 and 100000", "not 0"}));
+    EXPECT_TRUE(only_says(read_solver("starts = 100001"), "p.toml:9:10", {"between 1 and 100000"}));
+    EXPECT_TRUE(only_says(read_solver("starts = 1.5"), "p.toml:9:10", {"whole number"}));
+    EXPECT_TRUE(only_says(read_solver("starts = true"), "p.toml:9:10", {"whole number", "true or false"}));
+}
+
+TEST(Solver, ASeedIsNotNegative) {
+    EXPECT_TRUE(accepted(read_solver("seed = 0")));
+    EXPECT_TRUE(accepted(read_solver("seed = 9223372036854775807")));
+    EXPECT_TRUE(only_says(read_solver("seed = -1"), "p.toml:9:8", {"'seed'", "between 0 and 9223372036854775807"}));
+}
+
+TEST(Solver, ATimeLimitIsPositive) {
+    EXPECT_TRUE(accepted(read_solver("time_limit = 0.01")));
+    EXPECT_TRUE(only_says(read_solver("time_limit = 0"), "p.toml:9:14", {"'time_limit'", "greater than 0"}));
+    EXPECT_TRUE(only_says(read_solver("time_limit = -5"), "p.toml:9:14", {"'time_limit'", "greater than 0"}));
+    EXPECT_TRUE(only_says(read_solver("time_limit = 1e300"), "p.toml:9:14", {"'time_limit'", "at most"}));
+    EXPECT_TRUE(only_says(read_solver("time_limit = inf"), "p.toml:9:14", {"'time_limit'", "finite"}));
+}
+
+TEST(Solver, AToleranceIsPositiveAndSmall) {
+    EXPECT_TRUE(accepted(read_solver("tolerance = 1e-2")));
+    EXPECT_TRUE(only_says(read_solver("tolerance = 0"), "p.toml:9:13", {"'tolerance'", "greater than 0", "0.01"}));
+    EXPECT_TRUE(only_says(read_solver("tolerance = 0.02"), "p.toml:9:13", {"'tolerance'", "at most 0.01"}));
+    EXPECT_TRUE(only_says(read_solver("tolerance = nan"), "p.toml:9:13", {"'tolerance'", "finite"}));
+}
+
+TEST(Solver, AMethodIsKeptAsItIs) {
+    const ReadProblem read_file = read_solver("method = \"no such method\"");
+    ASSERT_TRUE(accepted(read_file));
+    EXPECT_EQ(read_file.problem.solver.method, "no such method");
+    EXPECT_TRUE(only_says(read_solver("method = 1"), "p.toml:9:10", {"'method'", "string"}));
+}
+
+TEST(Solver, AnUnknownKeyIsAnErrorWithTheNearestName) {
+    EXPECT_TRUE(only_says(read_solver("timelimit = 3"), "p.toml:9:1", {"'timelimit' in [solver]", "'time_limit'"}));
+}
+
+}  // namespace mechwright::test

@@ -1,0 +1,111 @@
+#include "synthesis/report/motion_table.h"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <locale>
+#include <sstream>
+
+#include "tests/report/examples.h"
+
+namespace mechwright {
+namespace {
+
+using namespace testing;
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+    std::vector<std::string> fields;
+    std::istringstream in(line);
+    for (std::string field; std::getline(in, field, ',');)
+        fields.push_back(field);
+    return fields;
+}
+
+TEST(MotionTable, HasUnitsInItsHeaderAndARowForEachStep) {
+    const Problem problem = problem_of(path_text);
+    const auto lines = lines_of(motion_table(problem, path_solution().design, 360));
+    ASSERT_EQ(lines.size(), 362u);
+    EXPECT_EQ(lines[0] + "\n", motion_header(problem));
+    EXPECT_EQ(fields_of(lines[0])[0], "crank-angle [deg]");
+    EXPECT_NE(lines[0].find("point-x [mm]"), std::string::npos);
+    for (int i = 0; i <= 360; ++i) {
+        const auto fields = fields_of(lines[static_cast<std::size_t>(i) + 1]);
+        ASSERT_EQ(fields.size(), fields_of(lines[0]).size());
+        EXPECT_EQ(fields[0], std::to_string(i));
+    }
+}
+
+TEST(MotionTable, NumbersReadBackAsTheSame) {
+    const Problem problem = problem_of(path_text);
+    const Design design = path_solution().design;
+    const auto fields = fields_of(lines_of(motion_table(problem, design, 4))[2]);
+    std::vector<double> row(problem.mechanism->motion_columns.size());
+    ASSERT_TRUE(problem.mechanism->motion_row(0, design.dimensions, 90 * 3.141592653589793 / 180, row));
+    for (std::size_t c = 0; c < row.size(); ++c) {
+        if (problem.mechanism->motion_units[c] == Unit::angle) continue;
+        double number = 0;
+        std::from_chars(fields[c].data(), fields[c].data() + fields[c].size(), number);
+        EXPECT_EQ(number, row[c]) << problem.mechanism->motion_columns[c];
+    }
+}
+
+TEST(MotionTable, CoversALimitedRangeFromEndToEnd) {
+    Problem problem = problem_of(path_text);
+    problem.crank_range = {0.5235987755982988, 2.0943951023931953};
+    const auto lines = lines_of(motion_table(problem, path_solution().design, 9));
+    ASSERT_EQ(lines.size(), 11u);
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        EXPECT_EQ(fields_of(lines[i])[0], std::to_string(20 + 10 * i));
+}
+
+TEST(MotionTable, ADoubleRockerStaysWithinItsAssembledRange) {
+    Design design = path_solution().design;
+    design.dimensions = {100, 80, 40, 90, 0, 0, 0, 0, 0, 0};
+    const auto lines = lines_of(motion_table(problem_of(path_text), design, 100));
+    EXPECT_GE(lines.size(), 100u);  // rounding may take the two ends
+    EXPECT_LE(lines.size(), 102u);
+    for (const std::string& line : lines)
+        EXPECT_EQ(line.find("nan"), std::string::npos) << line;
+}
+
+TEST(MotionTable, WithoutMotionOnlyTheHeader) {
+    Design apart = path_solution().design;
+    apart.dimensions = {100, 10, 20, 30, 0, 0, 0, 0, 0, 0};
+    const Problem problem = problem_of(path_text);
+    EXPECT_EQ(motion_table(problem, apart, 360), motion_header(problem));
+}
+
+TEST(MotionTable, RadiansAndOddUnitsAreNamed) {
+    Problem problem = problem_of(path_text);
+    problem.units = {false, "a,\"b\""};
+    const std::string header = motion_header(problem);
+    EXPECT_EQ(header.find("deg"), std::string::npos);
+    EXPECT_NE(header.find("crank-angle [rad]"), std::string::npos);
+    EXPECT_NE(header.find("\"point-x [a,\"\"b\"\"]\""), std::string::npos) << header;
+}
+
+/// A locale that writes 1.234,5.
+struct CommaNumbers : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(MotionTable, IsTheSameInEveryLocale) {
+    const Problem problem = problem_of(path_text);
+    const std::string plain = motion_table(problem, path_solution().design, 7);
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaNumbers));
+    const std::string again = motion_table(problem, path_solution().design, 7);
+    std::locale::global(before);
+    EXPECT_EQ(again, plain);
+}
+
+}  // namespace
+}  // namespace mechwright
