@@ -122,13 +122,14 @@ VectorXd within_bounds(const Program& program, VectorXd x) {
     return x;
 }
 
-/// Whether a step was worth taking: closer to the constraints, or as close and lower.
+/// Whether a step was worth taking: much closer to the constraints, at a price in the objective that the way back onto
+/// them explains; or as close, and lower.
 bool better(double violation, double objective, double old_violation, double old_objective) {
-    constexpr double rounding = 1e-15;
-    if (violation > std::max(0.5 * old_violation, 4 * rounding)) return false;
-    if (violation < 0.5 * old_violation && old_violation > 1e-12)
-        return objective < old_objective + 1e3 * (old_violation + rounding) * (1 + std::abs(old_objective));
-    return objective < old_objective || (violation < old_violation && objective <= old_objective + 4 * rounding * std::abs(old_objective));
+    constexpr double rounding = 4e-15;
+    const double size = 1 + std::abs(old_objective);
+    if (violation < 0.5 * old_violation && old_violation > rounding)
+        return objective < old_objective + 1e3 * old_violation * size;
+    return violation <= std::max(old_violation, rounding) && objective < old_objective;
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ Objective read_single(Section& section, const Context& context) {
     } else {
         if (find(section, "reduce") != nullptr && sense != nullptr)
             add_error(context.messages, place_of(section, "reduce"),
-                      "'reduce' needs a list of quantities: [\"first\", \"second\"]");
+                      R"('reduce' needs a list of quantities: ["first", "second"])");
         if (sense != nullptr) add_term(*sense, section, 1, objective, context);
     }
     if (const toml::node* weight = find(section, "weight"); weight != nullptr)

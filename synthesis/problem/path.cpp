@@ -27,7 +27,8 @@ Place element_place(const Section& path, std::string_view key, std::size_t i) {
 
 std::vector<double> read_weights(Section& path, const PointList& list, Messages& messages) {
     const auto weights = read_numbers(path, "weights", messages);
-    if (!weights) return std::vector<double>(list.points.size(), 1.0);
+    std::vector<double> even(list.points.size(), 1.0);
+    if (!weights) return even;
     same_length(path, "weights", weights->size(), list, messages);
     for (std::size_t i = 0; i < weights->size(); ++i)
         if ((*weights)[i] <= 0)

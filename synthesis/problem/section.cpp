@@ -24,7 +24,7 @@ template <class T>
 std::optional<T> read_value(Section& section, std::string_view key, std::string_view expected, Messages& messages) {
     const toml::node* node = find(section, key);
     if (node == nullptr) return {};
-    const std::optional<T> value = node->value_exact<T>();
+    std::optional<T> value = node->value_exact<T>();
     if (!value) report_kind(*node, name_of(section, key), expected, messages);
     return value;
 }

@@ -134,7 +134,7 @@ std::string explanation(std::string_view text, Place place, std::string_view des
     const std::string_view after = split_at(text, place).after;
     if (decimal_comma(text, place)) return "write a decimal point, not a comma";
     if (says(description, "control characters") && !after.empty() && after[0] != '\r')
-        return "a control character must be written as an escape in a \"string\": \\t or \\u0001";
+        return R"(a control character must be written as an escape in a "string": \t or \u0001)";
     for (const Remedy& remedy : remedies)
         if (says(description, remedy.words)) return std::string(remedy.remedy);
     constexpr std::string_view preamble = "Error while parsing ";

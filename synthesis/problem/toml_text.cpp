@@ -18,9 +18,13 @@ std::optional<toml::table> parse_toml(std::string_view text, Messages& messages)
         add_error(messages, bad->place, fmt::format("{}; a problem file is TOML, in UTF-8", bad->why));
         return {};
     }
-    if (!within_parser_limits(text, messages)) return {};
+    const std::optional<Objection> objection = find_objection(text);
+    if (objection) text = text.substr(0, objection->statement);  // what is wrong before it is reported instead
     try {
-        return toml::parse(text);
+        toml::table table = toml::parse(text);
+        if (!objection) return table;
+        add_error(messages, objection->place, objection->text);
+        return {};
     } catch (const toml::parse_error& error) {
         const toml::source_position at = error.source().begin;
         report_syntax_error(text, {static_cast<int>(at.line), static_cast<int>(at.column)}, error.description(),

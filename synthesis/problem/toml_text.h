@@ -4,7 +4,9 @@
 
 #include <toml++/toml.h>
 
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "synthesis/problem/messages.h"
@@ -13,9 +15,14 @@ namespace mechwright::reading {
 
 std::optional<toml::table> parse_toml(std::string_view text, Messages& messages);
 
-/// Finds what would exhaust the parser's stack or time: dotted keys of very many parts, very many sections. Reports it
-/// and returns false.
-bool within_parser_limits(std::string_view text, Messages& messages);
+struct Objection {
+    Place place;
+    std::string text;
+    std::size_t statement;  ///< the bytes before the statement that it is about
+};
+
+/// What the parser cannot be trusted with: it would crash, take for ever, or take something for what it is not.
+std::optional<Objection> find_objection(std::string_view text);
 
 /// A TOML syntax error in our words. `place` is where the parser stopped; `description` is what it says.
 void report_syntax_error(std::string_view text, Place place, std::string_view description, Messages& messages);

@@ -14,9 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+bool finite(double number) { return std::isfinite(number); }
+
 /// Numbers that are not finite are never written.
 void put(Json& object, std::string_view name, double number) {
-    if (std::isfinite(number)) object[std::string(name)] = number;
+    if (finite(number)) object[std::string(name)] = number;
 }
 
 Json pairs(const std::vector<Vector<double>>& points) {
@@ -145,7 +147,8 @@ Json alternatives_of(const Problem& problem, const Result& result) {
     for (const Solution& solution : result.alternatives) {
         Json one{{"design", design_of(problem, solution.design)}};
         put(one, "objective", solution.objective);
-        if (!solution.design.path_angles.empty())
+        const std::vector<double>& path_angles = solution.design.path_angles;
+        if (!path_angles.empty() && std::all_of(path_angles.begin(), path_angles.end(), finite))
             one["path_angles"] = angles(solution.design.path_angles, problem.units);
         list.push_back(std::move(one));
     }

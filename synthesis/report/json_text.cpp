@@ -17,7 +17,8 @@ void write(const Json& json, std::size_t indent, std::string& text) {
         text += on_one_line(json);
         return;
     }
-    const std::string inner = plain_list ? " " : "\n" + std::string(indent + 2, ' ');
+    const std::string outer = '\n' + std::string(indent, ' ');
+    const std::string inner = plain_list ? " " : outer + "  ";
     text += json.is_object() ? '{' : '[';
     if (!plain_list) text += inner;
     bool first = true;
@@ -27,7 +28,7 @@ void write(const Json& json, std::size_t indent, std::string& text) {
         if (json.is_object()) text += on_one_line(key) + ": ";
         write(value, indent + 2, text);
     }
-    if (!plain_list) text += "\n" + std::string(indent, ' ');
+    if (!plain_list) text += outer;
     text += json.is_object() ? '}' : ']';
 }
 

@@ -35,7 +35,8 @@ std::string motion_header(const Problem& problem) {
         std::string name(mechanism.motion_columns[c]);
         const std::string unit = unit_label(mechanism.motion_units[c], problem.units);
         if (!unit.empty()) name += " [" + unit + "]";
-        line += (c ? "," : "") + field(name);
+        if (c > 0) line += ',';
+        line += field(name);
     }
     return line + '\n';
 }
@@ -55,8 +56,10 @@ std::string motion_table(const Problem& problem, const Design& design, int steps
                              : i == steps ? motion.to
                                           : from_file_unit(from + (to - from) * i / steps, Unit::angle, problem.units);
         if (!mechanism.motion_row(design.assembly, design.dimensions, angle, row)) continue;
-        for (std::size_t c = 0; c < row.size(); ++c)
-            text += (c ? "," : "") + shortest(in_file_unit(row[c], mechanism.motion_units[c], problem.units));
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            if (c > 0) text += ',';
+            text += shortest(in_file_unit(row[c], mechanism.motion_units[c], problem.units));
+        }
         text += '\n';
     }
     return text;

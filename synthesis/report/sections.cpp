@@ -20,7 +20,7 @@ constexpr std::size_t most_points_shown = 12;
 constexpr std::size_t longest_title = 400;
 
 std::string heading(std::string_view text, bool colour) {
-    return "\n" + emphasised(text, Emphasis::strong, colour) + "\n";
+    return fmt::format("\n{}\n", emphasised(text, Emphasis::strong, colour));
 }
 
 /// What there is to say of a dimension beside its value.
@@ -61,16 +61,26 @@ std::string objective_value(const Solution& solution, const std::string& unit) {
     return number_text(solution.objective) + (unit.empty() ? "" : " " + unit);
 }
 
+/// Digits after the point for six significant ones of the greatest coordinate.
+int decimals_of(const std::vector<Vector<double>>& points) {
+    double greatest = 0;
+    for (const Vector<double>& p : points)
+        greatest = std::max({greatest, std::abs(p.x), std::abs(p.y)});
+    if (greatest == 0) return 3;
+    return std::clamp(5 - static_cast<int>(std::floor(std::log10(greatest))), 0, 9);
+}
+
 std::string point_table(const Problem& problem, const Design& design, const PathValues& values) {
-    Table table{{Align::right, Align::point, Align::point, Align::point, Align::point, Align::point, Align::point}, {}};
+    Table table{{Align::right, Align::point, Align::point, Align::right, Align::right, Align::right, Align::point}, {}};
     table.rows.push_back({"#", "target x", "y", "reached x", "y", "crank", "distance"});
+    const int decimals = decimals_of(problem.path->points);
     for (std::size_t i = 0; i < values.distances.size(); ++i) {
         const Vector<double>& target = problem.path->points[i];
         const Vector<double>& reached = values.reached[i];
         const double angle = in_file_unit(design.path_angles[i], Unit::angle, problem.units);
         table.rows.push_back({std::to_string(i + 1), number_text(target.x, 6), number_text(target.y, 6),
-                              number_text(reached.x, 6), number_text(reached.y, 6), number_text(angle, 6),
-                              number_text(values.distances[i], 3)});
+                              fixed_text(reached.x, decimals), fixed_text(reached.y, decimals),
+                              fixed_text(angle, problem.units.degrees ? 2 : 4), number_text(values.distances[i], 3)});
     }
     return to_text(table, 2);
 }

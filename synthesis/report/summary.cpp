@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "synthesis/problem/text.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/path_values.h"
@@ -23,7 +26,7 @@ struct Headline {
 Headline headline_of(const Result& result) {
     const bool feasible = result.best && result.best->feasible;
     const std::string so_far = feasible      ? "; this is the best design so far."
-                               : result.best ? "; no design so far meets all requirements, this one comes closest."
+                               : result.best ? "; no design so far meets all requirements."
                                              : "; no design was found so far.";
     switch (result.status) {
         case Status::solved:
@@ -46,65 +49,90 @@ Headline headline_of(const Result& result) {
 
 std::string status_section(const Result& result, bool colour) {
     const Headline headline = headline_of(result);
-    std::string text =
-        "\n" + folded(emphasised(headline.word + ":", headline.emphasis, colour) + " ", headline.sentence);
-    if (!result.note.empty()) text += folded("", reading::printable(result.note, 2000));
+    const std::string word = emphasised(headline.word + ":", headline.emphasis, colour);
+    std::string text = '\n' + folded(word + " ", headline.sentence);
+    const bool said_already = result.status == Status::infeasible && result.best;
+    if (!result.note.empty() && !said_already) text += folded("", reading::printable(result.note, 2000));
     return text;
 }
 
-/// What stands in the way of a design that is not feasible: the requirement that is missed by most.
-std::string obstacle(const Problem& problem, const Solution& best) {
-    const Motion motion = motion_of(problem, best.design);
-    if (!(motion.from <= motion.to)) return "\nThe design below comes closest. It does not assemble.\n";
+/// The requirement that a design misses by most; one whose quantity it does not even have comes first.
+const Requirement* most_missed(const Problem& problem, const Design& design) {
     const Requirement* worst = nullptr;
     double most = problem.solver.tolerance;
     for (const Requirement& requirement : problem.requirements) {
-        const Standing standing = standing_of(problem, requirement, best.design);
-        if (!standing.violation || *standing.violation <= most) continue;
+        const Standing standing = standing_of(problem, requirement, design);
+        if (!standing.violation) return &requirement;
+        if (*standing.violation <= most) continue;
         most = *standing.violation;
         worst = &requirement;
     }
-    if (!worst)
-        return "\n" +
-               folded("", fmt::format("The design below comes closest; it violates a range or a condition of its "
-                                      "motion by {} (relative).",
-                                      number_text(best.violation, 3)));
-    const Quantity& quantity = problem.mechanism->quantities[worst->quantity];
-    const double value = *standing_of(problem, *worst, best.design).value;
-    const bool too_low = worst->min && value < *worst->min;
-    const double limit = worst->equal ? *worst->equal : too_low ? *worst->min : *worst->max;
-    const auto shown = [&](double x) { return value_with_unit(x, quantity.unit, problem.units); };
-    return "\n" +
-           folded("", fmt::format("The design below comes closest. It fails most at {}, which has to be {}{} and "
-                                  "is {}: off by {}.",
-                                  quantity.name,
-                                  worst->equal ? ""
-                                  : too_low    ? "at least "
-                                               : "at most ",
-                                  shown(limit), shown(value), shown(std::abs(value - limit))));
+    return worst;
 }
 
-std::string percent(double share) { return share < 0.001 ? "below 0.1%" : number_text(100 * share, 2) + "%"; }
+/// "swing, which has to be at least 70 deg and is 61 deg: off by 9 deg"
+std::string how_missed(const Problem& problem, const Requirement& requirement, const Design& design) {
+    const Quantity& quantity = problem.mechanism->quantities[requirement.quantity];
+    const std::optional<double> value = standing_of(problem, requirement, design).value;
+    if (!value) return fmt::format("{}, which is not defined for a motion like its", quantity.name);
+    const bool too_low = requirement.min && *value < *requirement.min;
+    const double limit = requirement.equal ? *requirement.equal : too_low ? *requirement.min : *requirement.max;
+    const char* relation = requirement.equal ? "" : too_low ? "at least " : "at most ";
+    const auto shown = [&](double x) {
+        std::string text = value_with_unit(x, quantity.unit, problem.units);
+        std::replace(text.begin(), text.end(), ' ', tied_space);
+        return text;
+    };
+    return fmt::format("{}, which has to be {}{} and is {}: off by {}", quantity.name, relation, shown(limit),
+                       shown(*value), shown(std::abs(*value - limit)));
+}
+
+/// What stands in the way of a design that is not feasible.
+std::string obstacle(const Problem& problem, const Solution& best) {
+    const Motion motion = motion_of(problem, best.design);
+    std::string text = "The design below comes closest. ";
+    if (!(motion.from <= motion.to))
+        text += "It does not assemble.";
+    else if (const Requirement* worst = most_missed(problem, best.design))
+        text += fmt::format("It fails most at {}.", how_missed(problem, *worst, best.design));
+    else if (std::isfinite(best.violation))
+        text += fmt::format("It leaves a range or a condition of its motion by {} (relative).",
+                            number_text(best.violation, 3));
+    return '\n' + folded("", text);
+}
+
+std::string percent(double share) {
+    if (share < 0.001) return "below 0.1%";
+    return share < 0.1 ? fmt::format("{:.1f}%", 100 * share) : fmt::format("{:.0f}%", 100 * share);
+}
+
+std::string duration_text(double seconds) {
+    constexpr double millisecond = 0.001;
+    if (seconds < millisecond) return fmt::format("less than a{}millisecond", tied_space);
+    return fmt::format("{:.{}f}{}s", seconds, seconds < 10 ? 3 : 1, tied_space);
+}
 
 std::string counted(long count, std::string_view one, std::string_view many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
+    return fmt::format("{}{}{}", count, tied_space, count == 1 ? one : many);
 }
 
 std::string search_section(const SearchReport& search, bool colour) {
-    std::string how;
+    std::string how = search.method;
     if (search.complete) {
-        how = "complete: " + (search.argument.empty() ? "every solution was found" : search.argument) + ".";
+        how += fmt::format(", complete: {}.", search.argument.empty() ? "every solution was found" : search.argument);
     } else if (search.starts > 0) {
-        how = counted(search.starts, "start", "starts") + ", " +
-              counted(search.local_optima, "local optimum", "local optima");
+        how += fmt::format(": {}, {}", counted(search.starts, "start", "starts"),
+                           counted(search.local_optima, "local optimum", "local optima"));
         if (search.hits > 0) how += fmt::format("; {} ended at the best one", counted(search.hits, "start", "starts"));
-        if (search.hits > 0 && search.missed_chance < 1)
+        if (search.hits > 0 && search.starts > 1)
             how += fmt::format("; estimated chance that a better one was missed: {}", percent(search.missed_chance));
-        how += ".";
+        how += '.';
+    } else {
+        how += '.';
     }
-    how += fmt::format(" {} in {} s.", counted(search.evaluations, "evaluation", "evaluations"),
-                       number_text(search.seconds, 3));
-    return "\n" + folded(emphasised("Search:", Emphasis::strong, colour) + " ", search.method + "; " + how);
+    how += fmt::format(" {} in {}.", counted(search.evaluations, "evaluation", "evaluations"),
+                       duration_text(search.seconds));
+    return '\n' + folded(emphasised("Search:", Emphasis::strong, colour) + " ", how);
 }
 
 std::string alternatives_section(const Problem& problem, const Result& result) {

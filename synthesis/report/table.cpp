@@ -87,12 +87,19 @@ std::string folded(std::string_view lead, std::string_view text) {
         line_is_empty = false;
     }
     result.erase(result.find_last_not_of(' ') + 1);
+    std::replace(result.begin(), result.end(), tied_space, ' ');
     return result + '\n';
 }
 
 std::string number_text(double value, int digits) {
     std::string text = fmt::format("{:.{}g}", value, digits);
     return text == "-0" ? "0" : text;
+}
+
+std::string fixed_text(double value, int decimals) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+    return is_zero && text.front() == '-' ? text.substr(1) : text;
 }
 
 std::size_t width_of(std::string_view text) {

@@ -11,6 +11,9 @@ namespace mechwright {
 
 inline constexpr std::size_t terminal_width = 80;
 
+/// In a text to be folded: a space at which no line ends, as between a number and its unit.
+inline constexpr char tied_space = '\x1f';
+
 enum class Align {
     left,
     right,
@@ -31,6 +34,9 @@ std::string folded(std::string_view lead, std::string_view text);
 
 /// A number for reading: eight significant digits at most, the same in every locale.
 std::string number_text(double value, int digits = 8);
+
+/// A number with this many digits after the point, for columns of comparable numbers.
+std::string fixed_text(double value, int decimals);
 
 /// How many columns a text takes: one for each character of UTF-8, none for the terminal's codes.
 std::size_t width_of(std::string_view text);

@@ -23,8 +23,10 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
 /// A name that no other process and no other call of this one uses.
 std::filesystem::path temporary_beside(const std::filesystem::path& path) {
     static std::atomic<unsigned> count{0};
-    return folder_of(path) / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "-" +
-                              std::to_string(count++) + ".part");
+    std::string name = path.filename().string();
+    name.insert(0, 1, '.').append(".").append(std::to_string(::getpid()));
+    name.append("-").append(std::to_string(count++)).append(".part");
+    return folder_of(path) / name;
 }
 
 /// 0 or the error.

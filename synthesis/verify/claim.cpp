@@ -41,7 +41,7 @@ void read_head(Reader& in, const Json& document, Claim& claim) {
         if (const Json* angle = in.object(units, "units") ? member(*units, "angle") : nullptr) {
             const std::string unit = in.text(angle, "units.angle");
             claim.units.degrees = unit == "deg";
-            if (unit != "deg" && unit != "rad") in.fail("units.angle is neither \"deg\" nor \"rad\"");
+            if (unit != "deg" && unit != "rad") in.fail("units.angle is neither deg nor rad");
         }
         if (const Json* length = member(*units, "length")) claim.units.length = in.text(length, "units.length");
     }
@@ -130,7 +130,7 @@ std::optional<ClaimedTerm> read_term(Reader& in, const Json& json, const std::st
     const auto quantity = quantity_named(in, member(json, "quantity"), place + ".quantity", claim);
     if (!quantity) return std::nullopt;
     const std::string sense = in.text(member(json, "sense"), place + ".sense");
-    if (sense != "maximize" && sense != "minimize") in.fail(place + ".sense is neither \"minimize\" nor \"maximize\"");
+    if (sense != "maximize" && sense != "minimize") in.fail(place + ".sense is neither minimize nor maximize");
     const double weight = in.optional_number(member(json, "weight"), place + ".weight").value_or(1);
     return ClaimedTerm{*quantity, sense == "maximize", weight,
                        in.optional_number(member(json, "value"), place + ".value")};
@@ -153,7 +153,7 @@ void read_objective(Reader& in, const Json& document, Claim& claim) {
         const Json* reduce = member(*json, "reduce");
         const std::string reduction = reduce ? in.text(reduce, "objective.reduce") : "sum";
         objective.worst = reduction == "max";
-        if (reduction != "max" && reduction != "sum") in.fail("objective.reduce is neither \"sum\" nor \"max\"");
+        if (reduction != "max" && reduction != "sum") in.fail("objective.reduce is neither sum nor max");
     }
     if (objective.terms.empty()) in.fail("objective has no terms");
     claim.objective = std::move(objective);
@@ -182,7 +182,7 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
     if (const Json* timing = member(*json, "timing")) {
         const std::string name = in.text(timing, "path.timing");
         path.prescribed_timing = name == "prescribed";
-        if (name != "prescribed" && name != "free") in.fail("path.timing is neither \"free\" nor \"prescribed\"");
+        if (name != "prescribed" && name != "free") in.fail("path.timing is neither free nor prescribed");
     }
     path.weights.assign(count, 1.0);
     if (const Json* weights = member(*json, "weights"))

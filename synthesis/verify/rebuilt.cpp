@@ -125,6 +125,6 @@ std::string shown(const Digits50& value, Unit unit, const Units& units) {
     return fmt::format("{:.15g}{}{}", plain(in_document(value, unit, units)), label.empty() ? "" : " ", label);
 }
 
-std::string shown_small(const Digits50& value) { return fmt::format("{:.2g}", plain(value)); }
+std::string shown_small(const Digits50& value) { return value == 0 ? "0" : fmt::format("{:.2g}", plain(value)); }
 
 }  // namespace mechwright

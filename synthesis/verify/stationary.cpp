@@ -21,6 +21,7 @@ std::vector<double> sample_angles(const Sweep& sweep) {
     const double span = sweep.to - sweep.from;
     const int steps = std::max(32, static_cast<int>(std::ceil(span * 360 / pi)));
     std::vector<double> samples;
+    samples.reserve(static_cast<std::size_t>(steps) + 1);
     for (int i = 0; i < steps; ++i)
         samples.push_back(sweep.from + i * (span / steps));
     samples.push_back(sweep.to);

@@ -129,15 +129,19 @@ Digits50 polished_zero(const Rough& rough, const Fine& fine, const Bracket& brac
         if (changes(value_left, value_right))
             return detail::zero_between_signs(fine, left, right, value_left, value_right, 1e-42);
     }
-    return Digits50(middle);
+    return {middle};
 }
 
-/// All zeros of a slope over a sweep. `rough` is the slope in double, `fine` in fifty digits.
+/// All zeros of a slope over a sweep. `rough` is the slope in double, `fine` in fifty digits. No mechanism has as many
+/// stationary points as make a slope rounding noise; those of a measure that is constant are left in double.
 template <class Rough, class Fine>
 std::vector<Digits50> stationary_points(const Sweep& sweep, const Rough& rough, const Fine& fine) {
+    constexpr std::size_t noise = 64;
+    const auto brackets = brackets_of_zeros(rough, sample_angles(sweep));
     std::vector<Digits50> points;
-    for (const Bracket& bracket : brackets_of_zeros(rough, sample_angles(sweep)))
-        points.push_back(polished_zero(rough, fine, bracket));
+    points.reserve(brackets.size());
+    for (const Bracket& bracket : brackets)
+        points.push_back(brackets.size() < noise ? polished_zero(rough, fine, bracket) : Digits50(bracket.right));
     return points;
 }
 

@@ -97,8 +97,9 @@ Check check_requirement(const ClaimedRequirement& r, Measurements& measurements)
     if (r.max) beyond = std::max<Digits50>(beyond, again->value - limits.emplace_back(inside(*r.max)));
     const Digits50 violation = beyond / violation_scale(design, unit, limits);
     check.passed = violation <= claim.tolerance;
-    check.detail = fmt::format("measured again {}, relative violation {}, allowed {:.2g}",
-                               shown(again->value, unit, claim.units), shown_small(violation), claim.tolerance);
+    check.detail = fmt::format(
+        "measured again {}, stated {}, relative violation {}, allowed {:.2g}", shown(again->value, unit, claim.units),
+        r.value ? shown(inside(*r.value), unit, claim.units) : "nothing", shown_small(violation), claim.tolerance);
     return check;
 }
 
@@ -122,11 +123,11 @@ Check stated_check(std::string name, std::vector<std::string> defects) {
             defects.empty() ? "measured again to 1e-9 relative, angles to 1e-9 rad" : joined(defects, "; ")};
 }
 
-/// The objective in the user's sense and units: the one term, the worst term, or the weighted sum, in which terms of
-/// the sense of the first count positively.
+/// The objective in the user's units: the one term; the worst term; or the weighted sum, which is minimised, so that
+/// terms to be maximised count negatively.
 std::optional<Measured> objective_again(const ClaimedObjective& objective, Measurements& measurements) {
     const Claim& claim = *measurements.design->claim;
-    const bool maximize = objective.terms.front().maximize;
+    const bool single = objective.terms.size() == 1;
     Measured total{0, 0};
     for (std::size_t i = 0; i < objective.terms.size(); ++i) {
         const ClaimedTerm& term = objective.terms[i];
@@ -134,11 +135,11 @@ std::optional<Measured> objective_again(const ClaimedObjective& objective, Measu
         if (!again) return std::nullopt;
         const Unit unit = quantity_of(claim, term.quantity).unit;
         const Digits50 value = term.weight * in_document(again->value, unit, claim.units);
-        const Digits50 slack = term.weight * in_document(again->slack, unit, claim.units);
-        if (!objective.worst) {
-            total.value += term.maximize == maximize ? value : Digits50(-value);
+        const Digits50 slack = abs(term.weight) * in_document(again->slack, unit, claim.units);
+        if (!single && !objective.worst) {
+            total.value += term.maximize ? Digits50(-value) : value;
             total.slack += slack;
-        } else if (i == 0 || (maximize ? value < total.value : value > total.value)) {
+        } else if (i == 0 || (term.maximize ? value < total.value : value > total.value)) {
             total = {value, slack};
         }
     }
@@ -152,9 +153,9 @@ Check check_objective(const ClaimedObjective& objective, Measurements& measureme
             defects.push_back(stated_defect(term.quantity, term.value, measurements));
     const auto again = objective_again(objective, measurements);
     if (!again)
-        defects.push_back("it has no value for this design");
+        defects.emplace_back("it has no value for this design");
     else if (!objective.value)
-        defects.push_back("it is not stated");
+        defects.emplace_back("it is not stated");
     else if (!(abs(*objective.value - again->value) <= again->slack))
         defects.push_back(fmt::format("it is stated as {:.15g}, measured again {:.15g}", *objective.value,
                                       again->value.convert_to<double>()));

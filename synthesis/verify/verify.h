@@ -10,8 +10,8 @@
 
 namespace mechwright {
 
-/// The checks of a document's design, in a fixed order; a document that cannot be understood gives one failed check that
-/// says why. Never throws for any JSON value.
+/// The checks of a document's design, in a fixed order; a document that cannot be understood gives one failed check
+/// that says why. Never throws for any JSON value.
 std::vector<Check> verify(const nlohmann::ordered_json& document);
 
 }  // namespace mechwright

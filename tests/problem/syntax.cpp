@@ -81,6 +81,34 @@ TEST(Syntax, DeepNestingIsAnErrorAndNoCrash) {
     EXPECT_TRUE(only_says(read("x = {" + dotted + "= 1}"), "p.toml:1:21", {"dotted key"}));
 }
 
+TEST(Syntax, ASectionNeedsAName) {
+    for (const std::string header : {"[(am]", "[\n", "[[=]]", "[ .a]", "[$", "[[ \t%]]"})
+        EXPECT_TRUE(only_says(read(valid + header + "\n"), "p.toml:8:1", {"name of a [section]"})) << header;
+    EXPECT_TRUE(only_says(read(valid + "[]\n"), "p.toml:8:2", {"not valid TOML"}));
+}
+
+TEST(Syntax, OtherThanAsciiStandsOnlyInQuotesAndComments) {
+    EXPECT_TRUE(only_says(read("l\u00e4nge = 1\n" + valid), "p.toml:1:2", {"in quotes", "comment"}));
+    EXPECT_TRUE(only_says(read(with_line(4, "ground =\u00a01")), "p.toml:4:9", {"in quotes", "comment"}));
+    EXPECT_TRUE(only_says(read(with_line(4, "ground = 1\u2060")), "p.toml:4:11", {"in quotes", "comment"}));
+    EXPECT_TRUE(says(read("\"l\u00e4nge\" = 1\n" + valid), "p.toml:1:1", {"unknown key 'l\u00e4nge'"}));
+    EXPECT_TRUE(accepted(read("title = '\u00e4' # \u00e4\n" + valid)));
+    EXPECT_TRUE(accepted(read("title = \"\"\"\u00e4\n\u00e4 \\\n a\u00e4\"\"\"\n" + valid)));
+    EXPECT_TRUE(only_says(read("title = \"\"\"a \\\n \u00e4\"\"\"\n" + valid), "p.toml:1:9", {"continued", "ASCII"}));
+}
+
+TEST(Syntax, BracketsAndBracesMatch) {
+    EXPECT_TRUE(only_says(read(valid + "[path]\npoints = [}\n"), "p.toml:9:11", {"bracket or brace", "other kind"}));
+    EXPECT_TRUE(only_says(read(valid + "[path]\npoints = [1, # }\n }\n"), "p.toml:10:2", {"other kind"}));
+    EXPECT_TRUE(only_says(read(with_line(5, "crank = { min = 5, max = 60 ]")), "p.toml:5:29", {"other kind"}));
+    EXPECT_TRUE(only_says(read(with_line(5, "crank = 5 }")), "p.toml:5:11", {"not valid TOML"}));
+}
+
+TEST(Syntax, WhatIsWrongFirstIsReported) {
+    EXPECT_TRUE(only_says(read("title =\n" + valid + "[(am]\n"), "p.toml:1:8", {"missing"}));
+    EXPECT_TRUE(only_says(read("title = \"x\n" + valid + "a.b.c.d.e.f.g.h.i.j = 1\n"), "p.toml:1:11", {"quote"}));
+}
+
 TEST(Syntax, DotsInStringsCommentsAndNumbersAreNoDottedKeys) {
     EXPECT_TRUE(accepted(read("title = \"a.b.c.d.e.f.g.h.i.j.k\" # a.b.c.d.e.f.g.h.i.j\n" + valid)));
     EXPECT_TRUE(accepted(read("title = 'a.b.c.d.e.f.g.h.i.j.k'\n" + valid)));

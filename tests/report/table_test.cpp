@@ -44,6 +44,11 @@ TEST(Folded, StaysWithinEightyColumnsAndHangs) {
     EXPECT_GT(count, 3);
 }
 
+TEST(Folded, DoesNotBreakATiedSpace) {
+    const std::string text = std::string(76, 'x') + " 60\x1f" + "deg";
+    EXPECT_EQ(folded("", text), std::string(76, 'x') + "\n60 deg\n");
+}
+
 TEST(Folded, KeepsAWordThatIsTooLong) {
     const std::string longest(200, 'x');
     EXPECT_EQ(folded("a ", longest), "a " + longest + "\n");
@@ -65,6 +70,12 @@ struct GermanNumbers : std::numpunct<char> {
     char do_thousands_sep() const override { return '.'; }
     std::string do_grouping() const override { return "\3"; }
 };
+
+TEST(FixedText, HasNoNegativeZero) {
+    EXPECT_EQ(fixed_text(-0.0001, 3), "0.000");
+    EXPECT_EQ(fixed_text(-1.5, 1), "-1.5");
+    EXPECT_EQ(fixed_text(0, 0), "0");
+}
 
 TEST(NumberText, IsTheSameInEveryLocale) {
     const std::locale before = std::locale::global(std::locale(std::locale::classic(), new GermanNumbers));

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "random_linkages.h"
 #include "synthesis/mechanism/four_bar/measure_again.h"
+#include "tests/verify/random_linkages.h"
 
 namespace mechwright {
 
 namespace {
 
-using namespace testing;
+using namespace test;
 
 /// The checks as one line, for messages and for finding words in them.
 std::string told(const std::vector<Check>& checks) {
@@ -82,7 +82,7 @@ TEST(CheckMotion, FailsARangeThatReachesOverAToggle) {
 }
 
 TEST(CheckMotion, FailsARangeWithAGapInside) {
-    const FourBar<double> m{4, 3, 2, 2.5};  // assembles from -99 deg to 99 deg, folded or stretched nowhere between
+    const FourBar<double> m{4, 3, 2, 2.5};  // assembles from -78.6 deg to 78.6 deg
     const auto range = assembled_range(m);
     ASSERT_FALSE(range.full_turn);
     const auto checks = check(m, limited(0, 2 * std::numbers::pi));

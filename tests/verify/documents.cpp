@@ -1,4 +1,4 @@
-#include "documents.h"
+#include "tests/verify/documents.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "synthesis/mechanism/mechanism.h"
 
-namespace mechwright::testing {
+namespace mechwright::test {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::string told(const std::vector<Check>& checks) {
     return text;
 }
 
-}  // namespace mechwright::testing
+}  // namespace mechwright::test

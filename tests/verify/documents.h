@@ -9,7 +9,7 @@
 #include "analysis/four_bar.h"
 #include "synthesis/verify/verify.h"
 
-namespace mechwright::testing {
+namespace mechwright::test {
 
 using Json = nlohmann::ordered_json;
 
@@ -39,4 +39,4 @@ std::vector<std::string> failures(const Json& document);
 /// All checks in words.
 std::string told(const std::vector<Check>& checks);
 
-}  // namespace mechwright::testing
+}  // namespace mechwright::test

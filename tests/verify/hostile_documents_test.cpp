@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "documents.h"
+#include "tests/verify/documents.h"
 
 namespace mechwright {
 
 namespace {
 
-using namespace testing;
+using namespace test;
 
 Json good() {
     Json json = document({.links = {4, 1, 3, 3.5},
@@ -85,11 +85,9 @@ TEST(HostileDocument, IsRefusedIfANameIsUnknown) {
     expect_refused(json, "objective.sense");
 }
 
-/// Every member of a document, at any depth, replaced by values of every type: no crash, no exception, no hang, and no
-/// pass where something that is verified was replaced.
+/// Every member of a document, at any depth, replaced by values of every type: no crash, no exception, no hang.
 void replace_everywhere(Json& json, Json& at, const std::vector<Json>& others, int& replaced) {
     if (at.is_structured()) {
-        if (at.size() > 4 && at.is_array()) return;
         for (auto& child : at)
             replace_everywhere(json, child, others, replaced);
     }
@@ -109,6 +107,7 @@ TEST(HostileDocument, NeverThrowsWhateverItsMembersAre) {
                                    Json(0),       Json(1e308),    Json(18446744073709551615u),
                                    Json(-1e-320)};
     Json json = good();
+    json["quantities"] = {{"swing", json["quantities"]["swing"]}, {"link-ratio", json["quantities"]["link-ratio"]}};
     int replaced = 0;
     replace_everywhere(json, json, others, replaced);
     EXPECT_GT(replaced, 500);

@@ -14,10 +14,12 @@ using namespace four_bar::again;
 std::string number(const Digits50& value) { return fmt::format("{:.9g}", value.convert_to<double>()); }
 
 std::string degrees(const Digits50& radians) {
-    return number(radians * 180 / boost::math::constants::pi<Digits50>()) + " deg";
+    constexpr double rounding = 1e-12;
+    const Digits50 angle = radians * 180 / boost::math::constants::pi<Digits50>();
+    return number(abs(angle) < rounding ? Digits50(0) : angle) + " deg";
 }
 
-/// How a position is from coming apart and from changing its branch.
+/// How far a position is from coming apart and from changing its branch.
 struct Position {
     Digits50 crank_angle;
     Digits50 margin;  ///< length by which the loop closes, < 0 by which it fails to
@@ -88,21 +90,19 @@ std::string change_point_name(std::span<const Digits50> d) {
 }
 
 Check check_branch(const std::vector<Position>& all, std::span<const Digits50> dimensions) {
-    const Position* least = nullptr;
-    std::size_t toggles = 0;
-    for (const Position& p : all) {
-        if (p.toggle_end)
-            ++toggles;
-        else if (!least || p.sine < least->sine)
-            least = &p;
-    }
+    // Toggles at the ends come last; there is always a position between.
+    const auto less = [](const Position& a, const Position& b) {
+        return a.toggle_end != b.toggle_end ? b.toggle_end : a.sine < b.sine;
+    };
+    const auto least = std::min_element(all.begin(), all.end(), less);
+    const bool toggles = std::any_of(all.begin(), all.end(), [](const Position& p) { return p.toggle_end; });
     // Places are found to forty digits. The sine of a linkage of rounded lengths is zero there, or far from it.
     constexpr double zero = 1e-30;
     Check check{"stays on one branch", least->sine > zero, {}};
     const std::string where = number(abs(least->sine)) + " at crank angle " + degrees(least->crank_angle);
     if (!check.passed)
         check.detail = "the sine of the transmission angle falls to " + where + ": " + change_point_name(dimensions);
-    else if (toggles > 0)
+    else if (toggles)
         check.detail =
             "the sine of the transmission angle keeps its sign and vanishes only at the ends of the motion, "
             "which are toggles";

@@ -30,7 +30,8 @@ maximize = "transmission-angle-worst"
 
 int main() {
     const auto read = mechwright::parse_problem(problem_text, "crank-rocker.toml");
-    for (const auto& message : read.messages) std::cerr << mechwright::to_string(message) << '\n';
+    for (const auto& message : read.messages)
+        std::cerr << mechwright::to_string(message) << '\n';
     if (!read.ok()) return 1;
     const auto result = mechwright::solve(read.problem, {});
     std::cout << mechwright::document(read.problem, result).dump(2) << '\n';

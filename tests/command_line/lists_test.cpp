@@ -1,0 +1,59 @@
+// mechwright quantities, mechwright methods
+
+#include "tests/command_line/problems.h"
+#include "tests/command_line/program.h"
+#include "tests/report/temporary_folder.h"
+
+namespace mechwright::testing {
+namespace {
+
+TEST(Quantities, AreListedWithUnitAndMeaning) {
+    const Outcome all = run({"quantities"});
+    EXPECT_EQ(all.exit_code, 0);
+    EXPECT_EQ(all.err, "");
+    for (const char* part :
+         {"four-bar: ", "  time-ratio                number  ", "  swing                     angle   ",
+          "  total-length              length  ", "  path-sse                  area    "})
+        expect_has(all.out, part);
+    std::istringstream lines(all.out);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 80u) << line;
+    const Outcome one = run({"quantities", "four-bar"});
+    EXPECT_EQ(one.exit_code, 0);
+    expect_has(all.out, one.out);
+}
+
+TEST(Quantities, OfAnUnknownMechanism) {
+    const Outcome outcome = run({"quantities", "for-bar"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    expect_has(outcome.err, "unknown mechanism 'for-bar'; did you mean 'four-bar'?");
+}
+
+TEST(Methods, AreListed) {
+    const Outcome outcome = run({"methods"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out.rfind("auto", 0), 0u) << outcome.out;
+    expect_has(outcome.out, "slsqp");
+}
+
+TEST(Methods, OfAProblemSayWhyTheyDoNotApply) {
+    const TemporaryFolder folder;
+    const Outcome of_path = run({"methods", folder.write("path.toml", long_search())});
+    EXPECT_EQ(of_path.exit_code, 0);
+    expect_has(of_path.out, "slsqp        applies");
+    expect_has(of_path.out, "closed-form  no       ");
+    const Outcome of_crank_rocker = run({"methods", folder.write("a.toml", crank_rocker())});
+    expect_has(of_crank_rocker.out, "auto         applies");
+    EXPECT_EQ(run({"methods", folder / "missing.toml"}).exit_code, 6);
+    EXPECT_EQ(run({"methods", folder.write("bad.toml", "schema = 1\n")}).exit_code, 3);
+}
+
+TEST(Methods, AFileThatNamesNoneOfThemCanStillAskForThem) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.toml", crank_rocker("[solver]\nmethod = \"magic\"\n"));
+    EXPECT_EQ(run({"methods", file}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace mechwright::testing

@@ -1,0 +1,148 @@
+#include "tests/command_line/program.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace mechwright::testing {
+
+namespace {
+
+/// Two ends: the test reads at the first, the program writes at the second.
+std::array<int, 2> open_ends(bool terminal) {
+    std::array<int, 2> ends{};
+    const int failed = terminal ? ::openpty(&ends[0], &ends[1], nullptr, nullptr, nullptr) : ::pipe(ends.data());
+    if (failed != 0) throw std::runtime_error("cannot open a pipe or a terminal");
+    ::fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    return ends;
+}
+
+/// In the child; does not return.
+[[noreturn]] void become_program(const Start& how, int out, int err) {
+    for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ})
+        ::signal(number, SIG_DFL);
+    if (!how.out_to.empty()) out = ::open(how.out_to.c_str(), O_WRONLY);
+    const int nothing = ::open("/dev/null", O_RDONLY);
+    ::dup2(nothing, STDIN_FILENO);
+    ::dup2(out, STDOUT_FILENO);
+    ::dup2(err, STDERR_FILENO);
+    if (how.out_closed) ::close(STDOUT_FILENO);
+    for (const int file : {out, err, nothing})
+        if (file > STDERR_FILENO) ::close(file);
+    if (how.largest_file) {
+        const rlimit limit{*how.largest_file, *how.largest_file};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ::setenv("TERM", "xterm", 1);
+    ::unsetenv("NO_COLOR");
+    for (const auto& [name, value] : how.environment) {
+        if (value.empty())
+            ::unsetenv(name.c_str());
+        else
+            ::setenv(name.c_str(), value.c_str(), 1);
+    }
+    std::vector<char*> arguments{const_cast<char*>(MECHWRIGHT_PROGRAM)};
+    for (const std::string& argument : how.arguments)
+        arguments.push_back(const_cast<char*>(argument.c_str()));
+    arguments.push_back(nullptr);
+    ::execv(MECHWRIGHT_PROGRAM, arguments.data());
+    ::_exit(99);
+}
+
+/// Appends what there is to read. Returns false at the end; a terminal whose other end is closed says EIO.
+bool read_some(int file, std::string& text) {
+    std::array<char, 65536> buffer;
+    const ssize_t count = ::read(file, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) return true;
+    if (count <= 0) return false;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+    return true;
+}
+
+void close_end(int& file) {
+    if (file >= 0) ::close(file);
+    file = -1;
+}
+
+}  // namespace
+
+Running start(const Start& how) {
+    const auto out = open_ends(how.out_on_terminal);
+    const auto err = open_ends(how.err_on_terminal);
+    const pid_t id = ::fork();
+    if (id < 0) throw std::runtime_error("cannot fork");
+    if (id == 0) become_program(how, out[1], err[1]);
+    ::close(out[1]);
+    ::close(err[1]);
+    return {id, out[0], err[0], how.out_read};
+}
+
+Outcome finish(Running running) {
+    using namespace std::chrono;
+    const auto deadline = steady_clock::now() + minutes(2);
+    Outcome outcome;
+    while (running.out >= 0 || running.err >= 0) {
+        if (steady_clock::now() > deadline) {
+            ::kill(running.id, SIGKILL);
+            ADD_FAILURE() << "the program did not end";
+            break;
+        }
+        std::array<pollfd, 2> ends{{{running.out, POLLIN, 0}, {running.err, POLLIN, 0}}};
+        if (::poll(ends.data(), ends.size(), 1000) <= 0) continue;
+        if (ends[0].revents != 0 && !read_some(running.out, outcome.out)) close_end(running.out);
+        if (ends[1].revents != 0 && !read_some(running.err, outcome.err)) close_end(running.err);
+        if (running.out_read && outcome.out.size() >= *running.out_read) close_end(running.out);
+    }
+    close_end(running.out);
+    close_end(running.err);
+    int status = 0;
+    while (::waitpid(running.id, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+    if (WIFSIGNALED(status)) outcome.killed_by = WTERMSIG(status);
+    return outcome;
+}
+
+Outcome run(const Start& how) { return finish(start(how)); }
+
+Outcome run(std::vector<std::string> arguments) {
+    Start how;
+    how.arguments = std::move(arguments);
+    return run(how);
+}
+
+nlohmann::ordered_json parsed(const std::string& text) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(text, nullptr, false);
+    EXPECT_FALSE(json.is_discarded()) << "not JSON: " << text.substr(0, 500);
+    return json;
+}
+
+nlohmann::ordered_json without_times(nlohmann::ordered_json json) {
+    if (json.is_array()) {
+        for (auto& one : json)
+            one = without_times(one);
+        return json;
+    }
+    EXPECT_TRUE(json.contains("search") && json["search"].contains("seconds"));
+    if (json.contains("search")) json["search"].erase("seconds");
+    return json;
+}
+
+void expect_has(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n--- is not in\n" << text;
+}
+
+void expect_has_not(const std::string& text, const std::string& part) {
+    EXPECT_EQ(text.find(part), std::string::npos) << part << "\n--- is in\n" << text;
+}
+
+}  // namespace mechwright::testing
