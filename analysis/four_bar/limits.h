@@ -102,11 +102,12 @@ template <class T>
 LimitPositions<T> limit_positions(const FourBar<T>& m, Assembly assembly) {
     const auto k = detail::limit_triangles(m);
     const T side(side_of(assembly));
+    const auto folded = detail::folded_at_crank(k);
     // At a limit the coupler lies along the line A0-B, so the transmission angle is the third angle of the triangle.
     return {{side * angle(detail::extended_at_crank(k)), side * angle(supplement(detail::extended_at_rocker(k))),
              angle(detail::extended_transmission(k))},
-            {pi<T>() + side * angle(detail::folded_at_crank(k)), side * angle(supplement(detail::folded_at_rocker(k))),
-             angle(detail::folded_transmission(k))}};
+            {assembly == Assembly::open ? pi<T>() + angle(folded) : angle(supplement(folded)),
+             side * angle(supplement(detail::folded_at_rocker(k))), angle(detail::folded_transmission(k))}};
 }
 
 /// The angle through which the rocker of a crank-rocker swings, in (0, pi). Precondition as limit_positions.

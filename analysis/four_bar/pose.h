@@ -61,8 +61,15 @@ AssemblyMargins<T> assembly_margins(const FourBar<T>& m, const HalfTurn<T>& half
     T grown(0);
     if (both > T(0))
         grown = T(-4) * outer * signed_inner * off_line * off_line / both;  // else a kite, its pins together
-    return {d, sum_difference(greater, lesser, outer, signed_inner) - grown,
-            sum_difference(outer, lesser, greater, T(-signed_inner)) + grown};
+    T stretch = sum_difference(greater, lesser, outer, signed_inner) - grown;
+    T fold = sum_difference(outer, lesser, greater, T(-signed_inner)) + grown;
+    // Together they are twice the lesser link. With the greater margin taken from that, the two are rounded alike and
+    // the direction of a very short link keeps its unit length.
+    if (stretch > fold)
+        stretch = T(2) * lesser - fold;
+    else
+        fold = T(2) * lesser - stretch;
+    return {d, stretch, fold};
 }
 
 /// The whole pose. All directions are unit vectors in the frame of the linkage.

@@ -54,8 +54,8 @@ double worst_transmission(const FourBar<double>& m) {
     return std::min(least, std::numbers::pi - greatest);
 }
 
-/// The linkage at a size at which all its links lie in their ranges: given by a fixed link or a preferred value, else in
-/// the middle of what the ranges allow.
+/// The linkage at a size at which all its links lie in their ranges: given by a fixed link or a preferred value, else
+/// in the middle of what the ranges allow.
 std::optional<FourBar<double>> sized(const Problem& problem, const FourBar<double>& m) {
     const std::array<double, links> length{m.ground, m.crank, m.coupler, m.rocker};
     double low = 0;
@@ -105,8 +105,8 @@ std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem) {
     const FourBar<double>& better = worst_transmission(*one) >= worst_transmission(*other) ? *one : *other;
 
     ClosedFormOutcome outcome;
-    outcome.infeasible = task->least_transmission &&
-                         worst_transmission(better) < *task->least_transmission - problem.solver.tolerance;
+    outcome.infeasible =
+        task->least_transmission && worst_transmission(better) < *task->least_transmission - problem.solver.tolerance;
     // The bound holds at any size; where the ranges exclude its linkage, it is shown at the size of the first range.
     auto linkage = sized(problem, better);
     if (!linkage && !outcome.infeasible) return std::nullopt;
@@ -116,8 +116,9 @@ std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem) {
     }
     outcome.best = assess(problem, design_of(problem, *linkage));
     if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;
-    outcome.argument = "closed form: all crank-rockers of this swing and time ratio form two one-parameter families, one "
-                       "for each direction of the crank; this is the better of their two optima";
+    outcome.argument =
+        "closed form: all crank-rockers of this swing and time ratio form two one-parameter families, one "
+        "for each direction of the crank; this is the better of their two optima";
     return outcome;
 }
 

@@ -11,8 +11,8 @@ namespace mechwright {
 
 /// The crank-rocker with ground link 1 whose rocker swings through `swing` while the crank turns through
 /// `forward_stroke` (radians, in (0, 2 pi), not pi), and whose least transmission angle is the greatest. Nothing where
-/// that optimum does not exist: the family then ends before it (its best member has a link of length zero, another swing,
-/// or a crank that is not the shortest link).
+/// that optimum does not exist: the family then ends before it (its best member has a link of length zero, another
+/// swing, or a crank that is not the shortest link).
 ///
 /// Derivation: with lambda = coupler/crank and kappa = (forward_stroke - swing)/2,
 ///   crank^2  = sin^2(swing/2) / D,  D = lambda^2 cos^2 kappa + sin^2 kappa,

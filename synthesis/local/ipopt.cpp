@@ -55,8 +55,8 @@ struct IpoptProgram final : Ipopt::TNLP {
                          Number* row_upper) override {
         const auto limit = [](double v) { return std::clamp(v, -no_limit, no_limit); };
         for (Ipopt::Index i = 0; i < n; ++i) {
-            lower[i] = program.variables[static_cast<std::size_t>(i)].lower;
-            upper[i] = program.variables[static_cast<std::size_t>(i)].upper;
+            lower[i] = limit(program.variables[static_cast<std::size_t>(i)].lower);
+            upper[i] = limit(program.variables[static_cast<std::size_t>(i)].upper);
         }
         for (Ipopt::Index r = 0; r < m; ++r) {
             row_lower[r] = limit(program.rows[static_cast<std::size_t>(r)].lower);
@@ -117,8 +117,7 @@ struct IpoptProgram final : Ipopt::TNLP {
             return true;
         }
         if (!at(point)) return false;
-        const Eigen::MatrixXd full =
-            lagrangian_hessian(program, x, weight, Eigen::Map<const VectorXd>(multipliers, m));
+        const Eigen::MatrixXd full = lagrangian_hessian(program, x, weight, Eigen::Map<const VectorXd>(multipliers, m));
         for (Ipopt::Index i = 0, k = 0; i < n; ++i)
             for (Ipopt::Index j = 0; j <= i; ++j, ++k)
                 hessian[k] = full(i, j);
@@ -149,8 +148,7 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
     const auto options = application->Options();
     const bool accepted = options->SetStringValue("linear_solver", "mumps") && options->SetStringValue("sb", "yes") &&
                           options->SetIntegerValue("print_level", 0) && options->SetIntegerValue("max_iter", 500) &&
-                          options->SetNumericValue("tol", 1e-10) &&
-                          options->SetNumericValue("bound_relax_factor", 0) &&
+                          options->SetNumericValue("tol", 1e-10) && options->SetNumericValue("bound_relax_factor", 0) &&
                           options->SetStringValue("honor_original_bounds", "yes");
     // An empty name keeps a stray ipopt.opt in the working directory from changing results.
     if (accepted && application->Initialize("") == Ipopt::Solve_Succeeded)

@@ -21,10 +21,10 @@ constexpr int most_steps = 20;
 
 /// A constraint held at a limit during one Newton step.
 struct Active {
-    Index row;     ///< of the program, or -1 for a bound
+    Index row;  ///< of the program, or -1 for a bound
     Index variable;
     double limit;
-    int sign;      ///< +1: at its upper limit, -1: at its lower, 0: equality
+    int sign;  ///< +1: at its upper limit, -1: at its lower, 0: equality
 };
 
 std::vector<Active> active_constraints(const Program& program, const VectorXd& x, const ProgramValues& v) {

@@ -17,8 +17,7 @@
 namespace mechwright {
 
 /// Fifty decimal digits: what verification computes with.
-using Digits50 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
 enum class DimensionKind {
     length,      ///< > 0
@@ -76,7 +75,7 @@ struct Quantity {
     Digits50 (*measure_again)(const Motion&, std::span<const Digits50> dimensions) = nullptr;
 
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
-    bool worst_first = false;  ///< the first component always is the quantity; the others are runners-up
+    bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
 
     static constexpr std::size_t most_components = 12;
 };
@@ -92,17 +91,18 @@ struct Family {
     std::string_view name;
     bool full_turn;
     std::vector<LinearCondition> conditions;
-    /// Components that must all be >= 0 for the design to assemble over a limited range; null for a full turn, where the
-    /// conditions say it all.
+    /// Components that must all be >= 0 for the design to assemble over a limited range; null for a full turn, where
+    /// the conditions say it all.
     const Quantity* assembly_margin = nullptr;
 };
 
 /// The distance from a target to the point that the mechanism guides, at a crank angle; derivatives with respect to the
 /// first `path_reads` dimensions, then the crank angle.
 struct PathMiss {
-    Vector<double> miss;          ///< target - point
-    double margin;                ///< assembly margin: < 0 where the mechanism does not assemble; then miss is that of the nearest toggle
-    std::span<double> gradient_x; ///< path_reads + 1 each, or empty
+    Vector<double> miss;  ///< target - point
+    double margin;  ///< assembly margin: < 0 where the mechanism does not assemble; then miss is that of the nearest
+                    ///< toggle
+    std::span<double> gradient_x;  ///< path_reads + 1 each, or empty
     std::span<double> gradient_y;
     std::span<double> hessian_x;  ///< lower triangles by rows, or empty
     std::span<double> hessian_y;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace mechwright {
@@ -20,9 +21,12 @@ namespace reading {
 
 namespace {
 
+/// Messages about another file come where the problem names it, in the order of their places there.
+auto key(const Entry& entry) { return std::tuple(entry.order, Place{entry.message.line, entry.message.column}); }
+
 void keep_first(Messages& messages) {
     auto& entries = messages.entries;
-    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.order < b.order; });
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return key(a) < key(b); });
     if (entries.size() <= Messages::most_shown) return;
     messages.left_out += entries.size() - Messages::most_shown;
     entries.resize(Messages::most_shown);

@@ -115,6 +115,7 @@ bool read_row(const Row& row, char separator, PointList& list, Messages& message
                                     "blanks; numbers take a decimal point)",
                                     cells.size(), cells.size() == 1 ? "column" : "columns"),
                         messages);
+        add_point(list, {}, {row.line, 1});
         return false;
     }
     double numbers[2] = {};
@@ -128,10 +129,9 @@ bool read_row(const Row& row, char separator, PointList& list, Messages& message
                         fmt::format("{} {}: write numbers like -12.5 or 1e3", quoted(cells[i].text), parsed.objection),
                         messages);
     }
-    if (!right) return false;
-    list.points.push_back({numbers[0], numbers[1]});
-    list.places.push_back({row.line, cells[0].column});
-    return true;
+    const Vector<double> point{numbers[0], numbers[1]};
+    add_point(list, right ? std::optional(point) : std::nullopt, {row.line, cells[0].column});
+    return right;
 }
 
 }  // namespace

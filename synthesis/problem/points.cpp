@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/sections.h"
@@ -9,6 +12,8 @@
 namespace mechwright::reading {
 
 namespace {
+
+bool is_wrong(const Vector<double>& point) { return std::isnan(point.x); }
 
 std::optional<Vector<double>> to_point(const toml::node& node, std::size_t number, Messages& messages) {
     const std::string what = fmt::format("point {}", number);
@@ -37,11 +42,9 @@ void read_inline_points(const toml::node& node, PointList& list, Messages& messa
             fmt::format("{} points are too many: thin the list to at most {}", points.size(), most_points));
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto point = to_point(points[i], i + 1, messages);
-        if (!point) continue;
-        list.points.push_back(*point);
-        list.places.push_back(place_of(points[i]));
+        add_point(list, point, place_of(points[i]));
     }
-    list.whole = list.points.size() == points.size();
+    list.whole = std::none_of(list.points.begin(), list.points.end(), is_wrong);
 }
 
 void read_named_file(Section& path, const toml::node& node, const Problem& problem, PointList& list,
@@ -64,6 +67,7 @@ void read_named_file(Section& path, const toml::node& node, const Problem& probl
 
 void check_points(PointList& list, Messages& messages) {
     if (list.points.empty()) {
+        if (!list.whole) return;  // something has been said about it
         add_point_error(list, list.file.empty() ? list.named_at : Place{},
                         "empty point list: a path needs at least one point", messages);
         list.whole = false;
@@ -73,11 +77,16 @@ void check_points(PointList& list, Messages& messages) {
         if (step.x != 0 || step.y != 0) continue;
         add_point_error(list, list.places[i], fmt::format("points {} and {} coincide: leave one of them out", i, i + 1),
                         messages);
-        list.whole = false;
     }
 }
 
 }  // namespace
+
+void add_point(PointList& list, const std::optional<Vector<double>>& point, Place place) {
+    constexpr double wrong = std::numeric_limits<double>::quiet_NaN();
+    list.points.push_back(point.value_or(Vector<double>{wrong, wrong}));
+    list.places.push_back(place);
+}
 
 void add_point_error(const PointList& list, Place place, std::string text, Messages& messages) {
     if (list.file.empty())
@@ -92,13 +101,13 @@ PointList read_points(Section& path, const Problem& problem, Messages& messages)
     const toml::node* file = find(path, "points_file");
     if (points != nullptr && file != nullptr)
         add_error(messages, place_of(*file), "a path takes either 'points' or 'points_file', not both");
-    else if (points != nullptr)
+    if (points != nullptr)
         read_inline_points(*points, list, messages);
     else if (file != nullptr)
         read_named_file(path, *file, problem, list, messages);
     else
         add_error(messages, path.place, "a path needs 'points', a list of pairs [x, y], or a 'points_file'");
-    if (list.whole) check_points(list, messages);
+    check_points(list, messages);
     return list;
 }
 

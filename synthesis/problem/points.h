@@ -2,6 +2,7 @@
 /// \file
 /// Lists of points, wherever they stand.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +20,11 @@ struct PointList {
     std::vector<Place> places{};
     std::string file{};  ///< the file with the points, as messages show it; empty if they stand in the problem file
     Place named_at{};    ///< the list, or the file's name, in the problem file
-    bool whole = false;  ///< false if anything about the list has been reported
+    bool whole = false;  ///< every point could be read, and there is one
 };
+
+/// A point that cannot be read keeps its place in the list, so that the numbers of the others stay right.
+void add_point(PointList& list, const std::optional<Vector<double>>& point, Place place);
 
 /// The points of a table with two columns.
 void read_point_table(std::string_view text, PointList& list, Messages& messages);

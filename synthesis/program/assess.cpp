@@ -35,8 +35,8 @@ double path_violation(const Problem& problem, const Design& design) {
     double worst = 0;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
         PathMiss miss{};
-        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i],
-                                     problem.path->points[i], miss);
+        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], problem.path->points[i],
+                                     miss);
         if (!(miss.margin >= 0)) return without_limit;
     }
     if (problem.path->prescribed_timing || design.path_angles.size() < 3) return worst;

@@ -28,7 +28,8 @@ double path_extent(const PathTarget& path) {
     return std::hypot(right->x - left->x, high->y - low->y);
 }
 
-/// The power of two close to the size that the problem speaks of: its longest fixed link, else its path, else its ranges.
+/// The power of two close to the size that the problem speaks of: its longest fixed link, else its path, else its
+/// ranges.
 double length_scale(const Problem& problem) {
     double fixed = 0;
     double ranged = 0;
@@ -78,9 +79,8 @@ struct Builder {
             program.dimensions.push_back(range.min / scale);
             if (range.fixed()) continue;
             // A timed path alone needs the start angle; an untimed one finds its own crank angles.
-            const bool unused_start =
-                problem.mechanism->path_reads > 0 && i == problem.mechanism->path_roles.start &&
-                !(problem.path && problem.path->prescribed_timing);
+            const bool unused_start = problem.mechanism->path_reads > 0 && i == problem.mechanism->path_roles.start &&
+                                      !(problem.path && problem.path->prescribed_timing);
             if (unused_start) {
                 program.dimensions.back() = range.start.value_or(range.min) / scale;
                 continue;
@@ -113,8 +113,8 @@ struct Builder {
                     {{}, {{program.first_path_angle + i + 1, sign}, {program.first_path_angle + i, -sign}}}, least_step,
                     unlimited);
         if (n > 2) {
-            const bool meets = path.points.front().x == path.points.back().x &&
-                               path.points.front().y == path.points.back().y;
+            const bool meets =
+                path.points.front().x == path.points.back().x && path.points.front().y == path.points.back().y;
             add_row("points within one turn",
                     {{}, {{program.first_path_angle + n - 1, sign}, {program.first_path_angle, -sign}}}, -unlimited,
                     2 * pi - (meets ? 0 : least_step));
@@ -138,18 +138,22 @@ struct Builder {
             }
             add_row(std::string(condition.name), std::move(form), condition_margin, unlimited);
         }
-        if (family.assembly_margin && family.assembly_margin->defined(motion)) {
-            const QuantityBlock& block = block_of(*family.assembly_margin);
+        if (!family.assembly_margin) return;
+        const Motion assembled = assembled_motion_of(problem, program.variant.family, program.variant.assembly);
+        if (family.assembly_margin->defined(assembled)) {
+            const QuantityBlock block = block_of(*family.assembly_margin, assembled);
             for (std::size_t k = 0; k < block.count; ++k)
                 add_row(std::string(family.assembly_margin->name), {{{block.first + k, 1}}, {}}, condition_margin,
                         unlimited);
         }
     }
 
-    const QuantityBlock& block_of(const Quantity& quantity) {
+    QuantityBlock block_of(const Quantity& quantity) { return block_of(quantity, motion); }
+
+    QuantityBlock block_of(const Quantity& quantity, const Motion& over) {
         for (const QuantityBlock& block : program.blocks)
             if (block.quantity == &quantity) return block;
-        program.blocks.push_back({&quantity, motion, program.outputs, quantity.components(motion)});
+        program.blocks.push_back({&quantity, over, program.outputs, quantity.components(over)});
         program.outputs += program.blocks.back().count;
         return program.blocks.back();
     }
@@ -173,7 +177,8 @@ struct Builder {
 
     /// lower <= factor output <= upper, divided by the greater of the two limits.
     void add_limits(const std::string& name, std::size_t output, double factor, double lower, double upper) {
-        const double size = std::max(std::isfinite(lower) ? std::abs(lower) : 0, std::isfinite(upper) ? std::abs(upper) : 0);
+        const double size =
+            std::max(std::isfinite(lower) ? std::abs(lower) : 0, std::isfinite(upper) ? std::abs(upper) : 0);
         const double scale = size > 0 ? 1 / size : 1;
         add_row(name, {{{output, factor * scale}}, {}}, lower * scale, upper * scale);
         program.rows.back().requirement = true;
@@ -233,8 +238,12 @@ struct Builder {
         bool least;
     };
 
+    const Quantity& quantity_of(const ObjectiveTerm& term) const {
+        return problem.mechanism->quantities[term.quantity];
+    }
+
     TermOutputs outputs_of(const ObjectiveTerm& term, bool alone) {
-        const Quantity& quantity = problem.mechanism->quantities[term.quantity];
+        const Quantity& quantity = quantity_of(term);
         PathBlock* path = program.path ? &*program.path : nullptr;
         switch (quantity.path) {
             case PathMeasure::sum_of_squares: return {{{place(path->sum, 1), 1}}, false};
@@ -264,11 +273,16 @@ struct Builder {
         return all;
     }
 
+    /// What an output of this quantity is multiplied by to be in the file's unit, in which weights are meant.
+    double in_file_unit(const Quantity& quantity) const {
+        if (quantity.unit == Unit::angle) return problem.units.degrees ? 180 / std::numbers::pi : 1;
+        return unit_scale(quantity.unit, program.length);
+    }
+
     /// A variable that lies above (below) all outputs, with the rows that keep it there.
     std::size_t add_epigraph(const std::vector<LinearTerm>& outputs, bool above, const std::string& name) {
-        constexpr double far = 1e6;
         const std::size_t t = program.variables.size();
-        program.variables.push_back({"worst " + name, -far, far});
+        program.variables.push_back({"worst " + name, -unlimited, unlimited});
         for (const LinearTerm& output : outputs) {
             const double sign = above ? 1 : -1;
             add_row("worst " + name, {{{output.index, -sign * output.factor}}, {{t, sign}}}, 0, unlimited);
@@ -288,22 +302,21 @@ struct Builder {
             const bool maximize = objective.terms.front().maximize;
             std::vector<LinearTerm> outputs;
             for (const ObjectiveTerm& term : objective.terms)
-                for (LinearTerm& output : outputs_of(term, false).outputs)
-                    outputs.push_back({output.index, output.factor * term.weight});
+                for (const LinearTerm& output : outputs_of(term, false).outputs)
+                    outputs.push_back({output.index, term.weight * in_file_unit(quantity_of(term))});
             program.objective.variables.push_back(
                 {add_epigraph(outputs, !maximize, "objective"), maximize ? -1.0 : 1.0});
             return;
         }
         for (const ObjectiveTerm& term : objective.terms) {
             const TermOutputs value = outputs_of(term, alone);
-            const double factor = (term.maximize ? -1 : 1) * term.weight;
+            const double weight = alone ? 1 : term.weight * in_file_unit(quantity_of(term));
+            const double factor = term.maximize ? -weight : weight;
             if (value.outputs.size() == 1)
                 program.objective.outputs.push_back({value.outputs.front().index, factor});
             else
                 program.objective.variables.push_back(
-                    {add_epigraph(value.outputs, !value.least,
-                                  std::string(problem.mechanism->quantities[term.quantity].name)),
-                     factor});
+                    {add_epigraph(value.outputs, !value.least, std::string(quantity_of(term).name)), factor});
         }
     }
 };

@@ -237,8 +237,8 @@ void add_block_hessian(const Program& program, const QuantityBlock& block, std::
     }
 }
 
-/// The same for the path. With q the squared distance of a point, a sum takes q, the root of the mean q / (2 W rms) less
-/// the square of its gradient, a distance q / (2 d) less the square of its gradient.
+/// The same for the path. With q the squared distance of a point, a sum takes q, the root of the mean q / (2 W rms)
+/// less the square of its gradient, a distance q / (2 d) less the square of its gradient.
 void add_path_hessian(const Program& program, std::span<const double> dimensions, const VectorXd& x,
                       const VectorXd& weights, MatrixXd& hessian) {
     const PathBlock& path = *program.path;
@@ -287,8 +287,7 @@ void add_path_hessian(const Program& program, std::span<const double> dimensions
                 if (k != l) hessian(b, a) += h;
             }
     }
-    if (rms > 0)
-        hessian -= on_rms / (4 * total * total * rms * rms * rms) * sum_gradient * sum_gradient.transpose();
+    if (rms > 0) hessian -= on_rms / (4 * total * total * rms * rms * rms) * sum_gradient * sum_gradient.transpose();
 }
 
 }  // namespace

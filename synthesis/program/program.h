@@ -8,8 +8,8 @@
 /// angles are radians, so that every number a solver meets is of order one; each constraint is scaled so that its
 /// violation is the relative one that the problem's tolerance speaks of.
 ///
-/// Objective and constraints are linear in the variables and in *outputs*: smooth components of quantities, and measures
-/// of the path.
+/// Objective and constraints are linear in the variables and in *outputs*: smooth components of quantities, and
+/// measures of the path.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -79,11 +79,11 @@ struct Program {
     Variant variant;
     double length = 1;  ///< the power of two by which lengths are divided
 
-    std::vector<double> dimensions;              ///< scaled; those that are variables are overwritten at evaluation
-    std::vector<std::ptrdiff_t> variable_of;     ///< by dimension: its variable, or -1
-    std::vector<Variable> variables;             ///< dimensions, then path angles, then epigraphs
-    std::size_t first_path_angle = 0;            ///< of as many as there are points, for an untimed path
-    std::vector<Vector<double>> targets;         ///< scaled
+    std::vector<double> dimensions;           ///< scaled; those that are variables are overwritten at evaluation
+    std::vector<std::ptrdiff_t> variable_of;  ///< by dimension: its variable, or -1
+    std::vector<Variable> variables;          ///< dimensions, then path angles, then epigraphs
+    std::size_t first_path_angle = 0;         ///< of as many as there are points, for an untimed path
+    std::vector<Vector<double>> targets;      ///< scaled
     std::vector<QuantityBlock> blocks;
     std::optional<PathBlock> path;
     std::vector<Epigraph> epigraphs;
@@ -101,8 +101,8 @@ struct Program {
 /// Builds the program of a variant. `problem` must outlive it.
 Program build_program(const Problem& problem, const Variant& variant);
 
-/// The same program asking for the least greatest violation of the required inequalities, as its last variable; equalities
-/// and conditions of motion are kept.
+/// The same program asking for the least greatest violation of the required inequalities, as its last variable;
+/// equalities and conditions of motion are kept.
 Program relaxed(Program program);
 
 /// Objective and rows at a point.

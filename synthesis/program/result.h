@@ -22,9 +22,9 @@ struct Design {
 /// A design with what it is worth, evaluated by us and not by the solver that proposed it.
 struct Solution {
     Design design;
-    double objective = 0;  ///< in the user's sense and unit; 0 without an objective
-    double violation = 0;  ///< the largest relative violation of a requirement, range or condition of motion
-    bool feasible = false; ///< violation within the problem's tolerance
+    double objective = 0;   ///< in the user's sense and unit; 0 without an objective
+    double violation = 0;   ///< the largest relative violation of a requirement, range or condition of motion
+    bool feasible = false;  ///< violation within the problem's tolerance
 };
 
 enum class Status { solved, infeasible, limit, unverified, interrupted };
@@ -43,8 +43,8 @@ struct SearchReport {
 
 struct Result {
     Status status = Status::infeasible;
-    std::optional<Solution> best;         ///< the least-violating one if not feasible
-    std::vector<Solution> alternatives;   ///< other local optima, best first
+    std::optional<Solution> best;        ///< the least-violating one if not feasible
+    std::vector<Solution> alternatives;  ///< other local optima, best first
     std::vector<Check> verification;
     SearchReport search;
     std::string note;  ///< one sentence for the user where the status needs one

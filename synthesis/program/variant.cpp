@@ -18,17 +18,19 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     } else {
         motion.from = 1;  // not known before the design is
         motion.to = 0;
-        // A timed path from a fixed start tells which range the crank needs.
-        if (problem.path && problem.path->prescribed_timing) {
-            const DimensionRange& start = problem.dimensions[problem.mechanism->path_roles.start];
-            if (start.fixed()) {
-                const auto [least, greatest] =
-                    std::minmax_element(problem.path->crank_angles.begin(), problem.path->crank_angles.end());
-                motion.from = start.min + *least;
-                motion.to = start.min + *greatest;
-            }
-        }
     }
+    return motion;
+}
+
+Motion assembled_motion_of(const Problem& problem, std::size_t family, std::size_t assembly) {
+    Motion motion = motion_of(problem, family, assembly);
+    if (motion.from <= motion.to || !problem.path || !problem.path->prescribed_timing) return motion;
+    const DimensionRange& start = problem.dimensions[problem.mechanism->path_roles.start];
+    if (!start.fixed()) return motion;
+    const auto [least, greatest] =
+        std::minmax_element(problem.path->crank_angles.begin(), problem.path->crank_angles.end());
+    motion.from = start.min + *least;
+    motion.to = start.min + *greatest;
     return motion;
 }
 

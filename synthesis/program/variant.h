@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// The discrete side of a problem. A problem is solved as several smooth programs, one for each variant: a family of
-/// motions, an assembly, a direction in which the crank meets the points of an untimed path, and, where a condition asks
-/// that *some* component of a quantity takes a value (an equality on a least value, say), the component that does.
+/// motions, an assembly, a direction in which the crank meets the points of an untimed path, and, where a condition
+/// asks that *some* component of a quantity takes a value (an equality on a least value, say), the component that does.
 
 #include <cstddef>
 #include <string>
@@ -21,6 +21,10 @@ struct Variant {
 
 /// The motion over which the quantities of a problem are judged in a family.
 Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembly);
+
+/// The motion over which a design has to assemble: the same, or where that depends on the design, the crank angles of a
+/// path that is timed from a known start.
+Motion assembled_motion_of(const Problem& problem, std::size_t family, std::size_t assembly);
 
 /// A condition that one component, not all of them, has to meet.
 struct Disjunction {

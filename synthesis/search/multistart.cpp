@@ -91,9 +91,10 @@ LocalOutcome search_nearly_feasible(const Program& program, const Eigen::VectorX
     if (near.x.size() == 0) return near;
     Eigen::VectorXd x = near.x.head(start.size());
     settle_epigraphs(program, x);
-    LocalOutcome outcome = near.violation <= LocalOutcome::feasible_below && near.objective <= LocalOutcome::feasible_below
-                               ? search(program, x, method, limits)
-                               : LocalOutcome{};
+    LocalOutcome outcome =
+        near.violation <= LocalOutcome::feasible_below && near.objective <= LocalOutcome::feasible_below
+            ? search(program, x, method, limits)
+            : LocalOutcome{};
     if (outcome.x.size() == 0) outcome.x = x;
     outcome.evaluations += near.evaluations;
     return outcome;
@@ -110,8 +111,8 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     if (programs.empty()) return result;
 
     const auto count = static_cast<int>(programs.size());
-    const int each = std::max((problem.solver.starts + count - 1) / count,
-                              std::min(least_starts_of_variant, problem.solver.starts));
+    const int each =
+        std::max((problem.solver.starts + count - 1) / count, std::min(least_starts_of_variant, problem.solver.starts));
     const int total = each * count;
     const int candidates = problem.path ? candidates_with_path : candidates_without_path;
     LocalLimits limits;

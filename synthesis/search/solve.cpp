@@ -37,7 +37,6 @@ std::size_t design_variables(const Problem& problem) {
                                                   [](const DimensionRange& d) { return !d.fixed(); }));
 }
 
-
 /// What no local search can do.
 std::string why_no_search(const Problem& problem) {
     for (const Requirement& r : problem.requirements)
@@ -89,8 +88,8 @@ constexpr std::array<Method, 4> methods{{
     {"auto", "a closed form where one covers the problem, else slsqp", why_no_search, automatic},
     {"closed-form", "crank-rockers of given swing and time ratio with the best transmission angle: the global optimum",
      why_no_closed_form, closed_form},
-    {"slsqp", "sequential quadratic programming (NLopt) from many starts, exact gradients, Newton polish", why_no_search,
-     with_slsqp},
+    {"slsqp", "sequential quadratic programming (NLopt) from many starts, exact gradients, Newton polish",
+     why_no_search, with_slsqp},
     {"ipopt", "interior point (Ipopt) from many starts, exact Hessians, Newton polish; one thread", why_no_search,
      with_ipopt},
 }};

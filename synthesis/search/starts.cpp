@@ -207,9 +207,8 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
         VectorXd x = VectorXd::Zero(n);
         for (std::size_t i = 0; i < program.variable_of.size(); ++i)
             if (program.variable_of[i] >= 0)
-                x[program.variable_of[i]] =
-                    sampled(program.variables[static_cast<std::size_t>(program.variable_of[i])], kind_of(program, i),
-                            sequence(k, i));
+                x[program.variable_of[i]] = sampled(program.variables[static_cast<std::size_t>(program.variable_of[i])],
+                                                    kind_of(program, i), sequence(k, i));
         if (program.untimed_path())
             sample_path_angles(program, sequence(k, sampled_dimensions - 2), sequence(k, sampled_dimensions - 1), x);
         const double missed = linear_violation(program, x);

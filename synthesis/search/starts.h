@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Where local searches start: low-discrepancy candidates in the ranges of the design variables that meet the conditions
-/// of motion, with placement, size and coupler point fitted to a target path where they are free.
+/// Where local searches start: low-discrepancy candidates in the ranges of the design variables that meet the
+/// conditions of motion, with placement, size and coupler point fitted to a target path where they are free.
 
 #include <Eigen/Core>
 #include <cstdint>

@@ -116,9 +116,7 @@ TEST(Motion, BalancesThePowerOfForcesHeldInEquilibrium) {
         const Vector<double> coupler = m.coupler * p.coupler, rocker = m.rocker * p.rocker;
         const double about_pin = -cross(turned({now.point.along, now.point.across}, p.coupler), force);
         const double about_pivot = rocker_moment;  // rocker x (-pin force) + moment = 0
-        const double determinant = cross(coupler, rocker);
-        const Vector<double> pin_force{(coupler.x * about_pivot - rocker.x * about_pin) / determinant,
-                                       (coupler.y * about_pivot - rocker.y * about_pin) / determinant};
+        const Vector<double> pin_force = (1 / cross(coupler, rocker)) * (about_pin * rocker - about_pivot * coupler);
         ASSERT_NEAR(cross(coupler, pin_force), about_pin, 1e-12 / std::abs(p.transmission_sine));
         ASSERT_NEAR(cross(rocker, pin_force), about_pivot, 1e-12 / std::abs(p.transmission_sine));
         const double crank_moment = -cross(m.crank * p.crank, pin_force + force);

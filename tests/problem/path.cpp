@@ -36,6 +36,7 @@ TEST(Path, APathNeedsPoints) {
 
 TEST(Path, PointsAreGivenOneWay) {
     EXPECT_TRUE(only_says(read_path("points = [[1, 2]]\npoints_file = \"a.csv\""), "p.toml:10:15", {"not both"}));
+    EXPECT_EQ(read_path("points = [[1, 2], 3]\npoints_file = \"a.csv\"").messages.size(), 2u);
 }
 
 TEST(Path, PointsArePairsOfFiniteNumbers) {
@@ -53,6 +54,15 @@ TEST(Path, PointsArePairsOfFiniteNumbers) {
 TEST(Path, NeighbouringPointsMustNotCoincide) {
     EXPECT_TRUE(
         only_says(read_path("points = [[1, 2], [3, 4], [3.0, 4]]"), "p.toml:9:27", {"points 2 and 3", "coincide"}));
+}
+
+TEST(Path, AWrongPointHidesNoOthersAndKeepsItsNumber) {
+    const ReadProblem problem = read_path("points = [[1, 2], 3, [4, 5], [4, 5], [nan, 4], [\"x\", 4]]\nweights = [1]");
+    EXPECT_EQ(problem.messages.size(), 4u) << all_messages(problem);
+    EXPECT_TRUE(says(problem, "p.toml:9:19", {"point 2"}));
+    EXPECT_TRUE(says(problem, "p.toml:9:30", {"points 3 and 4", "coincide"}));
+    EXPECT_TRUE(says(problem, "p.toml:9:39", {"x of point 5", "finite"}));
+    EXPECT_TRUE(says(problem, "p.toml:9:49", {"x of point 6", "string"}));
 }
 
 TEST(Path, APathMayReturnToItsFirstPoint) {

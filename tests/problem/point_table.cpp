@@ -77,6 +77,15 @@ TEST(PointTable, NeighbouringPointsMustNotCoincide) {
     EXPECT_TRUE(only_says(read_table("x,y\n1,2\n\n1,2.0\n"), "points.csv:4:1", {"points 1 and 2", "coincide"}));
 }
 
+TEST(PointTable, AWrongRowHidesNoOthersAndTheirOrderIsThatOfTheFile) {
+    const ReadProblem problem = read_table("1,2\n3\n4,5\n4,5\n6,x\n");
+    ASSERT_EQ(problem.messages.size(), 3u) << all_messages(problem);
+    EXPECT_TRUE(says(problem, "points.csv:4:1", {"points 3 and 4", "coincide"}));
+    EXPECT_EQ(problem.messages[0].line, 2);
+    EXPECT_EQ(problem.messages[1].line, 4);
+    EXPECT_EQ(problem.messages[2].line, 5);
+}
+
 TEST(PointTable, AFileWithoutPointsIsAnError) {
     for (const std::string table : {"", "\n\n", "# nothing\n", "x,y\n"})
         EXPECT_TRUE(only_says(read_table(table), "points.csv:1:1", {"empty point list"})) << table;

@@ -229,7 +229,7 @@ TEST(WholeFile, ALongRowOfErrorsIsCutAndCounted) {
         points += "[1, \"y\"],";
     const ReadProblem read_file = read(valid + points + "]\nclosd = true\n");
     ASSERT_EQ(read_file.messages.size(), 101u);
-    EXPECT_EQ(to_string(read_file.messages.back()), "p.toml: and 4901 more; correct these first");
+    EXPECT_EQ(to_string(read_file.messages.back()), "p.toml: and 4902 more; correct these first");
     EXPECT_TRUE(says(read_file, "p.toml:9:15", {"y of point 1", "number", "string"}));
     EXPECT_FALSE(read_file.ok());
 }

@@ -126,7 +126,8 @@ struct GrashofMargin {
             out[0] = grashof_margin(linkage(x));
             return 1;
         }
-        const auto m = motion.family == crank_rocker ? crank_rocker_margins(linkage(x)) : double_crank_margins(linkage(x));
+        const auto m =
+            motion.family == crank_rocker ? crank_rocker_margins(linkage(x)) : double_crank_margins(linkage(x));
         out[0] = m.ground_longest;
         out[1] = m.coupler_longest;
         out[2] = m.rocker_longest;

@@ -69,8 +69,9 @@ const std::array<Quantity, 13> quantities{{
      link_ratio_components, measure_by<LinkRatio>, link_ratio_again},
     {"total-length", Unit::length, "sum of the four link lengths", Reduce::only, links, of_any, components<1>,
      measure_by<TotalLength>, total_length_again},
-    {"grashof-margin", Unit::length, "p + q - s - l: the middle links less shortest and longest; < 0: no link turns fully",
-     Reduce::least, links, of_any, grashof_components, measure_by<GrashofMargin>, grashof_margin_again},
+    {"grashof-margin", Unit::length,
+     "p + q - s - l: the middle links less shortest and longest; < 0: no link turns fully", Reduce::least, links,
+     of_any, grashof_components, measure_by<GrashofMargin>, grashof_margin_again},
     {.name = "path-sse",
      .unit = Unit::area,
      .meaning = "weighted sum of squared distances from the target points",
@@ -141,8 +142,9 @@ std::string describe(std::span<const double> d) {
 }
 
 constexpr std::array<std::string_view, 10> motion_columns{
-    "crank-angle",      "coupler-angle",   "rocker-angle",         "transmission-angle",  "coupler-velocity",
-    "rocker-velocity",  "coupler-acceleration", "rocker-acceleration", "point-x", "point-y"};
+    "crank-angle",      "coupler-angle",   "rocker-angle",         "transmission-angle",
+    "coupler-velocity", "rocker-velocity", "coupler-acceleration", "rocker-acceleration",
+    "point-x",          "point-y"};
 constexpr std::array<Unit, 10> motion_units{Unit::angle, Unit::angle, Unit::angle, Unit::angle,  Unit::none,
                                             Unit::none,  Unit::none,  Unit::none,  Unit::length, Unit::length};
 
