@@ -26,6 +26,7 @@ struct Scan {
     std::string open{};         ///< brackets and braces
     std::size_t statement = 0;  ///< where the last line starts that is not in the middle of something
     bool line_start = true;
+    bool word = false;         ///< in a key, number or word, or blanks behind it
     std::string_view wrong{};  ///< with the token that was taken last
 };
 
@@ -100,21 +101,40 @@ void take_separator(Scan& scan, char c) {
     if (c == '[' || c == '{') scan.open += c;
     if (c == ']' || c == '}') take_closing(scan, c);
     scan.dots = 0;
+    scan.word = false;
     scan.line_start = c == '\n';
     step(scan);
     if (c == '\n' && scan.open.empty()) scan.statement = scan.at;
 }
 
+/// Characters of keys, numbers and words.
+void take_plain(Scan& scan, char c) {
+    if (c == '.') ++scan.dots;
+    if (c != ' ' && c != '\t') {
+        scan.line_start = false;
+        scan.word = c != '.';
+    }
+    if (!is_ascii(c)) scan.wrong = "not valid TOML: this character can stand only in quotes or in a # comment";
+    step(scan);
+}
+
+void take_quote(Scan& scan) {
+    if (scan.word) scan.wrong = "not valid TOML: a quote can stand only at the start of a key or value";
+    scan.line_start = false;
+    skip_string(scan);
+}
+
 void take_token(Scan& scan) {
     constexpr std::string_view separators = "\n=,[]{}";
     const char c = scan.text[scan.at];
-    if (c == '#') return skip_rest_of_line(scan);
-    if (separators.find(c) != std::string_view::npos) return take_separator(scan, c);
-    if (c != ' ' && c != '\t') scan.line_start = false;
-    if (c == '"' || c == '\'') return skip_string(scan);
-    if (c == '.') ++scan.dots;
-    if (!is_ascii(c)) scan.wrong = "not valid TOML: this character can stand only in quotes or in a # comment";
-    step(scan);
+    if (c == '#')
+        skip_rest_of_line(scan);
+    else if (separators.find(c) != std::string_view::npos)
+        take_separator(scan, c);
+    else if (c == '"' || c == '\'')
+        take_quote(scan);
+    else
+        take_plain(scan, c);
 }
 
 /// What is wrong with the token that was taken last; empty if nothing.

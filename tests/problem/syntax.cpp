@@ -104,6 +104,13 @@ TEST(Syntax, BracketsAndBracesMatch) {
     EXPECT_TRUE(only_says(read(with_line(5, "crank = 5 }")), "p.toml:5:11", {"not valid TOML"}));
 }
 
+TEST(Syntax, AQuoteStandsAtTheStartOfAKeyOrValue) {
+    EXPECT_TRUE(only_says(read(with_line(4, "ground = 100\"mm\"")), "p.toml:4:13", {"a quote", "start"}));
+    EXPECT_TRUE(only_says(read(with_line(4, "ground = 1979-05-27 '\u00e4'")), "p.toml:4:21", {"a quote", "start"}));
+    EXPECT_TRUE(says(read("a . \"b.c\".'d' = 1\n" + valid), "p.toml:1:1", {"unknown key 'a'"}));
+    EXPECT_TRUE(accepted(read("\"title\"=\"a\"#\"\n" + valid)));
+}
+
 TEST(Syntax, WhatIsWrongFirstIsReported) {
     EXPECT_TRUE(only_says(read("title =\n" + valid + "[(am]\n"), "p.toml:1:8", {"missing"}));
     EXPECT_TRUE(only_says(read("title = \"x\n" + valid + "a.b.c.d.e.f.g.h.i.j = 1\n"), "p.toml:1:11", {"quote"}));

@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// Solves problem texts and shipped files for the tests of known optima.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "synthesis/problem/reader.h"
+#include "synthesis/report/document.h"
+#include "synthesis/search/solve.h"
+
+namespace mechwright::testing {
+
+struct Solved {
+    Problem problem;
+    Result result;
+
+    double value(std::string_view quantity) const {
+        const int index = find_quantity(*problem.mechanism, quantity);
+        return quantity_value(problem, static_cast<std::size_t>(index), result.best->design).value();
+    }
+    double dimension(std::string_view name) const {
+        return result.best->design.dimensions[static_cast<std::size_t>(find_dimension(*problem.mechanism, name))];
+    }
+};
+
+inline Solved solved(const std::string& text, const std::string& method = "auto", std::uint64_t seed = 1, int jobs = 2) {
+    ReadProblem read = parse_problem(text, MECHWRIGHT_SOURCE_DIR "/problems/four-bar/problem-of-a-test.toml");
+    for (const Message& m : read.messages)
+        ADD_FAILURE() << to_string(m);
+    Solved s{std::move(read.problem), {}};
+    s.problem.solver.method = method;
+    s.problem.solver.seed = seed;
+    RunOptions options;
+    options.jobs = jobs;
+    s.result = solve(s.problem, options);
+    return s;
+}
+
+inline std::string shipped(const std::string& name) {
+    std::ifstream file(MECHWRIGHT_SOURCE_DIR "/problems/four-bar/" + name);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace mechwright::testing
