@@ -42,6 +42,7 @@ std::array<int, 2> open_ends(bool terminal) {
         const rlimit limit{*how.largest_file, *how.largest_file};
         ::setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (!how.folder.empty() && ::chdir(how.folder.c_str()) != 0) ::_exit(98);
     ::setenv("TERM", "xterm", 1);
     ::unsetenv("NO_COLOR");
     for (const auto& [name, value] : how.environment) {

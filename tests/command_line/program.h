@@ -16,6 +16,7 @@ namespace mechwright::testing {
 
 struct Start {
     std::vector<std::string> arguments;
+    std::string folder;  ///< the program is started in it; empty: in the test's
     std::vector<std::pair<std::string, std::string>> environment;  ///< set for the program; empty values are unset
     std::string out_to;                       ///< standard output goes to this file and not to the test
     bool out_closed = false;                  ///< there is no standard output

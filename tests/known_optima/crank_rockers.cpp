@@ -88,7 +88,9 @@ TEST_P(CrankRockers, HaveTheBestTransmissionAngleOfBothDirections) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryMethod, CrankRockers, ::testing::Values("closed-form", "slsqp", "ipopt"),
-                         [](const auto& method) { return method.param == "closed-form" ? "closed_form" : method.param; });
+                         [](const auto& method) {
+                             return method.param == "closed-form" ? "closed_form" : method.param;
+                         });
 
 TEST(CrankRockers, MethodsAgreeToNineDigits) {
     for (const Row& row : rows) {

@@ -1,0 +1,30 @@
+// The README shows a command and what it prints: this keeps it true, the seconds apart.
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include "tests/command_line/program.h"
+
+namespace mechwright::testing {
+
+namespace {
+
+std::string without_seconds(const std::string& text) {
+    return std::regex_replace(text, std::regex(R"([0-9.e-]+\s+s\.)"), "T s.");
+}
+
+TEST(Readme, ShowsWhatTheProgramPrints) {
+    std::ifstream file(MECHWRIGHT_SOURCE_DIR "/README.md");
+    const std::string readme{std::istreambuf_iterator<char>(file), {}};
+    Start how;
+    how.arguments = {"solve", "problems/four-bar/crank-rocker.toml"};
+    how.folder = MECHWRIGHT_SOURCE_DIR;
+    const Outcome outcome = run(how);
+    EXPECT_EQ(outcome.exit_code, 0);
+    expect_has(without_seconds(readme), without_seconds(outcome.out));
+}
+
+}  // namespace
+
+}  // namespace mechwright::testing
