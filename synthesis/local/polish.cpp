@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 constexpr double active_within = 1e-5;
 /// Singular values and curvatures below this part of the greatest are taken as zero.
 constexpr double rank_tolerance = 1e-11;
-constexpr int most_steps = 20;
+constexpr int most_steps = 60;
 
 /// A constraint held at a limit during one Newton step.
 struct Active {

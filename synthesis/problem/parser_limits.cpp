@@ -1,8 +1,8 @@
 /// \file
 /// What toml++ 3.3 does not stand: it recurses once for every part of a dotted key, looks through lists of sections,
-/// and takes for granted that a section's name starts as a name, that no brace closes a list, and that characters
-/// between tokens are ASCII. Lengths are bounded far above what a problem needs. Up to the first syntax error this scan
-/// sees the same tokens as the parser.
+/// and takes for granted that a section's name starts as a name, that no brace closes a list, that times are written
+/// rightly and that characters between tokens are ASCII. Lengths are bounded far above what a problem needs. Up to the
+/// first syntax error this scan sees the same tokens as the parser.
 
 #include <fmt/format.h>
 
@@ -114,6 +114,8 @@ void take_plain(Scan& scan, char c) {
         scan.line_start = false;
         scan.word = c != '.';
     }
+    if (c == ':')
+        scan.wrong = "':' can stand only in quotes: write key = value; no value of a problem is a time of day";
     if (!is_ascii(c)) scan.wrong = "not valid TOML: this character can stand only in quotes or in a # comment";
     step(scan);
 }

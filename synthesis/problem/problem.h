@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct DimensionRange {
     bool named = false;  ///< stands in the file; else the default 0
 
     bool fixed() const { return min == max; }
+    /// For an angle: whether the range is a full turn or more.
+    bool any_angle() const { return max - min >= 2 * std::numbers::pi * (1 - 1e-12); }
 };
 
 struct Requirement {

@@ -88,7 +88,10 @@ struct Builder {
             const bool length = kinds[i].kind == DimensionKind::length;
             const double lower = length ? std::max(range.min, least_length * range.max) : range.min;
             program.variable_of[i] = static_cast<std::ptrdiff_t>(program.variables.size());
-            program.variables.push_back({std::string(kinds[i].name), lower / scale, range.max / scale});
+            // An angle that may take any value has no ends that a search could run against.
+            const double beyond = is_angle(kinds[i]) && range.any_angle() ? 2 * std::numbers::pi : 0;
+            program.variables.push_back(
+                {std::string(kinds[i].name), lower / scale - beyond, range.max / scale + beyond});
         }
     }
 

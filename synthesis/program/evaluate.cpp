@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "synthesis/program/program.h"
 
@@ -347,13 +348,28 @@ void settle_epigraphs(const Program& program, VectorXd& x) {
     }
 }
 
+double into_range(double angle, double least, double greatest) {
+    constexpr double turn = 2 * std::numbers::pi;
+    while (angle > greatest)
+        angle -= turn;
+    while (angle < least)
+        angle += turn;
+    return std::min(angle, greatest);
+}
+
 Design design_at(const Program& program, const VectorXd& x) {
     Design design;
     design.assembly = program.variant.assembly;
     design.dimensions = dimensions_at(program, x);
     const auto& kinds = program.problem->mechanism->dimensions;
-    for (std::size_t i = 0; i < kinds.size(); ++i)
-        if (kinds[i].kind != DimensionKind::angle) design.dimensions[i] *= program.length;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        double& value = design.dimensions[i];
+        const DimensionRange& range = program.problem->dimensions[i];
+        if (kinds[i].kind != DimensionKind::angle)
+            value *= program.length;
+        else if (program.variable_of[i] >= 0 && range.any_angle())
+            value = into_range(value, range.min, range.max);
+    }
     if (program.path)
         for (std::size_t i = 0; i < program.targets.size(); ++i)
             design.path_angles.push_back(path_angle(program, design.dimensions, x, i).angle);

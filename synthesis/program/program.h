@@ -128,6 +128,9 @@ double violation(const Program& program, const Eigen::VectorXd& x, const Program
 /// Sets the epigraph variables of x to the worst of what they bound.
 void settle_epigraphs(const Program& program, Eigen::VectorXd& x);
 
+/// The angle less or more whole turns, so that it lies in a range; in a range of less than a turn perhaps at its end.
+double into_range(double angle, double least, double greatest);
+
 /// The point of the program as a design in the user's lengths, and the other way round (for a design of this variant).
 Design design_at(const Program& program, const Eigen::VectorXd& x);
 Eigen::VectorXd point_of(const Program& program, const Design& design);

@@ -76,15 +76,6 @@ double merit(const Program& program, const VectorXd& x) {
     return values.objective + 10 * worst;
 }
 
-double into_range(double angle, const Variable& v) {
-    constexpr double turn = 2 * std::numbers::pi;
-    while (angle > v.upper)
-        angle -= turn;
-    while (angle < v.lower)
-        angle += turn;
-    return std::min(angle, v.upper);
-}
-
 }  // namespace
 
 void fit_placement(const Program& program, VectorXd& x) {
@@ -161,8 +152,8 @@ void fit_placement(const Program& program, VectorXd& x) {
         turn = z / size;
         for (std::size_t i = 0; i < program.variable_of.size(); ++i)
             if (kind_of(program, i) == DimensionKind::length) set(i, size * x[variable(i)]);
-        const auto tilt = static_cast<std::size_t>(variable(roles.tilt));
-        x[variable(roles.tilt)] = into_range(std::arg(z), program.variables[tilt]);
+        const Variable& tilt = program.variables[static_cast<std::size_t>(variable(roles.tilt))];
+        x[variable(roles.tilt)] = into_range(std::arg(z), tilt.lower, tilt.upper);
         if (!free_point && variable(roles.along) >= 0) set(roles.along, size * point.real());
         if (!free_point && variable(roles.across) >= 0) set(roles.across, size * point.imag());
     }

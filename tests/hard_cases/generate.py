@@ -138,7 +138,8 @@ def pose_cases():
         name = "folds" if line == 0 else "stretches"
         add(f"change point: {name}, exact", links, line)
         for k in (10, 20, 30, 40, 50):
-            add(f"change point: {name}, exact, 2^-{k} beside it", links, offset + 2.0 ** -k if line == 0 else offset - 2.0 ** -k)
+            beside = offset + (1 if line == 0 else -1) * 2.0 ** -k
+            add(f"change point: {name}, exact, 2^-{k} beside it", links, beside)
         for k in (5, 10, 20, 30, 40, 50):
             e = 2.0 ** -k
             turning = links[:3] + (links[3] * (1 + e),)
@@ -147,7 +148,8 @@ def pose_cases():
             blocked = links[:3] + (links[3] * (1 - e),)
             edge = float(toggle(blocked, line != 0))
             add(f"change point - 2^-{k}: {name}, past its toggle", blocked, line)
-            add(f"change point - 2^-{k}: {name}, before its toggle", blocked, edge * (1 + 2.0 ** -6) if line == 0 else edge - (offset - edge) / 64)
+            before = edge + (1 if line == 0 else -1) * abs(edge - offset) / 64
+            add(f"change point - 2^-{k}: {name}, before its toggle", blocked, before)
     book = (600.0, 300.0, 360.0, 360.0)
     near = (1.0, 0.875, 1.0, 0.5)
     for k in (2, 5, 10, 20, 30, 40):
@@ -186,7 +188,8 @@ def pose_cases():
             crank = mpc(cos(mpf(angle)), sin(mpf(angle)))
             pole = mpf(plain[0]) * p.rocker.imag / (conj(crank) * p.rocker).imag * crank
             local = (pole - mpf(plain[1]) * crank) * conj(p.coupler)
-            rows.append(pose_row("cusp of the coupler curve", plain, angle, side, (float(local.real), float(local.imag))))
+            point = (float(local.real), float(local.imag))
+            rows.append(pose_row("cusp of the coupler curve", plain, angle, side, point))
     return rows
 
 
@@ -242,13 +245,13 @@ def frame_cases():
             p = Pose(*map(mpf, links), mpf(angle), 1, *map(mpf, point))
             at = mpc(*origin) + p.point * exp(mpc(0, tilt))
             off = mpc(*target) - at
-            rows.append(["frame far away"] + [repr(x) for x in links + (angle,) + point + origin + (tilt,) + target] +
-                        [written(off.real), written(off.imag)])
+            numbers = links + (angle,) + point + origin + (tilt,) + target
+            rows.append(["frame far away"] + [repr(x) for x in numbers] + [written(off.real), written(off.imag)])
     return rows
 
 
 def assembly_cases():
-    """Whether linkages assemble with the crank on the ground line, at the edge and one unit in the last place beside it."""
+    """Whether linkages assemble with the crank on the ground line, at the edge and one unit in the last place off."""
     rows = []
     plain = [(1.0, 0.3, 0.7), (0.7, 0.1, 0.3), (3.3, 1.1, 2.9), (1.0, 1e-6, 0.9), (1e6, 0.3, 7.1), (0.2, 0.7, 0.1)]
     for g, k, c in plain:
@@ -278,12 +281,13 @@ def with_moves(answers):
 
 def main():
     links = ["name", "ground", "crank", "coupler", "rocker"]
-    write("poses.csv", links + ["crank_angle", "assembly", "along", "across", "assembled", "turns"] + with_moves(POSE_ANSWERS),
-          pose_cases(), "Poses and velocities of four-bars at hard places, in fifty digits.")
+    place = ["crank_angle", "assembly", "along", "across", "assembled", "turns"]
+    frame = ["crank_angle", "along", "across", "origin_x", "origin_y", "tilt", "target_x", "target_y"]
+    write("poses.csv", links + place + with_moves(POSE_ANSWERS), pose_cases(),
+          "Poses and velocities of four-bars at hard places, in fifty digits.")
     write("limits.csv", links + with_moves(LIMIT_ANSWERS), limit_cases(),
           "Limit positions, swing and stroke of crank-rockers, in fifty digits.")
-    write("frames.csv", links + ["crank_angle", "along", "across", "origin_x", "origin_y", "tilt", "target_x", "target_y",
-                                 "miss_x", "miss_y"], frame_cases(),
+    write("frames.csv", links + frame + ["miss_x", "miss_y"], frame_cases(),
           "From coupler points to targets near them, far from the origin, in fifty digits.")
     write("assembly.csv", links + ["crank_angle", "assembles"], assembly_cases(),
           "Linkages that just assemble with the crank on the ground line, and that just do not.")

@@ -78,7 +78,9 @@ TEST_P(CrankRockers, HaveTheBestTransmissionAngleOfBothDirections) {
         SCOPED_TRACE(fmt::format("stroke {} swing {}", row.forward_stroke, row.swing));
         ASSERT_EQ(s.result.status, Status::solved);
         const double reached = s.value("transmission-angle-worst") / degree;
-        if (row.transmission > 0) EXPECT_NEAR(reached, row.transmission, 5.1e-6);
+        if (row.transmission > 0) {
+            EXPECT_NEAR(reached, row.transmission, 5.1e-6);
+        }
         const double scan = std::max(scanned_optimum(row.swing * degree, row.forward_stroke * degree),
                                      scanned_optimum(row.swing * degree, (360 - row.forward_stroke) * degree));
         EXPECT_NEAR(reached, scan, 1e-7);

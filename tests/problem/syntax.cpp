@@ -111,6 +111,12 @@ TEST(Syntax, AQuoteStandsAtTheStartOfAKeyOrValue) {
     EXPECT_TRUE(accepted(read("\"title\"=\"a\"#\"\n" + valid)));
 }
 
+TEST(Syntax, AColonStandsOnlyInQuotesAndComments) {
+    EXPECT_TRUE(only_says(read(with_line(4, "ground: 100")), "p.toml:4:7", {"':'", "key = value"}));
+    EXPECT_TRUE(only_says(read(with_line(4, "ground = 07:32:00")), "p.toml:4:12", {"':'", "time of day"}));
+    EXPECT_TRUE(accepted(read("title = 'a: b' # c: d\n" + valid)));
+}
+
 TEST(Syntax, WhatIsWrongFirstIsReported) {
     EXPECT_TRUE(only_says(read("title =\n" + valid + "[(am]\n"), "p.toml:1:8", {"missing"}));
     EXPECT_TRUE(only_says(read("title = \"x\n" + valid + "a.b.c.d.e.f.g.h.i.j = 1\n"), "p.toml:1:11", {"quote"}));
