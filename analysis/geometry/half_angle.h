@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// Angles kept as the pair (k sin(a/2), k cos(a/2)), k > 0, 0 <= a <= pi. A triangle gives this pair as square roots of
-/// products of sides, without cancellation; the angle itself, its sine and its cosine follow with all their digits, also
-/// where the angle is close to 0 or pi (Kahan, "Miscalculating Area and Angles of a Needle-like Triangle").
+/// products of sides, without cancellation; the angle itself, its sine and its cosine follow with all their digits,
+/// also where the angle is close to 0 or pi (Kahan, "Miscalculating Area and Angles of a Needle-like Triangle").
 
 #include <cmath>
 

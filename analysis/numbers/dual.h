@@ -36,7 +36,9 @@ struct Dual {
     // Hidden friends, so that a plain number on either side converts.
 
     // (a + b)' = a' + b'
-    friend constexpr Dual operator+(const Dual& a, const Dual& b) { return linear(a.value + b.value, a, b, T(1), T(1)); }
+    friend constexpr Dual operator+(const Dual& a, const Dual& b) {
+        return linear(a.value + b.value, a, b, T(1), T(1));
+    }
     // (a - b)' = a' - b'
     friend constexpr Dual operator-(const Dual& a, const Dual& b) {
         Dual r(a.value - b.value);

@@ -256,7 +256,8 @@ def assembly_cases():
     plain = [(1.0, 0.3, 0.7), (0.7, 0.1, 0.3), (3.3, 1.1, 2.9), (1.0, 1e-6, 0.9), (1e6, 0.3, 7.1), (0.2, 0.7, 0.1)]
     for g, k, c in plain:
         for line, d in ((0, fabs(mpf(g) - k)), ("pi", mpf(g) + k)):
-            for name, edge in (("stretched", d - c), ("folded; rocker longer", c + d), ("folded; coupler longer", c - d)):
+            edges = (("stretched", d - c), ("folded; rocker longer", c + d), ("folded; coupler longer", c - d))
+            for name, edge in edges:
                 if edge <= 0:
                     continue
                 nearest = float(edge)
