@@ -5,10 +5,10 @@
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/input.h"
 #include "synthesis/command_line/options.h"
+#include "synthesis/program/quantity_value.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/json_text.h"
 #include "synthesis/report/motion_table.h"
-#include "synthesis/report/path_values.h"
 #include "synthesis/report/summary.h"
 #include "synthesis/search/solve.h"
 

@@ -16,12 +16,12 @@
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/progress_line.h"
 #include "synthesis/command_line/results.h"
+#include "synthesis/problem/units.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/json_text.h"
 #include "synthesis/report/motion_table.h"
 #include "synthesis/report/summary.h"
 #include "synthesis/report/table.h"
-#include "synthesis/report/units.h"
 
 namespace mechwright {
 

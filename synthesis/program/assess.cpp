@@ -5,10 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "synthesis/report/document.h"
-#include "synthesis/report/path_values.h"
-#include "synthesis/report/standing.h"
-#include "synthesis/report/units.h"
+#include "synthesis/problem/units.h"
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/program/standing.h"
 
 namespace mechwright {
 

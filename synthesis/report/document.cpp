@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/report/path_values.h"
-#include "synthesis/report/standing.h"
-#include "synthesis/report/units.h"
+#include "synthesis/problem/units.h"
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/program/standing.h"
 #include "synthesis/report/versions.h"
 
 namespace mechwright {

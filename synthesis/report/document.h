@@ -38,10 +38,6 @@ nlohmann::ordered_json document(const Problem& problem, const Result& result);
 /// alternatives, search).
 nlohmann::ordered_json analysis_document(const Problem& problem, const Solution& solution);
 
-/// The value of a quantity of a finished design, or nothing where it is not defined (see Quantity::defined) or the
-/// design does not assemble.
-std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design);
-
 /// The status as the document writes it.
 std::string_view name_of(Status status);
 

@@ -2,8 +2,8 @@
 
 #include <charconv>
 
-#include "synthesis/report/path_values.h"
-#include "synthesis/report/units.h"
+#include "synthesis/problem/units.h"
+#include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
 

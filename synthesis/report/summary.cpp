@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "synthesis/problem/text.h"
+#include "synthesis/problem/units.h"
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/program/standing.h"
 #include "synthesis/report/document.h"
-#include "synthesis/report/path_values.h"
 #include "synthesis/report/sections.h"
-#include "synthesis/report/standing.h"
 #include "synthesis/report/table.h"
-#include "synthesis/report/units.h"
 
 namespace mechwright {
 

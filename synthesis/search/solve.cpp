@@ -23,6 +23,7 @@ struct Found {
     SearchReport report;
     bool infeasible = false;  ///< proved
     bool stopped = false;
+    std::string note;  ///< for the user, where there are no candidates
 };
 
 struct Method {
@@ -49,7 +50,12 @@ Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) 
     Found found;
     found.report.method = "closed-form";
     const auto outcome = solve_in_closed_form(problem);
-    if (!outcome) return found;
+    if (!outcome) {
+        found.note =
+            "the ranges of the dimensions cut the optimum of the closed form off; the methods auto, slsqp and "
+            "ipopt look for the best design within them";
+        return found;
+    }
     found.candidates.push_back(*outcome->best);
     found.infeasible = outcome->infeasible;
     found.report.complete = true;
@@ -63,7 +69,8 @@ Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) 
 Found search(std::string_view name, LocalMethod local, const Problem& problem, const RunOptions& options,
              Clock::time_point deadline) {
     Multistart m = multistart(problem, local, options, deadline);
-    Found found{std::move(m.optima), m.report, false, m.stopped};
+    Found found{std::move(m.optima), m.report, false, m.stopped,
+                "no kind of motion of this mechanism has all the quantities that the problem names"};
     found.report.method = name;
     return found;
 }
@@ -164,7 +171,7 @@ Result solve(const Problem& problem, const RunOptions& options) {
         else if (result.best)
             result.note = "no design was found by a search that ran to its end; the least-violating one is shown";
         else
-            result.note = "no kind of motion of this mechanism has all the quantities that the problem names";
+            result.note = found.note;
     }
     result.search.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return result;

@@ -6,7 +6,7 @@
 #include <array>
 #include <boost/math/constants/constants.hpp>
 
-#include "synthesis/report/units.h"
+#include "synthesis/problem/units.h"
 
 namespace mechwright {
 

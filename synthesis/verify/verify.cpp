@@ -6,7 +6,7 @@
 #include <exception>
 
 #include "synthesis/problem/text.h"
-#include "synthesis/report/units.h"
+#include "synthesis/problem/units.h"
 #include "synthesis/verify/path_checks.h"
 #include "synthesis/verify/rebuilt.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/program/quantity_value.h"
 #include "synthesis/report/json_text.h"
-#include "synthesis/report/path_values.h"
 #include "tests/report/examples.h"
 
 namespace mechwright {

@@ -1,9 +1,8 @@
+#include "synthesis/program/quantity_value.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "synthesis/report/document.h"
-#include "synthesis/report/path_values.h"
 
 namespace mechwright {
 

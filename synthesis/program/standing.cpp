@@ -1,9 +1,9 @@
-#include "synthesis/report/standing.h"
+#include "synthesis/program/standing.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/report/document.h"
+#include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
 

@@ -1,4 +1,4 @@
-#include "synthesis/report/units.h"
+#include "synthesis/problem/units.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A finished design on its motion and on its coupler path.
+/// What a finished design does: the values of its quantities on its motion, and its coupler path.
 
 #include <optional>
 #include <vector>
@@ -11,6 +11,10 @@ namespace mechwright {
 
 /// The motion over which the problem judges a design; from > to if it assembles nowhere.
 Motion motion_of(const Problem& problem, const Design& design);
+
+/// The value of a quantity of a finished design, or nothing where it is not defined (see Quantity::defined) or the
+/// design does not assemble.
+std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design);
 
 /// Where a design comes to lie at each target point. With weights w and distances d: sum w d^2,
 /// sqrt(sum w d^2 / sum w), and the greatest plain distance.
