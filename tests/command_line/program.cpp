@@ -4,6 +4,8 @@
 #include <poll.h>
 #include <pty.h>
 #include <signal.h>
+#include <sys/ioctl.h>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,11 +19,29 @@ namespace mechwright::testing {
 
 namespace {
 
+/// A terminal where the system has mounted none, as in a bare root file system: from a mount of our own, which is gone
+/// with the last file in it. Only root can do that.
+bool open_terminal_of_our_own(std::array<int, 2>& ends) {
+    std::string folder = "/tmp/mechwright-terminals-XXXXXX";
+    if (::mkdtemp(folder.data()) == nullptr) return false;
+    if (::mount("devpts", folder.c_str(), "devpts", 0, "newinstance,ptmxmode=0666") == 0) {
+        ends[0] = ::open((folder + "/ptmx").c_str(), O_RDWR | O_NOCTTY);
+        ends[1] = ends[0] >= 0 && ::unlockpt(ends[0]) == 0 ? ::ioctl(ends[0], TIOCGPTPEER, O_RDWR | O_NOCTTY) : -1;
+        ::umount2(folder.c_str(), MNT_DETACH);
+    }
+    ::rmdir(folder.c_str());
+    return ends[1] >= 0;
+}
+
+bool open_terminal(std::array<int, 2>& ends) {
+    return ::openpty(&ends[0], &ends[1], nullptr, nullptr, nullptr) == 0 || open_terminal_of_our_own(ends);
+}
+
 /// Two ends: the test reads at the first, the program writes at the second.
 std::array<int, 2> open_ends(bool terminal) {
-    std::array<int, 2> ends{};
-    const int failed = terminal ? ::openpty(&ends[0], &ends[1], nullptr, nullptr, nullptr) : ::pipe(ends.data());
-    if (failed != 0) throw std::runtime_error("cannot open a pipe or a terminal");
+    std::array<int, 2> ends{-1, -1};
+    if (terminal ? !open_terminal(ends) : ::pipe(ends.data()) != 0)
+        throw std::runtime_error("cannot open a pipe or a terminal");
     ::fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     return ends;
 }
