@@ -26,21 +26,22 @@ std::array<T, N> seeded(std::span<const double> dimensions) {
     return x;
 }
 
-/// Components of a quantity in numbers of type T.
+/// Where a formula writes the components of its quantity: room for `Formula::most` of them.
 template <class T>
-using Components = std::array<T, Quantity::most_components>;
+using Components = std::span<T>;
 
-/// The measure of a formula with `static constexpr std::size_t reads` and
-/// `template <class T> static std::size_t components(const Motion&, const std::array<T, reads>&, Components<T>& out)`.
+/// The measure of a formula with `static constexpr std::size_t reads`, `static constexpr std::size_t most` and
+/// `template <class T> static std::size_t components(const Motion&, const std::array<T, reads>&, Components<T> out)`.
 template <class Formula>
 void measure_by(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
     constexpr std::size_t n = Formula::reads;
     constexpr std::size_t pairs = n * (n + 1) / 2;
-    const auto evaluate = [&]<class T>(Components<T>& at) {
+    static_assert(Formula::most <= Quantity::most_components);
+    const auto evaluate = [&]<class T>(std::array<T, Formula::most>& at) {
         return Formula::template components<T>(motion, seeded<T, n>(dimensions), at);
     };
     if (!out.hessian.empty()) {
-        Components<SecondDual<double, n>> c;
+        std::array<SecondDual<double, n>, Formula::most> c;
         const std::size_t count = evaluate(c);
         for (std::size_t k = 0; k < count; ++k) {
             out.value[k] = c[k].value;
@@ -48,14 +49,14 @@ void measure_by(const Motion& motion, std::span<const double> dimensions, const 
             std::copy_n(c[k].second.begin(), pairs, out.hessian.begin() + k * pairs);
         }
     } else if (!out.gradient.empty()) {
-        Components<Dual<double, n>> c;
+        std::array<Dual<double, n>, Formula::most> c;
         const std::size_t count = evaluate(c);
         for (std::size_t k = 0; k < count; ++k) {
             out.value[k] = c[k].value;
             std::copy_n(c[k].partial.begin(), n, out.gradient.begin() + k * n);
         }
     } else {
-        Components<double> c;
+        std::array<double, Formula::most> c;
         const std::size_t count = evaluate(c);
         std::copy_n(c.begin(), count, out.value.begin());
     }

@@ -7,6 +7,7 @@
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,18 @@ struct Dimension {
 
 enum class Unit { none, length, area, angle };
 
+/// A plain number that says how a mechanism is judged, from a section of its own in the problem file.
+struct Setting {
+    std::string_view section;
+    std::string_view name;
+    double preset;
+    double above;  ///< the value lies strictly between these two
+    double below;
+    std::string_view meaning;
+
+    static constexpr std::size_t most = 2;  ///< of one mechanism
+};
+
 /// The discrete data of a design and the motion over which it is judged.
 struct Motion {
     std::size_t assembly = 0;  ///< index into Mechanism::assemblies
@@ -41,6 +54,7 @@ struct Motion {
     bool full_turn = true;
     double from = 0;  ///< crank angles in radians; for a full turn 0 and 2 pi
     double to = 0;
+    std::array<double, Setting::most> settings{};  ///< values of Mechanism::settings
 };
 
 /// Where a measure writes its smooth components. Derivatives are with respect to the first `reads` dimensions of the
@@ -77,7 +91,7 @@ struct Quantity {
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
     bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
 
-    static constexpr std::size_t most_components = 12;
+    static constexpr std::size_t most_components = 32;
 };
 
 /// A linear condition on the dimensions: sum of coefficient[i] dimension[i] >= 0.
@@ -91,8 +105,8 @@ struct Family {
     std::string_view name;
     bool full_turn;
     std::vector<LinearCondition> conditions;
-    /// Components that must all be >= 0 for the design to assemble over a limited range; null for a full turn, where
-    /// the conditions say it all.
+    /// Components that must all be >= 0 for the design to assemble over its motion; null where the conditions say it
+    /// all.
     const Quantity* assembly_margin = nullptr;
 };
 
@@ -119,6 +133,12 @@ struct PathRoles {
     std::size_t start;
 };
 
+/// Why ranges of dimensions hold no design of a mechanism.
+struct Objection {
+    std::size_t dimension;  ///< the one to change
+    std::string why;        ///< what is wrong, and what would be right
+};
+
 struct Check {
     std::string name;
     bool passed;
@@ -132,9 +152,12 @@ struct Mechanism {
     std::span<const std::string_view> assemblies;  ///< first is the default
     std::span<const Quantity> quantities;
     std::span<const Family> families;
+    std::span<const Setting> settings;  ///< at most Setting::most
 
+    /// Whether no design of this mechanism lies in the given ranges, where that shows at a glance; null: no such check.
+    std::optional<Objection> (*objection)(std::span<const double> least, std::span<const double> greatest) = nullptr;
     /// The motion of a finished design: its family, and the given crank range or else the full turn or the whole
-    /// assembled range. A design that does not assemble anywhere has from > to.
+    /// assembled range. A design that does not assemble anywhere has from > to. Settings are left to the caller.
     Motion (*motion)(std::span<const double> dimensions, std::size_t assembly, const double* crank_range) = nullptr;
     /// In one phrase what kind of linkage the dimensions make ("crank-rocker", change points named).
     std::string (*describe)(std::span<const double> dimensions) = nullptr;

@@ -36,8 +36,9 @@ HalfTurn<T> constant(const HalfTurn<double>& half) {
 
 struct Swing {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 1;
     template <class T>
-    static std::size_t components(const Motion&, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion&, const std::array<T, links>& x, Components<T> out) {
         out[0] = swing(linkage(x));
         return 1;
     }
@@ -46,8 +47,9 @@ struct Swing {
 /// Slow over fast stroke: the greater of a ratio and its reciprocal, the two directions of the crank.
 struct TimeRatio {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 2;
     template <class T>
-    static std::size_t components(const Motion&, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion&, const std::array<T, links>& x, Components<T> out) {
         const T excess = stroke_excess(linkage(x));
         out[0] = (pi<double>() + excess) / (pi<double>() - excess);
         out[1] = (pi<double>() - excess) / (pi<double>() + excess);
@@ -57,8 +59,9 @@ struct TimeRatio {
 
 struct TransmissionAngleMin {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 4;
     template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
         const auto extremes = transmission_extremes_of(motion);
         const std::size_t count = motion.full_turn ? 1 : extremes.count;  // over a full turn the least is at 0
         for (std::size_t k = 0; k < count; ++k)
@@ -69,8 +72,9 @@ struct TransmissionAngleMin {
 
 struct TransmissionAngleMax {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 4;
     template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
         const auto extremes = transmission_extremes_of(motion);
         const std::size_t first = motion.full_turn ? 1 : 0;  // over a full turn the greatest is at pi
         for (std::size_t k = first; k < extremes.count; ++k)
@@ -82,11 +86,12 @@ struct TransmissionAngleMax {
 /// The least of the angle and its supplement.
 struct TransmissionAngleWorst {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 8;
     template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
         const std::size_t least = TransmissionAngleMin::components(motion, x, out);
-        Components<T> greatest;
-        const std::size_t count = TransmissionAngleMax::components(motion, x, greatest);
+        std::array<T, most> greatest;
+        const std::size_t count = TransmissionAngleMax::components<T>(motion, x, greatest);
         for (std::size_t k = 0; k < count; ++k)
             out[least + k] = pi<double>() - greatest[k];
         return least + count;
@@ -96,8 +101,9 @@ struct TransmissionAngleWorst {
 /// The longest link over the shortest: every ratio that can be the greatest in the family.
 struct LinkRatio {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 12;
     template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
         std::size_t count = 0;
         for (std::size_t shortest = 0; shortest < links; ++shortest) {
             if (motion.family == crank_rocker && shortest != 1) continue;
@@ -111,8 +117,9 @@ struct LinkRatio {
 
 struct TotalLength {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 1;
     template <class T>
-    static std::size_t components(const Motion&, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion&, const std::array<T, links>& x, Components<T> out) {
         out[0] = (x[0] + x[1]) + (x[2] + x[3]);
         return 1;
     }
@@ -120,8 +127,9 @@ struct TotalLength {
 
 struct GrashofMargin {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 3;
     template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
         if (motion.family == limited_range) {
             out[0] = grashof_margin(linkage(x));
             return 1;
@@ -140,6 +148,7 @@ struct GrashofMargin {
 template <int sense>
 struct VelocityRatioExtreme {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 5;
     static std::size_t places(const Motion& motion) { return motion.full_turn ? 3 : 5; }
 
     template <class T>
@@ -163,7 +172,7 @@ struct VelocityRatioExtreme {
     }
 
     template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
         const FourBar<T> m = linkage(x);
         const FourBar<double> plain{value_of(m.ground), value_of(m.crank), value_of(m.coupler), value_of(m.rocker)};
         const Assembly assembly = assembly_of(motion);
@@ -197,8 +206,9 @@ struct VelocityRatioExtreme {
 /// What must be >= 0 for a design to assemble over a limited range: both margins wherever they can be least.
 struct AssemblyMargin {
     static constexpr std::size_t reads = links;
+    static constexpr std::size_t most = 8;
     template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T>& out) {
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
         const auto extremes = transmission_extremes_of(motion);
         for (std::size_t k = 0; k < extremes.count; ++k) {
             const auto margins = assembly_margins(linkage(x), constant<T>(extremes.at[k]));
