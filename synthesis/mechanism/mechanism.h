@@ -152,7 +152,7 @@ struct Mechanism {
     std::span<const std::string_view> assemblies;  ///< first is the default
     std::span<const Quantity> quantities;
     std::span<const Family> families;
-    std::span<const Setting> settings;  ///< at most Setting::most
+    std::span<const Setting> settings{};  ///< at most Setting::most
 
     /// Whether no design of this mechanism lies in the given ranges, where that shows at a glance; null: no such check.
     std::optional<Objection> (*objection)(std::span<const double> least, std::span<const double> greatest) = nullptr;
