@@ -30,7 +30,8 @@ constexpr double side_of(Assembly assembly) { return assembly == Assembly::open 
 /// The dimensions in another number type.
 template <class To, class From>
 FourBar<To> converted(const FourBar<From>& links) {
-    return {To(links.ground), To(links.crank), To(links.coupler), To(links.rocker)};
+    return {number_as<To>(links.ground), number_as<To>(links.crank), number_as<To>(links.coupler),
+            number_as<To>(links.rocker)};
 }
 
 }  // namespace mechwright

@@ -7,6 +7,7 @@
 /// square roots of products of Grashof margins. The swing is the difference of two angles at B0 whose cosines differ by
 /// 2 crank coupler / (ground rocker); written with that difference it keeps its digits for the smallest cranks.
 
+#include "analysis/crank_range.h"
 #include "analysis/four_bar/grashof.h"
 #include "analysis/four_bar/pose.h"
 
@@ -138,16 +139,6 @@ T stroke_excess(const FourBar<T>& m) {
     const T squares = (m.coupler - m.ground) * (m.coupler + m.ground) + (m.rocker - m.crank) * (m.rocker + m.crank);
     return T(2) * atan2(T(8) * m.ground * m.crank * squares / crossed, f.cosine * e.cosine + f.sine * e.sine);
 }
-
-/// Where the crank can be: a full turn, or from `from` to `to` (radians, counter-clockwise).
-template <class T>
-struct CrankRange {
-    bool full_turn;
-    T from;
-    T to;
-    /// The linkage assembles in a second range too, the mirror image of this one about the ground line.
-    bool mirrored = false;
-};
 
 /// The crank angles at which the linkage assembles. Of two separate ranges the one above the ground line is given. An
 /// open chain gives an empty range (from > to).

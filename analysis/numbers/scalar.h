@@ -15,6 +15,15 @@ constexpr const T& value_of(const T& x) {
     return x;
 }
 
+/// A number in another type; where derivatives have no place in it, they are left out.
+template <class To, class From>
+constexpr To number_as(const From& x) {
+    if constexpr (std::is_constructible_v<To, From>)
+        return static_cast<To>(x);
+    else
+        return static_cast<To>(value_of(x));
+}
+
 /// `yes` where the condition holds, else `no`. Branches in formulas are written with it, so that a batch of numbers
 /// can answer lane by lane.
 template <class T>
