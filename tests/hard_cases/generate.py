@@ -12,7 +12,7 @@ import itertools
 import math
 import os
 
-from mpmath import acos, conj, cos, exp, fabs, mp, mpc, mpf, nstr, pi, sin
+from mpmath import acos, arg, asin, atan2, conj, cos, exp, fabs, mp, mpc, mpf, nstr, pi, sin, sqrt
 
 mp.dps = 120
 ROUNDING = mpf(2) ** -53
@@ -267,6 +267,113 @@ def assembly_cases():
     return rows
 
 
+SLOTTED_ANSWERS = ["arm_angle", "reach", "arm_velocity", "arm_acceleration", "slide_velocity"]
+
+
+def slotted_arm(d, r, angle):
+    """Arm pivot at the origin, crank pivot at d; block at d + r exp(i angle), its derivatives divided by it."""
+    pin = d + r * (mpc(cos(angle), sin(angle)) if angle != pi else mpc(-1, 0))
+    if fabs(pin) == 0:
+        return [None] * 5
+    first = mpc(0, 1) * (pin - d) / pin
+    second = -(pin - d) / pin - first * first
+    return [arg(pin), fabs(pin), first.imag, second.imag, fabs(pin) * first.real]
+
+
+def slotted_cases():
+    rows = []
+    for k in (10, 20, 30, 40, 50):
+        e = 2.0 ** -k
+        for crank in (1.5 * (1 - e), 1.5 * (1 + e)):
+            for angle in (0, 0.75, 2.5, 3.0, 3.140625, float(pi) - e, float(pi) + 3 * e, "pi"):
+                inputs = [mpf(1.5), mpf(crank), exact_angle(angle)]
+                by = moves(slotted_arm, inputs, (2,) if angle in ("pi", 0) else ())
+                cells = [f"crank = centre distance (1 {'+' if crank > 1.5 else '-'} 2^-{k})", "1.5", repr(crank)]
+                cells += ["pi" if angle == "pi" else repr(float(angle))]
+                for answer, move in zip(slotted_arm(*inputs), by):
+                    cells += [written(answer), short(move)]
+                rows.append(cells)
+    return rows
+
+
+SLOTTED_STROKES = ["slow_stroke", "fast_stroke"]
+
+
+def slotted_strokes(d, r):
+    fast = 2 * acos(min(d, r) / max(d, r))
+    return [2 * pi - fast, fast]
+
+
+def slotted_stroke_cases():
+    rows = []
+    for k in range(10, 51, 5):
+        for crank in (1.5 * (1 - 2.0 ** -k), 1.5 * (1 + 2.0 ** -k)):
+            row = [f"crank beside centre distance by 2^-{k}", "1.5", repr(crank)]
+            inputs = [mpf(1.5), mpf(crank)]
+            for answer, move in zip(slotted_strokes(*inputs), moves(slotted_strokes, inputs)):
+                row += [written(answer), short(move)]
+            rows.append(row)
+    return rows
+
+
+SLIDER_ANSWERS = ["position", "rod_slope", "transmission_angle", "velocity"]
+
+
+def slider_crank(r, l, e, angle):
+    height = e - r * sin(angle)
+    run = sqrt(l * l - height * height)
+    slope = height / run
+    return [r * cos(angle) + run, atan2(height, run), pi / 2 - fabs(atan2(height, run)),
+            -r * sin(angle) + slope * r * cos(angle)]
+
+
+SLIDER_STROKES = ["stroke", "inward_stroke"]
+
+
+def slider_strokes(r, l, e):
+    outer, inner = sqrt((l + r) ** 2 - e * e), sqrt((l - r) ** 2 - e * e)
+    return [outer - inner, pi + asin(e / (l - r)) - asin(e / (l + r))]
+
+
+def slider_links():
+    """Crank, rod, offset with little or nothing to spare where the crank stands square to the slide; and r = l in line,
+    where the ram comes back to the crank pivot."""
+    for k in (10, 20, 30, 40, 50):
+        e = 2.0 ** -k
+        for offset in (0.75, -0.75):
+            yield f"rod = crank + offset (1 + 2^-{k})", (1.0, 1.0 + 0.75 * (1 + e), offset)
+        yield f"offset 2^-{k}", (1.0, 3.0, e)
+        yield f"rod = crank (1 + 2^-{k}) in line", (1.0, 1.0 + e, 0.0)
+    for crank in (1e-3, 1e-6, 1e-9):
+        yield f"crank {crank}", (crank, 1.0, 0.5)
+        yield f"crank {crank}, offset alike", (crank, 1.0, 2 * crank)
+    yield "rod a million cranks long", (1.0, 1e6, 0.5)
+
+
+def slider_cases():
+    rows = []
+    for name, links in slider_links():
+        for angle in (0, 0.75, 2.5, 3.140625, 3.9, -1.5625, 1.5625, float(-pi / 2) + 2.0 ** -20):
+            inputs = [mpf(x) for x in links] + [mpf(angle)]
+            cells = [name] + [repr(x) for x in links] + [repr(float(angle))]
+            by = moves(slider_crank, inputs, (3,) if angle == 0 else ())
+            for answer, move in zip(slider_crank(*inputs), by):
+                cells += [written(answer), short(move)]
+            rows.append(cells)
+    return rows
+
+
+def slider_stroke_cases():
+    rows = []
+    for name, links in slider_links():
+        inputs = [mpf(x) for x in links]
+        row = [name] + [repr(x) for x in links]
+        for answer, move in zip(slider_strokes(*inputs), moves(slider_strokes, inputs)):
+            row += [written(answer), short(move)]
+        rows.append(row)
+    return rows
+
+
 def write(file, header, rows, about):
     with open(os.path.join(FOLDER, file), "w", encoding="ascii", newline="\n") as out:
         out.write(f"# {about} Written by tests/hard_cases/generate.py.\n")
@@ -292,6 +399,16 @@ def main():
           "From coupler points to targets near them, far from the origin, in fifty digits.")
     write("assembly.csv", links + ["crank_angle", "assembles"], assembly_cases(),
           "Linkages that just assemble with the crank on the ground line, and that just do not.")
+    slotted = ["name", "centre_distance", "crank"]
+    write("slotted_arms.csv", slotted + ["crank_angle"] + with_moves(SLOTTED_ANSWERS), slotted_cases(),
+          "Slotted arms with the crank as long as the centre distance, nearly, in fifty digits.")
+    write("slotted_strokes.csv", slotted + with_moves(SLOTTED_STROKES), slotted_stroke_cases(),
+          "Strokes of crank shapers and Whitworth drives on the same, in fifty digits.")
+    slider = ["name", "crank", "rod", "offset"]
+    write("slider_cranks.csv", slider + ["crank_angle"] + with_moves(SLIDER_ANSWERS), slider_cases(),
+          "Slider-cranks with little to spare and at odd sizes, in fifty digits.")
+    write("slider_strokes.csv", slider + with_moves(SLIDER_STROKES), slider_stroke_cases(),
+          "Strokes of the same, in fifty digits.")
 
 
 if __name__ == "__main__":
