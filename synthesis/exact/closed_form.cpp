@@ -1,125 +1,32 @@
 #include "synthesis/exact/closed_form.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
-
-#include "analysis/four_bar.h"
-#include "synthesis/exact/crank_rocker.h"
-#include "synthesis/mechanism/four_bar/formulas.h"
-#include "synthesis/program/assess.h"
 
 namespace mechwright {
 
 namespace {
 
-constexpr std::size_t links = four_bar::links;
-
-/// What the closed form of the crank-rocker is asked.
-struct CrankRockerTask {
-    double swing = 0;
-    double time_ratio = 0;
-    std::optional<double> least_transmission;  ///< required
-};
-
-/// The task a problem poses, or nothing if it asks for anything else.
-std::optional<CrankRockerTask> crank_rocker_task(const Problem& problem) {
-    if (problem.path || problem.crank_range) return std::nullopt;
-    CrankRockerTask task;
-    for (const Requirement& r : problem.requirements) {
-        const Quantity& q = problem.mechanism->quantities[r.quantity];
-        if (is_measured_by<four_bar::Swing>(q) && r.equal && task.swing == 0)
-            task.swing = *r.equal;
-        else if (is_measured_by<four_bar::TimeRatio>(q) && r.equal && task.time_ratio == 0)
-            task.time_ratio = *r.equal;
-        else if (is_measured_by<four_bar::TransmissionAngleWorst>(q) && r.min && !r.max && !task.least_transmission)
-            task.least_transmission = *r.min;
-        else
-            return std::nullopt;
-    }
-    if (problem.objective) {
-        const Objective& objective = *problem.objective;
-        if (objective.terms.size() != 1 || !objective.terms.front().maximize) return std::nullopt;
-        const Quantity& q = problem.mechanism->quantities[objective.terms.front().quantity];
-        if (!is_measured_by<four_bar::TransmissionAngleWorst>(q)) return std::nullopt;
-    }
-    const bool makes_sense = task.swing > 0 && task.swing < std::numbers::pi && task.time_ratio > 1;
-    return makes_sense ? std::optional(task) : std::nullopt;
-}
-
-double worst_transmission(const FourBar<double>& m) {
-    const double least = transmission_angle(m, HalfTurn<double>{1, 0});
-    const double greatest = transmission_angle(m, HalfTurn<double>{0, 1});
-    return std::min(least, std::numbers::pi - greatest);
-}
-
-/// The linkage at a size at which all its links lie in their ranges: given by a fixed link or a preferred value, else
-/// in the middle of what the ranges allow.
-std::optional<FourBar<double>> sized(const Problem& problem, const FourBar<double>& m) {
-    const std::array<double, links> length{m.ground, m.crank, m.coupler, m.rocker};
-    double low = 0;
-    double high = std::numeric_limits<double>::infinity();
-    double wanted = 0;
-    for (std::size_t i = 0; i < links; ++i) {
-        const DimensionRange& range = problem.dimensions[i];
-        low = std::max(low, range.min / length[i]);
-        high = std::min(high, range.max / length[i]);
-        if (range.fixed() || (range.start && wanted == 0)) wanted = range.start.value_or(range.min) / length[i];
-    }
-    constexpr double rounding = 1e-14;
-    if (low > high * (1 + rounding)) return std::nullopt;
-    const double middle = std::sqrt(std::max(low, 0.01 * high) * high);
-    const double size = std::clamp(wanted > 0 ? wanted : middle, std::min(low, high), high);
-    return FourBar<double>{size * m.ground, size * m.crank, size * m.coupler, size * m.rocker};
-}
-
-Design design_of(const Problem& problem, const FourBar<double>& m) {
-    Design design;
-    const std::array<double, links> length{m.ground, m.crank, m.coupler, m.rocker};
-    for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
-        const DimensionRange& range = problem.dimensions[i];
-        const double middle = range.start.value_or(0.5 * (range.min + range.max));
-        design.dimensions.push_back(range.fixed() ? range.min : i < links ? length[i] : middle);
-    }
-    design.assembly = problem.assemblies.front();
-    return design;
+const std::array<ClosedForm, 4>& closed_forms() {
+    static const std::array<ClosedForm, 4> all{crank_rocker_closed_form(), slider_crank_closed_form(),
+                                               crank_shaper_closed_form(), whitworth_closed_form()};
+    return all;
 }
 
 }  // namespace
 
 std::string why_no_closed_form(const Problem& problem) {
-    if (crank_rocker_task(problem)) return {};
-    return "a closed form is known for crank-rockers with swing and time ratio (> 1) required as equalities and, "
-           "if anything more, the greatest transmission-angle-worst";
+    std::string known;
+    for (const ClosedForm& form : closed_forms()) {
+        if (form.covers(problem)) return {};
+        if (!form.good_for.empty()) known += (known.empty() ? "" : "; ") + std::string(form.good_for);
+    }
+    return "closed forms are known for " + known;
 }
 
 std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem) {
-    const auto task = crank_rocker_task(problem);
-    if (!task) return std::nullopt;
-    const double slow_stroke = 2 * std::numbers::pi * task->time_ratio / (1 + task->time_ratio);
-    const auto one = best_transmission_crank_rocker(task->swing, slow_stroke);
-    const auto other = best_transmission_crank_rocker(task->swing, 2 * std::numbers::pi - slow_stroke);
-    // Without both optima it is not known how good the members of the other family can be.
-    if (!one || !other) return std::nullopt;
-    const FourBar<double>& better = worst_transmission(*one) >= worst_transmission(*other) ? *one : *other;
-
-    ClosedFormOutcome outcome;
-    outcome.infeasible =
-        task->least_transmission && worst_transmission(better) < *task->least_transmission - problem.solver.tolerance;
-    // The bound holds at any size; where the ranges exclude its linkage, it is shown at the size of the first range.
-    auto linkage = sized(problem, better);
-    if (!linkage && !outcome.infeasible) return std::nullopt;
-    if (!linkage) {
-        const double ground = problem.dimensions[0].max;
-        linkage = FourBar<double>{ground, ground * better.crank, ground * better.coupler, ground * better.rocker};
-    }
-    outcome.best = assess(problem, design_of(problem, *linkage));
-    if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;
-    outcome.argument =
-        "closed form: all crank-rockers of this swing and time ratio form two one-parameter families, one "
-        "for each direction of the crank; this is the better of their two optima";
-    return outcome;
+    for (const ClosedForm& form : closed_forms())
+        if (form.covers(problem)) return form.solve(problem);
+    return std::nullopt;
 }
 
 }  // namespace mechwright

@@ -22,4 +22,17 @@ std::string why_no_closed_form(const Problem& problem);
 /// The answer in closed form, if there is one. Precondition: why_no_closed_form is empty.
 std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem);
 
+/// One closed form: whether it covers a problem, its answer if so, and what it is good for in half a sentence.
+struct ClosedForm {
+    bool (*covers)(const Problem&);
+    std::optional<ClosedFormOutcome> (*solve)(const Problem&);
+    std::string_view good_for;
+};
+
+/// Crank-rockers of given swing and time ratio; ram-driving mechanisms of given time ratio and perhaps stroke.
+ClosedForm crank_rocker_closed_form();
+ClosedForm slider_crank_closed_form();
+ClosedForm crank_shaper_closed_form();
+ClosedForm whitworth_closed_form();
+
 }  // namespace mechwright

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 
+#include "analysis/extremes.h"
 #include "analysis/numbers/dual.h"
 #include "analysis/numbers/second_dual.h"
 #include "synthesis/mechanism/mechanism.h"
@@ -24,6 +25,25 @@ std::array<T, N> seeded(std::span<const double> dimensions) {
             x[i] = T(dimensions[i]);
     }
     return x;
+}
+
+/// The value of f(x, z) at a z where f is stationary in it, as a function of x: up to first derivatives that z is a
+/// constant, to second ones the envelope theorem counts (extremes.h).
+template <class T, std::size_t N, class Function>
+T at_stationary(const std::array<T, N>& x, double z, const Function& f) {
+    return f(x, T(z));
+}
+
+template <std::size_t N, class Function>
+SecondDual<double, N> at_stationary(const std::array<SecondDual<double, N>, N>& x, double z, const Function& f) {
+    using Wide = SecondDual<double, N + 1>;
+    std::array<Wide, N> wide;
+    for (std::size_t i = 0; i < N; ++i) {
+        wide[i] = Wide(x[i].value);
+        std::copy(x[i].first.begin(), x[i].first.end(), wide[i].first.begin());
+        std::copy(x[i].second.begin(), x[i].second.end(), wide[i].second.begin());
+    }
+    return stationary_value(f(wide, Wide::variable(z, N)));
 }
 
 /// Where a formula writes the components of its quantity: room for `Formula::most` of them.

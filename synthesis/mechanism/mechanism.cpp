@@ -4,11 +4,13 @@
 #include <numeric>
 
 #include "synthesis/mechanism/four_bar/four_bar.h"
+#include "synthesis/mechanism/quick_return/quick_return.h"
 
 namespace mechwright {
 
 std::span<const Mechanism* const> mechanisms() {
-    static const std::array all{&four_bar_mechanism()};
+    static const std::array all{&four_bar_mechanism(), &slider_crank_mechanism(), &crank_shaper_mechanism(),
+                                &whitworth_mechanism(), &drag_link_mechanism()};
     return all;
 }
 

@@ -99,6 +99,18 @@ std::vector<std::size_t> read_assemblies(Section& section, const Mechanism& mech
     return all;
 }
 
+/// Ranges in which no design of the mechanism lies.
+void report_objection(const Section& section, const Problem& problem, Messages& messages) {
+    std::vector<double> least, greatest;
+    for (const DimensionRange& range : problem.dimensions) {
+        least.push_back(range.min);
+        greatest.push_back(range.max);
+    }
+    if (const auto objection = problem.mechanism->objection(least, greatest))
+        add_error(messages, place_of(section, problem.mechanism->dimensions[objection->dimension].name),
+                  objection->why);
+}
+
 /// "'a', 'b'" of the dimensions that a file must give.
 std::string required_names(const Mechanism& mechanism) {
     std::vector<std::string_view> names;
@@ -122,8 +134,11 @@ void read_dimensions(Section& file, Problem& problem, Messages& messages) {
                                   required_names(mechanism)));
         return;
     }
+    const std::size_t messages_before = messages.entries.size();
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
         problem.dimensions[i] = read_dimension(*section, mechanism.dimensions[i], problem.units, messages);
+    if (mechanism.objection != nullptr && messages.entries.size() == messages_before)
+        report_objection(*section, problem, messages);
     problem.assemblies = read_assemblies(*section, mechanism, messages);
     report_unknown_keys(*section, messages);
 }

@@ -3,6 +3,7 @@
 /// A problem file as plain values: angles in radians, lengths as in the file, quantities and dimensions as indices into
 /// the registry of the mechanism. After reading, nothing else of the file is looked at.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -78,7 +79,8 @@ struct Problem {
     std::vector<Requirement> requirements;
     std::optional<Objective> objective;
     std::optional<PathTarget> path;
-    std::optional<Vector<double>> crank_range;  ///< (from, to), radians
+    std::optional<Vector<double>> crank_range;     ///< (from, to), radians
+    std::array<double, Setting::most> settings{};  ///< of the mechanism, in the order of Mechanism::settings
     SolverOptions solver;
 };
 

@@ -39,12 +39,11 @@ struct Missing {
 };
 
 /// Sections of the format that belong to kinds of synthesis which are not built in.
-constexpr std::array<Missing, 6> not_built_in{{{"function", "function generation"},
+constexpr std::array<Missing, 5> not_built_in{{{"function", "function generation"},
                                                {"poses", "body guidance through poses"},
                                                {"study", "parameter studies"},
                                                {"cam", "cams"},
-                                               {"segment", "cams"},
-                                               {"quick-return", "quick returns"}}};
+                                               {"segment", "cams"}}};
 
 void report_not_built_in(Section& file, Messages& messages) {
     for (const Missing& missing : not_built_in) {
@@ -65,6 +64,7 @@ void read_table(const toml::table& table, Problem& problem, Messages& messages) 
     read_path(file, problem, messages);
     read_objective(file, problem, messages);
     read_motion(file, problem, messages);
+    read_settings(file, problem, messages);
     read_solver(file, problem, messages);
     read_requirements(file, problem, messages);
     report_not_built_in(file, messages);

@@ -23,6 +23,8 @@ void read_requirements(Section& file, Problem& problem, Messages& messages);
 void read_objective(Section& file, Problem& problem, Messages& messages);
 void read_path(Section& file, Problem& problem, Messages& messages);
 void read_motion(Section& file, Problem& problem, Messages& messages);
+/// The sections that the mechanism's settings stand in.
+void read_settings(Section& file, Problem& problem, Messages& messages);
 void read_solver(Section& file, Problem& problem, Messages& messages);
 
 /// A quantity of the mechanism by its name: its index. Path quantities are accepted only in files with a [path].

@@ -35,7 +35,10 @@ std::optional<double> reduced(Reduce reduce, std::span<const double> components)
 Motion motion_of(const Problem& problem, const Design& design) {
     const std::array<double, 2> range =
         problem.crank_range ? std::array{problem.crank_range->x, problem.crank_range->y} : std::array<double, 2>{};
-    return problem.mechanism->motion(design.dimensions, design.assembly, problem.crank_range ? range.data() : nullptr);
+    Motion motion =
+        problem.mechanism->motion(design.dimensions, design.assembly, problem.crank_range ? range.data() : nullptr);
+    motion.settings = problem.settings;
+    return motion;
 }
 
 std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design) {

@@ -187,6 +187,8 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
     json["dimensions"] = given_dimensions(problem);
     if (problem.crank_range)
         json["crank_range"] = angles({problem.crank_range->x, problem.crank_range->y}, problem.units);
+    for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)
+        json["settings"][std::string(problem.mechanism->settings[i].name)] = problem.settings[i];
     if (best) {
         json["design"] = design_of(problem, best->design);
         if (problem.objective) json["objective"] = objective_of(problem, *best);

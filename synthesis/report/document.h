@@ -12,6 +12,7 @@
 ///   tolerance      relative, on every requirement
 ///   dimensions     what was given: name -> number (fixed) or {min, max}; only those named in the file
 ///   [crank_range]  [from, to] if the file limits the motion
+///   [settings]     name -> number, where the mechanism has any (working-share)
 ///   [design]       every dimension by name (optional ones only if named in the file or not 0), assembly, then
 ///                  kind ("crank-rocker", ...)
 ///   [objective]    quantity, sense, value; for several: terms [{quantity, sense, weight, value}], reduce, value

@@ -56,7 +56,7 @@ Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) 
             "ipopt look for the best design within them";
         return found;
     }
-    found.candidates.push_back(*outcome->best);
+    if (outcome->best) found.candidates.push_back(*outcome->best);
     found.infeasible = outcome->infeasible;
     found.report.complete = true;
     found.report.argument = outcome->argument;
@@ -93,7 +93,10 @@ Found automatic(const Problem& problem, const RunOptions& options, Clock::time_p
 
 constexpr std::array<Method, 4> methods{{
     {"auto", "a closed form where one covers the problem, else slsqp", why_no_search, automatic},
-    {"closed-form", "crank-rockers of given swing and time ratio with the best transmission angle: the global optimum",
+    {"closed-form",
+     "crank-rockers of given swing and time ratio, slider-cranks, crank shapers and Whitworth drives of given time "
+     "ratio "
+     "and stroke, with the best transmission angle: the global optimum",
      why_no_closed_form, closed_form},
     {"slsqp", "sequential quadratic programming (NLopt) from many starts, exact gradients, Newton polish",
      why_no_search, with_slsqp},
@@ -166,7 +169,9 @@ Result solve(const Problem& problem, const RunOptions& options) {
     else
         result.status = result.verified() ? Status::solved : Status::unverified;
     if (result.status == Status::infeasible) {
-        if (found.infeasible)
+        if (found.infeasible && !result.best)
+            result.note = "proved: no design meets the requirements; " + found.report.argument;
+        else if (found.infeasible)
             result.note = "proved: no design meets the requirements; the best that can be had is shown";
         else if (result.best)
             result.note = "no design was found by a search that ran to its end; the least-violating one is shown";

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -110,6 +111,24 @@ void read_crank_range(Reader& in, const Json& document, Claim& claim) {
     if (!(ends[0] < ends[1])) in.fail("crank_range does not rise");
 }
 
+void read_settings(Reader& in, const Json& document, Claim& claim) {
+    const auto settings = claim.mechanism->settings;
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        claim.settings[i] = settings[i].preset;
+    const Json* json = member(document, "settings");
+    if (!json || !in.object(json, "settings")) return;
+    for (const auto& [name, value] : json->items()) {
+        const std::string place = "settings." + reading::quoted(name);
+        const auto at =
+            std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.name == name; });
+        if (at == settings.end()) return in.fail(fmt::format("a {} does not have {}", claim.mechanism->name, place));
+        const double number = in.number(&value, place);
+        if (!(number > at->above && number < at->below))
+            in.fail(fmt::format("{} is {}, not between {} and {}", place, number, at->above, at->below));
+        claim.settings[static_cast<std::size_t>(at - settings.begin())] = number;
+    }
+}
+
 void read_requirements(Reader& in, const Json& document, Claim& claim) {
     const Json* list = member(document, "requirements");
     if (!list || !in.array(list, "requirements", most_entries)) return;
@@ -210,8 +229,8 @@ ReadClaim read_claim(const Json& document) {
     Claim claim;
     if (!document.is_object()) return {{}, "it is not a JSON object"};
     read_head(in, document, claim);
-    for (const auto read :
-         {read_given, read_design, read_crank_range, read_requirements, read_objective, read_quantities, read_path})
+    for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_requirements, read_objective,
+                            read_quantities, read_path})
         if (in.understood()) read(in, document, claim);
     return {std::move(claim), in.defect};
 }

@@ -61,6 +61,7 @@ struct Claim {
     std::size_t assembly = 0;
     std::optional<std::string> kind;
     std::optional<Vector<double>> crank_range;
+    std::array<double, Setting::most> settings{};  ///< presets where they are not stated
     std::vector<ClaimedRequirement> requirements;
     std::optional<ClaimedObjective> objective;
     std::vector<std::pair<std::size_t, double>> quantities;  ///< quantity and its value

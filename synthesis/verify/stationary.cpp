@@ -17,7 +17,7 @@ void add_cluster(double place, double widest, const Sweep& sweep, std::vector<do
 
 }  // namespace
 
-std::vector<double> sample_angles(const Sweep& sweep) {
+std::vector<double> sample_angles(const Sweep& sweep, const std::vector<double>& fast) {
     const double span = sweep.to - sweep.from;
     const int steps = std::max(32, static_cast<int>(std::ceil(span * 360 / pi)));
     std::vector<double> samples;
@@ -31,6 +31,8 @@ std::vector<double> sample_angles(const Sweep& sweep) {
     add_cluster(sweep.to, widest, sweep, samples);
     for (double k = std::ceil(sweep.from / pi); k * pi <= sweep.to; ++k)
         add_cluster(k * pi, widest, sweep, samples);
+    for (const double place : fast)
+        add_cluster(place, widest, sweep, samples);
     std::sort(samples.begin(), samples.end());
     samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
     return samples;

@@ -38,8 +38,9 @@ inline bool is_motion(const Motion& motion) {
 }
 
 /// Crank angles in increasing order over a sweep: even steps of half a degree, and steps that shrink by halves towards
-/// the ends and the multiples of pi, where a linkage close to a change point or a toggle has its fast motion.
-std::vector<double> sample_angles(const Sweep& sweep);
+/// the ends, the multiples of pi, where a linkage close to a change point or a toggle has its fast motion, and other
+/// such places.
+std::vector<double> sample_angles(const Sweep& sweep, const std::vector<double>& fast = {});
 
 /// An interval in which a function changes its sign.
 struct Bracket {
@@ -135,9 +136,10 @@ Digits50 polished_zero(const Rough& rough, const Fine& fine, const Bracket& brac
 /// All zeros of a slope over a sweep. `rough` is the slope in double, `fine` in fifty digits. No mechanism has as many
 /// stationary points as make a slope rounding noise; those of a measure that is constant are left in double.
 template <class Rough, class Fine>
-std::vector<Digits50> stationary_points(const Sweep& sweep, const Rough& rough, const Fine& fine) {
+std::vector<Digits50> stationary_points(const Sweep& sweep, const Rough& rough, const Fine& fine,
+                                        const std::vector<double>& fast = {}) {
     constexpr std::size_t noise = 64;
-    const auto brackets = brackets_of_zeros(rough, sample_angles(sweep));
+    const auto brackets = brackets_of_zeros(rough, sample_angles(sweep, fast));
     std::vector<Digits50> points;
     points.reserve(brackets.size());
     for (const Bracket& bracket : brackets)

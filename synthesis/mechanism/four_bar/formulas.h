@@ -152,29 +152,9 @@ struct VelocityRatioExtreme {
     static std::size_t places(const Motion& motion) { return motion.full_turn ? 3 : 5; }
 
     template <class T>
-    static T value_at(const FourBar<T>& m, double angle, bool, Assembly assembly) {
-        return velocity_ratio(m, T(angle), assembly);
-    }
-
-    template <std::size_t N>
-    static SecondDual<double, N> value_at(const FourBar<SecondDual<double, N>>& m, double angle, bool stationary,
-                                          Assembly assembly) {
-        using Wide = SecondDual<double, N + 1>;
-        const auto widen = [](const SecondDual<double, N>& x) {
-            Wide w(x.value);
-            std::copy(x.first.begin(), x.first.end(), w.first.begin());
-            std::copy(x.second.begin(), x.second.end(), w.second.begin());
-            return w;
-        };
-        if (!stationary) return velocity_ratio(m, SecondDual<double, N>(angle), assembly);
-        const FourBar<Wide> wide{widen(m.ground), widen(m.crank), widen(m.coupler), widen(m.rocker)};
-        return stationary_value(velocity_ratio(wide, Wide::variable(angle, N), assembly));
-    }
-
-    template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
         const FourBar<T> m = linkage(x);
-        const FourBar<double> plain{value_of(m.ground), value_of(m.crank), value_of(m.coupler), value_of(m.rocker)};
+        const FourBar<double> plain = converted<double>(m);
         const Assembly assembly = assembly_of(motion);
         const CrankRange<double> range{motion.full_turn, motion.from, motion.to};
         const auto extremes = velocity_ratio_extremes(plain, assembly, range);
@@ -183,7 +163,10 @@ struct VelocityRatioExtreme {
             double value;
             bool stationary;
         };
-        std::array<Found, VelocityRatioExtremes::most> found{};
+        const auto ratio = [&]<class U>(const std::array<U, links>& lengths, const U& angle) {
+            return velocity_ratio(linkage(lengths), angle, assembly);
+        };
+        std::array<Found, VelocityRatioExtremes::capacity> found{};
         for (std::size_t i = 0; i < extremes.count; ++i) {
             const bool end = !motion.full_turn && (i == 0 || i + 1 == extremes.count);
             found[i] = {extremes.at[i], velocity_ratio(plain, extremes.at[i], assembly), !end};
@@ -197,7 +180,7 @@ struct VelocityRatioExtreme {
                 continue;
             }
             const Found& f = found[std::min(k, extremes.count - 1)];
-            out[k] = value_at(m, f.angle, f.stationary, assembly);
+            out[k] = f.stationary ? at_stationary(x, f.angle, ratio) : ratio(x, T(f.angle));
         }
         return count;
     }

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "analysis/four_bar.h"
+#include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/mechanism/four_bar/measure_again.h"
-#include "synthesis/mechanism/four_bar/path.h"
 
 namespace mechwright {
 
@@ -72,18 +72,9 @@ const std::array<Quantity, 13> quantities{{
     {"grashof-margin", Unit::length,
      "p + q - s - l: the middle links less shortest and longest; < 0: no link turns fully", Reduce::least, links,
      of_any, grashof_components, measure_by<GrashofMargin>, grashof_margin_again},
-    {.name = "path-sse",
-     .unit = Unit::area,
-     .meaning = "weighted sum of squared distances from the target points",
-     .path = PathMeasure::sum_of_squares},
-    {.name = "path-rms",
-     .unit = Unit::length,
-     .meaning = "root of the weighted mean of squared distances from the target points",
-     .path = PathMeasure::root_mean_square},
-    {.name = "path-max",
-     .unit = Unit::length,
-     .meaning = "greatest distance from a target point",
-     .path = PathMeasure::greatest},
+    path_quantities[0],
+    path_quantities[1],
+    path_quantities[2],
 }};
 
 /// Not a quantity of the contract: what keeps a design of limited range assembled.
@@ -182,9 +173,9 @@ const Mechanism& four_bar_mechanism() {
                                      .motion = motion_of,
                                      .describe = describe,
                                      .check_motion = four_bar_check_motion,
-                                     .path_reads = path_reads,
+                                     .path_reads = CouplerPath::reads,
                                      .path_roles = {4, 5, 6, 7, 8, 9},
-                                     .path_miss = path_miss,
+                                     .path_miss = path_miss_by<CouplerPath>,
                                      .path_point = four_bar_path_point,
                                      .motion_columns = motion_columns,
                                      .motion_units = motion_units,

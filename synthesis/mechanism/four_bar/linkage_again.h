@@ -27,8 +27,8 @@ struct Linkage {
     T side;             ///< +1 open, -1 crossed
 };
 
-template <class To>
-Linkage<To> rounded(const Linkage<Digits50>& m) {
+template <class To, class From>
+Linkage<To> rounded(const Linkage<From>& m) {
     return {To(m.ground),          To(m.crank),        To(m.coupler),       To(m.rocker), To(m.ground_less_crank),
             To(m.stretch_at_zero), To(m.fold_at_zero), To(m.square_excess), To(m.side)};
 }

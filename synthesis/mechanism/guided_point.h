@@ -1,0 +1,68 @@
+#pragma once
+/// \file
+/// Turns the formula of a guided point, written once as a template, into the path_miss of the registry; and the
+/// quantities that every mechanism with such a point has.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "synthesis/mechanism/measured.h"
+
+namespace mechwright {
+
+/// What the formula of a guided point gives: target - point, and the least length by which the mechanism closes.
+template <class T>
+struct MissAndMargin {
+    Vector<T> miss;
+    double margin;
+};
+
+/// The path_miss of a formula with `static constexpr std::size_t reads` and
+/// `template <class T> static MissAndMargin<T> miss(std::size_t assembly, const std::array<T, reads + 1>& x,
+/// const Vector<double>& target)`, where x are the dimensions that are read and the crank angle.
+template <class Formula>
+void path_miss_by(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
+                  const Vector<double>& target, PathMiss& out) {
+    constexpr std::size_t n = Formula::reads + 1;
+    std::array<double, n> at{};
+    std::copy_n(dimensions.begin(), Formula::reads, at.begin());
+    at[Formula::reads] = crank_angle;
+    const auto evaluate = [&]<class T>(const std::array<T, n>& x) {
+        const MissAndMargin<T> r = Formula::miss(assembly, x, target);
+        out.miss = {value_of(r.miss.x), value_of(r.miss.y)};
+        out.margin = r.margin;
+        return r.miss;
+    };
+    if (!out.hessian_x.empty()) {
+        const auto miss = evaluate(seeded<SecondDual<double, n>, n>(at));
+        std::copy(miss.x.first.begin(), miss.x.first.end(), out.gradient_x.begin());
+        std::copy(miss.y.first.begin(), miss.y.first.end(), out.gradient_y.begin());
+        std::copy(miss.x.second.begin(), miss.x.second.end(), out.hessian_x.begin());
+        std::copy(miss.y.second.begin(), miss.y.second.end(), out.hessian_y.begin());
+    } else if (!out.gradient_x.empty()) {
+        const auto miss = evaluate(seeded<Dual<double, n>, n>(at));
+        std::copy(miss.x.partial.begin(), miss.x.partial.end(), out.gradient_x.begin());
+        std::copy(miss.y.partial.begin(), miss.y.partial.end(), out.gradient_y.begin());
+    } else {
+        evaluate(at);
+    }
+}
+
+inline constexpr std::array<Quantity, 3> path_quantities{{
+    {.name = "path-sse",
+     .unit = Unit::area,
+     .meaning = "weighted sum of squared distances from the target points",
+     .path = PathMeasure::sum_of_squares},
+    {.name = "path-rms",
+     .unit = Unit::length,
+     .meaning = "root of the weighted mean of squared distances from the target points",
+     .path = PathMeasure::root_mean_square},
+    {.name = "path-max",
+     .unit = Unit::length,
+     .meaning = "greatest distance from a target point",
+     .path = PathMeasure::greatest},
+}};
+
+}  // namespace mechwright

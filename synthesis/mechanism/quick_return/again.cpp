@@ -1,0 +1,250 @@
+#include "synthesis/mechanism/quick_return/again.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "synthesis/mechanism/four_bar/measure_again.h"
+#include "synthesis/mechanism/quick_return/ram_places.h"
+
+namespace mechwright::quick_return {
+
+namespace {
+
+using namespace again;
+
+const Digits50 nothing = std::numeric_limits<Digits50>::quiet_NaN();
+constexpr std::size_t two_strokes = 0;  // family
+
+const Digits50& full_turn_angle() { return boost::math::constants::two_pi<Digits50>(); }
+
+/// Stationary crank angles, and the ends of a limited motion.
+template <class Geometry>
+std::vector<Digits50> candidates(const Rebuilt<Geometry>& m, const Motion& motion, Slope what) {
+    const Sweep sweep = sweep_of(motion);
+    auto all = stationary_crank_angles(m, sweep, what);
+    if (motion.full_turn) return all;
+    all.emplace_back(sweep.from);
+    all.emplace_back(sweep.to);
+    return all;
+}
+
+/// The crank angles with the least and the greatest ram position over a motion.
+struct Limits {
+    Digits50 inner_at, outer_at;
+    Digits50 inner = nothing, outer = nothing;
+};
+
+template <class Geometry>
+Limits limits(const Rebuilt<Geometry>& m, const Motion& motion) {
+    Limits found;
+    for (const Digits50& x : candidates(m, motion, Slope::position)) {
+        const Digits50 position = m.at(x).position.c[0];
+        if (isnan(position)) continue;
+        if (!(position >= found.inner)) {
+            found.inner = position;
+            found.inner_at = x;
+        }
+        if (!(position <= found.outer)) {
+            found.outer = position;
+            found.outer_at = x;
+        }
+    }
+    return found;
+}
+
+/// The angle from one crank angle on to another, in [0, 2 pi).
+Digits50 ahead(const Digits50& from, const Digits50& to) {
+    const Digits50 angle = to - from;
+    return angle - full_turn_angle() * floor(angle / full_turn_angle());
+}
+
+/// The slow stroke: it begins at a limit of the ram and takes an angle.
+struct SlowStroke {
+    Digits50 begin, angle;
+    Digits50 first, last;  ///< positions
+};
+
+SlowStroke slow_stroke(const Limits& l) {
+    const Digits50 outward = ahead(l.inner_at, l.outer_at);
+    const Digits50 inward = full_turn_angle() - outward;
+    if (outward >= inward) return {l.inner_at, outward, l.inner, l.outer};
+    return {l.outer_at, inward, l.outer, l.inner};
+}
+
+/// Greatest of a derivative's absolute value (order 1: speed, 2: acceleration) over the motion.
+template <class Geometry>
+Digits50 greatest(const Rebuilt<Geometry>& m, const Motion& motion, std::size_t order) {
+    Digits50 most = nothing;
+    for (const Digits50& x : candidates(m, motion, order == 1 ? Slope::velocity : Slope::acceleration)) {
+        const Digits50 value = abs(m.at(x).position.c[order]) * (order == 1 ? 1 : 2);
+        if (!isnan(value) && !(value <= most)) most = value;
+    }
+    return m.unit * most;
+}
+
+/// Speeds on the working part of the slow stroke, lengths over the unit.
+struct Working {
+    Digits50 least = nothing, greatest = nothing;
+    Digits50 mean;
+};
+
+template <class Geometry>
+Working working(const Rebuilt<Geometry>& m, const Motion& motion) {
+    Working w;
+    const Limits l = limits(m, motion);
+    if (isnan(l.inner) || !(l.outer > l.inner)) return w;
+    const SlowStroke slow = slow_stroke(l);
+    const double share = motion.settings[0];
+    const auto reached = [&](const Digits50& part) {
+        const Digits50 target = slow.first + part * (slow.last - slow.first);
+        const auto off = [&](const Digits50& x) { return (m.at(x).position.c[0] - target) / (slow.last - slow.first); };
+        const Digits50 end = slow.begin + slow.angle;
+        return mechwright::detail::zero_between_signs(off, slow.begin, end, Digits50(-part), Digits50(1 - part), 1e-44);
+    };
+    const Digits50 margin = (1 - Digits50(share)) / 2;
+    const Digits50 from = reached(margin), to = reached(1 - margin);
+    auto places =
+        stationary_crank_angles(m, Sweep{from.convert_to<double>(), to.convert_to<double>()}, Slope::velocity);
+    std::erase_if(places, [&](const Digits50& x) { return x < from || x > to; });
+    places.push_back(from);
+    places.push_back(to);
+    for (const Digits50& x : places) {
+        const Digits50 speed = abs(m.at(x).position.c[1]);
+        if (!(speed >= w.least)) w.least = speed;
+        if (!(speed <= w.greatest)) w.greatest = speed;
+    }
+    w.mean = share * (l.outer - l.inner) / (to - from);
+    return w;
+}
+
+/// The least and the greatest angle at the ram, a right angle less the slope of the rod.
+struct AtRam {
+    Digits50 least = nothing, greatest = nothing;
+};
+
+template <class Geometry>
+AtRam at_ram(const Rebuilt<Geometry>& m, const Motion& motion) {
+    AtRam found;
+    bool rising = false, falling = false;  // the rod
+    for (const Digits50& x : candidates(m, motion, Slope::rod_height)) {
+        const auto s = m.at(x);
+        const Digits50 angle = atan2(s.run.c[0], abs(s.height.c[0]));
+        if (isnan(angle)) continue;
+        if (!(angle >= found.least)) found.least = angle;
+        if (!(angle <= found.greatest)) found.greatest = angle;
+        (s.height.c[0] >= 0 ? rising : falling) = true;
+    }
+    if (rising && falling) found.greatest = boost::math::constants::half_pi<Digits50>();
+    return found;
+}
+
+template <class Geometry>
+constexpr bool has_four_bar = std::is_same_v<Geometry, DragLinkGeometry>;
+
+}  // namespace
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::stroke(const Motion& motion, Dimensions dimensions) {
+    if (!is_motion(motion)) return nothing;
+    const Rebuilt<Geometry> m(motion.assembly, dimensions);
+    const Limits l = limits(m, motion);
+    return m.unit * (l.outer - l.inner);
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::time_ratio(const Motion& motion, Dimensions dimensions) {
+    if (motion.family != two_strokes) return nothing;
+    const Limits l = limits(Rebuilt<Geometry>(motion.assembly, dimensions), motion);
+    if (isnan(l.inner)) return nothing;
+    const Digits50 slow = slow_stroke(l).angle;
+    return slow / (full_turn_angle() - slow);
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::transmission_angle_min(const Motion& motion, Dimensions dimensions) {
+    if (!is_motion(motion)) return nothing;
+    const Digits50 least = at_ram(Rebuilt<Geometry>(motion.assembly, dimensions), motion).least;
+    if constexpr (has_four_bar<Geometry>)
+        return std::min<Digits50>(least, four_bar::transmission_angle_min_again(motion, dimensions));
+    return least;
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::transmission_angle_max(const Motion& motion, Dimensions dimensions) {
+    if (!is_motion(motion)) return nothing;
+    const Digits50 most = at_ram(Rebuilt<Geometry>(motion.assembly, dimensions), motion).greatest;
+    if constexpr (has_four_bar<Geometry>)
+        return std::max<Digits50>(most, four_bar::transmission_angle_max_again(motion, dimensions));
+    return most;
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::transmission_angle_worst(const Motion& motion, Dimensions dimensions) {
+    if (!is_motion(motion)) return nothing;
+    const Digits50 least = at_ram(Rebuilt<Geometry>(motion.assembly, dimensions), motion).least;
+    if constexpr (has_four_bar<Geometry>)
+        return std::min<Digits50>(least, four_bar::transmission_angle_worst_again(motion, dimensions));
+    return least;
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::ram_speed_max(const Motion& motion, Dimensions dimensions) {
+    return is_motion(motion) ? greatest(Rebuilt<Geometry>(motion.assembly, dimensions), motion, 1) : nothing;
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::ram_acceleration_max(const Motion& motion, Dimensions dimensions) {
+    return is_motion(motion) ? greatest(Rebuilt<Geometry>(motion.assembly, dimensions), motion, 2) : nothing;
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::ram_speed_min_working(const Motion& motion, Dimensions dimensions) {
+    if (motion.family != two_strokes) return nothing;
+    const Rebuilt<Geometry> m(motion.assembly, dimensions);
+    return m.unit * working(m, motion).least;
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::speed_variation(const Motion& motion, Dimensions dimensions) {
+    if (motion.family != two_strokes) return nothing;
+    const Working w = working(Rebuilt<Geometry>(motion.assembly, dimensions), motion);
+    return (w.greatest - w.least) / w.mean;
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::link_ratio(const Motion&, Dimensions dimensions) {
+    Digits50 shortest = dimensions[Geometry::links[0]], longest = shortest;
+    for (const std::size_t i : Geometry::links) {
+        shortest = std::min(shortest, dimensions[i]);
+        longest = std::max(longest, dimensions[i]);
+    }
+    return longest / shortest;
+}
+
+template <class Geometry>
+Digits50 RamAgain<Geometry>::total_length(const Motion&, Dimensions dimensions) {
+    Digits50 sum = 0;
+    for (const std::size_t i : Geometry::links)
+        sum += dimensions[i];
+    return sum;
+}
+
+Vector<Digits50> rod_path_point(std::size_t assembly, std::span<const Digits50> dimensions,
+                                const Digits50& crank_angle) {
+    const Rebuilt<SliderCrankGeometry> m(assembly, dimensions);
+    const auto s = m.at(crank_angle);
+    if (!(s.right.c[0] >= 0 && s.left.c[0] >= 0)) return {nothing, nothing};
+    const Vector<Digits50> along{s.run.c[0] / m.rod.rod, s.height.c[0] / m.rod.rod};
+    const Vector<Digits50> pin{dimensions[0] * cos(crank_angle), dimensions[0] * sin(crank_angle)};
+    const Vector<Digits50> local = pin + turned(Vector<Digits50>{dimensions[3], dimensions[4]}, along);
+    return Vector<Digits50>{dimensions[5], dimensions[6]} +
+           turned(local, Vector<Digits50>{cos(dimensions[7]), sin(dimensions[7])});
+}
+
+// check_motion stands in check_ram.cpp, and is instantiated there.
+template struct RamAgain<SliderCrankGeometry>;
+template struct RamAgain<CrankShaperGeometry>;
+template struct RamAgain<WhitworthGeometry>;
+template struct RamAgain<DragLinkGeometry>;
+
+}  // namespace mechwright::quick_return

@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// The quantities of ram-driving mechanisms measured a second time, for verification: over the continuous motion, in
+/// fifty digits, by Taylor series in the crank angle from a geometry of its own (ram_again.h). Nothing of
+/// analysis/quick_return is used, so that a mistake there cannot hide here.
+///
+/// Every function takes the motion (families 0: two strokes in each full turn, 1: any other) and the dimensions in the
+/// mechanism's order; lengths in any one unit, angles in radians. A quantity that is not defined for the motion, or a
+/// motion that cannot be, gives NaN. What each quantity is stands in the registry (drive.h).
+
+#include <span>
+#include <vector>
+
+#include "synthesis/mechanism/mechanism.h"
+#include "synthesis/mechanism/quick_return/ram_again.h"
+
+namespace mechwright::quick_return {
+
+template <class Geometry>
+struct RamAgain {
+    using Dimensions = std::span<const Digits50>;
+
+    static Digits50 stroke(const Motion& motion, Dimensions dimensions);
+    static Digits50 time_ratio(const Motion& motion, Dimensions dimensions);
+    static Digits50 transmission_angle_min(const Motion& motion, Dimensions dimensions);
+    static Digits50 transmission_angle_max(const Motion& motion, Dimensions dimensions);
+    static Digits50 transmission_angle_worst(const Motion& motion, Dimensions dimensions);
+    static Digits50 ram_speed_max(const Motion& motion, Dimensions dimensions);
+    static Digits50 ram_speed_min_working(const Motion& motion, Dimensions dimensions);
+    static Digits50 speed_variation(const Motion& motion, Dimensions dimensions);
+    static Digits50 ram_acceleration_max(const Motion& motion, Dimensions dimensions);
+    static Digits50 link_ratio(const Motion& motion, Dimensions dimensions);
+    static Digits50 total_length(const Motion& motion, Dimensions dimensions);
+
+    /// In this order: the dimensions are positive and finite; for slotted arms, crank and centre distance are those of
+    /// the mechanism; for a drag link the checks of its four-bar; the rod reaches the slide over the whole motion; it
+    /// stays on one branch; where the family says so, the ram makes two strokes in each turn. Where the first fails the
+    /// others are left out. Over a limited motion the two ends, and only they, may be dead positions of the rod.
+    static std::vector<Check> check_motion(const Motion& motion, Dimensions dimensions);
+};
+
+using SliderCrankAgain = RamAgain<again::SliderCrankGeometry>;
+using CrankShaperAgain = RamAgain<again::CrankShaperGeometry>;
+using WhitworthAgain = RamAgain<again::WhitworthGeometry>;
+using DragLinkAgain = RamAgain<again::DragLinkGeometry>;
+
+/// The point of a slider-crank's rod in the drawing at a crank angle (radians, counted from the slide); NaN where the
+/// mechanism does not assemble.
+Vector<Digits50> rod_path_point(std::size_t assembly, std::span<const Digits50> dimensions,
+                                const Digits50& crank_angle);
+
+}  // namespace mechwright::quick_return

@@ -1,0 +1,206 @@
+#pragma once
+/// \file
+/// The quantities of ram-driving mechanisms as smooth components (measured.h), each from the analysis of the mechanism.
+/// Those of the rod's transmission angle stand in transmission.h.
+
+#include <array>
+#include <cstddef>
+
+#include "synthesis/mechanism/quick_return/places.h"
+
+namespace mechwright::quick_return {
+
+/// The two ways round: a ratio and its reciprocal. Of a crank shaper the outward stroke always is the slow one.
+template <template <class> class Drive>
+struct TimeRatio {
+    static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t most = std::is_same_v<Drive<double>, CrankShaper<double>> ? 1 : 2;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        const Strokes<T> s = strokes(Layout<Drive>::make(x, motion.assembly));
+        out[0] = s.outward / s.inward;
+        if constexpr (most > 1) out[1] = s.inward / s.outward;
+        return most;
+    }
+};
+
+/// In closed form where the ram makes two strokes in each turn; else the greatest difference of two positions.
+template <template <class> class Drive>
+struct Stroke {
+    static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t turning_points = 4;
+    static constexpr std::size_t most = (turning_points + 2) * (turning_points + 1);
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        if (motion.family == full_turn) {
+            out[0] = stroke(Layout<Drive>::make(x, motion.assembly));
+            return 1;
+        }
+        const auto position = [&]<class U>(const std::array<U, reads>& dimensions, const U& angle) {
+            return ram_position(Layout<Drive>::make(dimensions, motion.assembly), angle);
+        };
+        const Drive<double> plain = converted<double>(Layout<Drive>::make(x, motion.assembly));
+        const auto inside =
+            stationary_places<turning_points>(ram_position_extremes(plain, range_of(motion)), motion.from,
+                                              [&](double angle) { return ram_position(plain, angle); });
+        std::array<T, turning_points + 2> at;
+        at[0] = position(x, T(motion.from));
+        at[1] = position(x, T(motion.to));
+        for (std::size_t k = 0; k < turning_points; ++k)
+            at[k + 2] = value_at(x, inside[k], position);
+        return differences(at, out);
+    }
+};
+
+namespace detail {
+
+/// Absolute values of a measure of the ram at its stationary points, and at the ends of a limited motion.
+template <std::size_t stationary_points, class T, std::size_t reads, class Measure>
+std::size_t absolute_values(const Motion& motion, const std::array<T, reads>& x, const RamExtremes& extremes,
+                            const std::array<double, reads>& plain, const Measure& measure, Components<T> out) {
+    using std::abs;
+    const auto places = stationary_places<stationary_points>(
+        extremes, motion.from, [&](double angle) { return std::abs(measure(plain, angle)); });
+    std::size_t count = 0;
+    for (const Place& place : places)
+        out[count++] = abs(value_at(x, place, measure));
+    if (motion.full_turn) return count;
+    for (const double end : {motion.from, motion.to})
+        out[count++] = abs(measure(x, T(end)));
+    return count;
+}
+
+template <class T, std::size_t N>
+std::array<double, N> plain_of(const std::array<T, N>& x) {
+    std::array<double, N> plain;
+    for (std::size_t i = 0; i < N; ++i)
+        plain[i] = value_of(x[i]);
+    return plain;
+}
+
+}  // namespace detail
+
+/// For unit crank speed.
+template <template <class> class Drive>
+struct RamSpeedMax {
+    static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t stationary_points = 6;
+    static constexpr std::size_t most = stationary_points + 2;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        const auto speed = [&]<class U>(const std::array<U, reads>& dimensions, const U& angle) {
+            return ram_velocity(Layout<Drive>::make(dimensions, motion.assembly), angle);
+        };
+        const auto plain = detail::plain_of(x);
+        const auto extremes = ram_velocity_extremes(Layout<Drive>::make(plain, motion.assembly), range_of(motion));
+        return detail::absolute_values<stationary_points>(motion, x, extremes, plain, speed, out);
+    }
+};
+
+/// For unit crank speed.
+template <template <class> class Drive>
+struct RamAccelerationMax {
+    static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t stationary_points = 8;
+    static constexpr std::size_t most = stationary_points + 2;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        const auto acceleration_at = [&]<class U>(const std::array<U, reads>& dimensions, const U& angle) {
+            return ram_acceleration(Layout<Drive>::make(dimensions, motion.assembly), angle);
+        };
+        const auto plain = detail::plain_of(x);
+        const auto extremes = ram_acceleration_extremes(Layout<Drive>::make(plain, motion.assembly), range_of(motion));
+        return detail::absolute_values<stationary_points>(motion, x, extremes, plain, acceleration_at, out);
+    }
+};
+
+/// Speeds of the ram on the working part: at its two ends, then where they are stationary between.
+template <template <class> class Drive, class T>
+struct WorkingSpeeds {
+    static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t stationary_points = 4;
+    std::array<T, stationary_points + 2> speed;
+    T duration;  ///< crank angle that the working part takes
+
+    WorkingSpeeds(const Motion& motion, const std::array<T, reads>& x) {
+        const auto m = Layout<Drive>::make(x, motion.assembly);
+        const auto part = working_part(m, motion.settings[working_share]);
+        const double sign = part.outward ? 1 : -1;
+        const auto forward = [&]<class U>(const std::array<U, reads>& dimensions, const U& angle) {
+            return U(sign * ram_velocity(Layout<Drive>::make(dimensions, motion.assembly), angle));
+        };
+        const auto plain = detail::plain_of(x);
+        const CrankRange<double> range{false, value_of(part.from), value_of(part.to)};
+        const auto inside = stationary_places<stationary_points>(
+            ram_velocity_extremes(Layout<Drive>::make(plain, motion.assembly), range), 0.5 * (range.from + range.to),
+            [&](double angle) { return forward(plain, angle); });
+        speed[0] = sign * ram_velocity(m, part.from);
+        speed[1] = sign * ram_velocity(m, part.to);
+        for (std::size_t k = 0; k < stationary_points; ++k)
+            speed[k + 2] = value_at(x, inside[k], forward);
+        duration = part.to - part.from;
+    }
+};
+
+/// The least speed on the working part, for unit crank speed.
+template <template <class> class Drive>
+struct RamSpeedMinWorking {
+    static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t most = WorkingSpeeds<Drive, double>::stationary_points + 2;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        const WorkingSpeeds<Drive, T> working(motion, x);
+        std::copy(working.speed.begin(), working.speed.end(), out.begin());
+        return most;
+    }
+};
+
+/// Greatest less least speed on the working part over its mean in time, which is the length of the part over the time
+/// that it takes.
+template <template <class> class Drive>
+struct SpeedVariation {
+    static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t speeds = WorkingSpeeds<Drive, double>::stationary_points + 2;
+    static constexpr std::size_t most = speeds * (speeds - 1);
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        const WorkingSpeeds<Drive, T> working(motion, x);
+        const T length = T(motion.settings[working_share]) * stroke(Layout<Drive>::make(x, motion.assembly));
+        const T per_mean = working.duration / length;
+        std::array<T, speeds> relative;
+        for (std::size_t k = 0; k < speeds; ++k)
+            relative[k] = working.speed[k] * per_mean;
+        return differences(relative, out);
+    }
+};
+
+/// Longest over shortest link: every ratio of two links.
+template <template <class> class Drive>
+struct LinkRatio {
+    static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t links = Layout<Drive>::links.size();
+    static constexpr std::size_t most = links * (links - 1);
+    template <class T>
+    static std::size_t components(const Motion&, const std::array<T, reads>& x, Components<T> out) {
+        std::size_t count = 0;
+        for (const std::size_t longest : Layout<Drive>::links)
+            for (const std::size_t shortest : Layout<Drive>::links)
+                if (longest != shortest) out[count++] = x[longest] / x[shortest];
+        return count;
+    }
+};
+
+template <template <class> class Drive>
+struct TotalLength {
+    static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t most = 1;
+    template <class T>
+    static std::size_t components(const Motion&, const std::array<T, reads>& x, Components<T> out) {
+        out[0] = T(0);
+        for (const std::size_t link : Layout<Drive>::links)
+            out[0] += x[link];
+        return most;
+    }
+};
+
+}  // namespace mechwright::quick_return

@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// Crank angles at which a measure of the ram can be extreme over a motion, in a fixed number of places, so that the
+/// components of a quantity stay the same functions while a design changes.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "synthesis/mechanism/measured.h"
+#include "synthesis/mechanism/quick_return/layout.h"
+
+namespace mechwright::quick_return {
+
+inline CrankRange<double> range_of(const Motion& motion) { return {motion.full_turn, motion.from, motion.to}; }
+
+/// A place on the motion: a point where the measure is stationary, or one that is fixed.
+struct Place {
+    double angle;
+    bool stationary;
+};
+
+/// So many places in increasing order: where there are fewer stationary points, the last place is repeated; where there
+/// are more, those stay at which the measure (of the crank angle) is greatest and least.
+template <std::size_t count, class Measure>
+std::array<Place, count> stationary_places(const RamExtremes& extremes, double otherwise, const Measure& measure) {
+    struct Found {
+        double angle;
+        double value;
+    };
+    std::array<Found, RamExtremes::capacity> found{};
+    for (std::size_t i = 0; i < extremes.count; ++i)
+        found[i] = {extremes.at[i], measure(extremes.at[i])};
+    std::size_t kept = extremes.count;
+    if (kept > count) {
+        std::sort(found.begin(), found.begin() + kept, [](const auto& a, const auto& b) { return a.value > b.value; });
+        // The greatest and the least in turn, moved to the front.
+        std::array<Found, RamExtremes::capacity> chosen{};
+        for (std::size_t i = 0; i < count; ++i)
+            chosen[i] = i % 2 == 0 ? found[i / 2] : found[kept - 1 - i / 2];
+        std::sort(chosen.begin(), chosen.begin() + count,
+                  [](const auto& a, const auto& b) { return a.angle < b.angle; });
+        found = chosen;
+        kept = count;
+    }
+    std::array<Place, count> places;
+    for (std::size_t i = 0; i < count; ++i)
+        places[i] = kept == 0 ? Place{otherwise, false} : Place{found[std::min(i, kept - 1)].angle, true};
+    return places;
+}
+
+/// The value of a measure at a place as a function of the dimensions: f(dimensions, crank angle).
+template <class T, std::size_t N, class Function>
+T value_at(const std::array<T, N>& x, const Place& place, const Function& f) {
+    return place.stationary ? at_stationary(x, place.angle, f) : f(x, T(place.angle));
+}
+
+/// Every difference of two of some values: the greatest of them is greatest less least.
+template <class T, std::size_t count>
+std::size_t differences(const std::array<T, count>& values, Components<T> out) {
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j)
+            if (i != j) out[k++] = values[i] - values[j];
+    return k;
+}
+
+}  // namespace mechwright::quick_return

@@ -1,0 +1,110 @@
+#include <cmath>
+
+#include "synthesis/mechanism/quick_return/again.h"
+#include "synthesis/mechanism/quick_return/drive.h"
+#include "synthesis/mechanism/quick_return/quick_return.h"
+#include "synthesis/mechanism/quick_return/rod_path.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace quick_return;
+
+constexpr std::array<Dimension, 9> dimensions{{
+    {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
+    {"rod", DimensionKind::length, true, "rod, crank pin to ram"},
+    {"offset", DimensionKind::coordinate, true,
+     "distance of the slide line from the crank pivot, positive to its left"},
+    {"point-along", DimensionKind::coordinate, false, "point of the rod along the line from crank pin to ram"},
+    {"point-across", DimensionKind::coordinate, false, "point of the rod to the left of that line"},
+    {"origin-x", DimensionKind::coordinate, false, "crank pivot in the drawing"},
+    {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
+    {"tilt", DimensionKind::angle, false, "direction of the slide in the drawing"},
+    {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
+}};
+
+const Quantity assembly_margin = assembly_margin_quantity<SliderCrank>();
+
+// Coefficients of crank, rod, offset.
+const std::array<Family, 2> families{{
+    {"crank turns fully",
+     true,
+     {{"the crank turns past the side away from the slide line", {-1, 1, -1}},
+      {"the crank turns past the side of the slide line", {-1, 1, 1}}},
+     nullptr},
+    {"limited crank range", false, {}, &assembly_margin},
+}};
+
+std::string describe(std::span<const double> d) {
+    const SliderCrank<double> m = drive_of<SliderCrank>(d, 0);
+    const RodMargins<double> margin = rod_margins(m);
+    const double least = std::min(margin.crank_right, margin.crank_left);
+    std::string text = m.offset == 0 ? "in-line slider-crank" : "offset slider-crank";
+    if (least < 0) text += ", crank does not turn fully";
+    if (least == 0) text += ", rod square to the slide once in a turn";
+    return text;
+}
+
+constexpr std::array<std::string_view, 10> motion_columns{
+    "crank-angle",  "rod-angle",    "transmission-angle", "rod-velocity", "rod-acceleration",
+    "ram-position", "ram-velocity", "ram-acceleration",   "point-x",      "point-y"};
+constexpr std::array<Unit, 10> motion_units{Unit::angle,  Unit::angle,  Unit::angle,  Unit::none,   Unit::none,
+                                            Unit::length, Unit::length, Unit::length, Unit::length, Unit::length};
+
+bool motion_row(std::size_t, std::span<const double> d, double crank_angle, std::span<double> row) {
+    const SliderCrank<double> m = drive_of<SliderCrank>(d, 0);
+    const auto p = pose(m, crank_angle);
+    if (!p.assembled()) return false;
+    const auto v = velocity(m, p);
+    const auto a = acceleration(m, p, v);
+    const auto point = placed(position(m, CouplerPoint<double>{d[3], d[4]}, p), Placement<double>{{d[5], d[6]}, d[7]});
+    const std::array<double, 10> values{crank_angle,
+                                        std::atan2(p.rod.y, p.rod.x),
+                                        transmission_angle(p),
+                                        v.rod,
+                                        a.rod,
+                                        p.position,
+                                        v.ram,
+                                        a.ram,
+                                        point.x,
+                                        point.y};
+    std::copy(values.begin(), values.end(), row.begin());
+    return true;
+}
+
+std::vector<Quantity> all_quantities() {
+    auto all = ram_quantities<SliderCrank, SliderCrankAgain>(
+        "crank and rod together",
+        "least angle at the ram over the motion: 90 deg less the angle from slide line to rod",
+        "greatest angle at the ram over the motion", "least angle at the ram over the motion");
+    for (const Quantity& q : path_quantities)
+        all.push_back(q);
+    return all;
+}
+
+}  // namespace
+
+const Mechanism& slider_crank_mechanism() {
+    static const std::vector<Quantity> quantities = all_quantities();
+    static const Mechanism mechanism{.name = "slider-crank",
+                                     .meaning = "a crank drives a ram on a straight slide through a rod",
+                                     .dimensions = dimensions,
+                                     .assemblies = {},
+                                     .quantities = quantities,
+                                     .families = families,
+                                     .settings = settings,
+                                     .motion = motion_of<SliderCrank>,
+                                     .describe = describe,
+                                     .check_motion = SliderCrankAgain::check_motion,
+                                     .path_reads = RodPath::reads,
+                                     .path_roles = {3, 4, 5, 6, 7, 8},
+                                     .path_miss = path_miss_by<RodPath>,
+                                     .path_point = rod_path_point,
+                                     .motion_columns = motion_columns,
+                                     .motion_units = motion_units,
+                                     .motion_row = motion_row};
+    return mechanism;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include "synthesis/mechanism/quick_return/again.h"
+#include "synthesis/mechanism/quick_return/drive.h"
+#include "synthesis/mechanism/quick_return/quick_return.h"
+#include "synthesis/mechanism/quick_return/slotted_row.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace quick_return;
+
+constexpr std::array<Dimension, 5> dimensions{{
+    {"centre-distance", DimensionKind::length, true, "crank pivot to driven pivot"},
+    {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin; longer than the centre distance"},
+    {"arm", DimensionKind::length, true, "arm, driven pivot to rod pin, opposite the slot"},
+    {"rod", DimensionKind::length, true, "rod, rod pin to ram"},
+    {"slide-angle", DimensionKind::angle, true,
+     "from the line of centres (driven pivot to crank pivot) to the slide line through the driven pivot"},
+}};
+
+const Quantity assembly_margin = assembly_margin_quantity<Whitworth>();
+
+// Coefficients of centre-distance, crank, arm, rod.
+const std::array<Family, 2> families{{
+    {"crank and slotted link turn fully",
+     true,
+     {{"the crank is longer than the centre distance", {-1, 1, 0, 0}}, {"the arm turns past the rod", {0, 0, -1, 1}}},
+     nullptr},
+    {"limited crank range", false, {{"the crank is longer than the centre distance", {-1, 1, 0, 0}}}, &assembly_margin},
+}};
+
+std::string describe(std::span<const double> d) {
+    const Whitworth<double> m = drive_of<Whitworth>(d, 0);
+    if (m.crank < m.centre_distance) return "no Whitworth drive: the crank is shorter than the centre distance";
+    if (m.crank == m.centre_distance) return "no Whitworth drive: the crank is as long as the centre distance";
+    return makes_two_strokes(m) ? "Whitworth drive" : "Whitworth drive, rod too short for a full turn";
+}
+
+std::optional<Objection> objection(std::span<const double> least, std::span<const double> greatest) {
+    constexpr std::size_t centre_distance = 0, crank = 1;
+    if (greatest[crank] > least[centre_distance]) return std::nullopt;
+    return Objection{crank,
+                     "the crank of a whitworth drive must be longer than its centre-distance; with a shorter one the "
+                     "slotted lever swings, which is mechanism = \"crank-shaper\""};
+}
+
+}  // namespace
+
+const Mechanism& whitworth_mechanism() {
+    static const std::vector<Quantity> quantities = ram_quantities<Whitworth, WhitworthAgain>(
+        "centre distance, crank, arm and rod together",
+        "least angle at the ram over the motion: 90 deg less the angle from slide line to rod",
+        "greatest angle at the ram over the motion", "least angle at the ram over the motion");
+    static const Mechanism mechanism{
+        .name = "whitworth",
+        .meaning = "a crank turns a slotted link fully, whose arm drives a ram through a rod",
+        .dimensions = dimensions,
+        .assemblies = {},
+        .quantities = quantities,
+        .families = families,
+        .settings = settings,
+        .objection = objection,
+        .motion = motion_of<Whitworth>,
+        .describe = describe,
+        .check_motion = WhitworthAgain::check_motion,
+        .motion_columns = slotted_columns,
+        .motion_units = slotted_units,
+        .motion_row = slotted_row<Whitworth>};
+    return mechanism;
+}
+
+}  // namespace mechwright
