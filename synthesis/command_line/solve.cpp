@@ -1,25 +1,9 @@
-#include "synthesis/search/solve.h"
-
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "synthesis/command_line/commands.h"
-#include "synthesis/command_line/defect.h"
-#include "synthesis/command_line/exit_code.h"
-#include "synthesis/command_line/input.h"
-#include "synthesis/command_line/interrupt.h"
-#include "synthesis/command_line/options.h"
-#include "synthesis/command_line/progress_line.h"
-#include "synthesis/command_line/results.h"
-#include "synthesis/problem/units.h"
-#include "synthesis/report/document.h"
+#include "synthesis/command_line/solving.h"
 #include "synthesis/report/json_text.h"
-#include "synthesis/report/motion_table.h"
 #include "synthesis/report/summary.h"
 #include "synthesis/report/table.h"
 
@@ -27,186 +11,33 @@ namespace mechwright {
 
 namespace {
 
-constexpr int table_steps = 360;
-
-struct SolveOptions {
-    std::vector<std::string> files;
-    std::string out;
-    bool csv = false;
-    bool json = false;
-    bool quiet = false;
-    std::optional<std::uint64_t> seed;
-    std::optional<std::uint64_t> jobs;
-    std::optional<double> time_limit;
-    std::string method;
-};
-
-struct Task {
-    Problem problem;
-    std::string result_name;
-};
-
-void take_over(const SolveOptions& options, SolverOptions& solver) {
-    if (options.seed) solver.seed = *options.seed;
-    if (options.time_limit) solver.time_limit = *options.time_limit;
-    if (!options.method.empty()) solver.method = options.method;
-}
-
-/// The problems of the files that can be solved; `code` becomes that of the others.
-std::vector<Task> read_tasks(const SolveOptions& options, Console& console, int& code) {
-    const std::vector<std::string> names = result_names(options.files);
-    std::vector<Task> tasks;
-    for (std::size_t i = 0; i < options.files.size(); ++i) {
-        ReadProblem read;
-        int outcome = read_and_report(options.files[i], options.quiet, console, read);
-        if (outcome == exit_code::solved && options.method.empty()) {
-            outcome = report_method_fault(read.problem, console);
-        } else if (outcome == exit_code::solved) {
-            if (const std::string fault = method_fault(options.method, read.problem); !fault.empty()) {
-                complain(console, "--method: " + options.files[i] + ": " + fault);
-                outcome = exit_code::wrong_usage;
-            }
-        }
-        code = exit_code::worse(code, outcome);
-        if (outcome != exit_code::solved) continue;
-        take_over(options, read.problem.solver);
-        tasks.push_back({std::move(read.problem), names[i]});
-    }
-    return tasks;
-}
-
-std::string objective_unit(const Problem& problem) {
-    if (!problem.objective || problem.objective->terms.size() != 1) return {};
-    return unit_label(problem.mechanism->quantities[problem.objective->terms.front().quantity].unit, problem.units);
-}
-
-Result solve_task(const Task& task, const SolveOptions& options, const std::string& label, Console& console) {
-    ProgressLine line{&console, label, objective_unit(task.problem)};
-    RunOptions run;
-    run.jobs = static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
-    run.stop = &Interrupt::requested();
-    if (!options.quiet && progress_wanted(console))
-        run.progress = [&line](int done, int total, double best) { draw(line, done, total, best); };
-    Result result = solve(task.problem, run);
-    erase(line);
-    return result;
-}
-
-/// Writes the files of a result. Returns the exit code.
-int keep(const Task& task, const Result& result, const std::string& document, const SolveOptions& options,
-         Console& console) {
-    if (options.out.empty()) return exit_code::solved;
-    ResultText text{document, std::nullopt};
-    if (options.csv)
-        text.table =
-            result.best ? motion_table(task.problem, result.best->design, table_steps) : motion_header(task.problem);
-    if (const auto fault = write_result(options.out, task.result_name, text)) {
-        complain(console, *fault);
-        return exit_code::no_access;
-    }
-    if (!options.quiet) {
-        const std::string path = (std::filesystem::path(options.out) / task.result_name).string();
-        console.err << "wrote " << path << ".json" << (options.csv ? " and " + path + ".csv" : "") << std::endl;
-    }
-    return exit_code::solved;
-}
-
-/// "5 problems: 3 solved, 2 infeasible"
-std::string tally(const std::vector<Status>& outcomes, std::size_t not_run) {
-    std::string text;
-    for (const Status status :
-         {Status::solved, Status::infeasible, Status::limit, Status::unverified, Status::interrupted})
-        if (const auto count = std::count(outcomes.begin(), outcomes.end(), status))
-            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name_of(status));
-    if (not_run > 0) text += fmt::format("{}{} not solved", text.empty() ? "" : ", ", not_run);
-    return text;
-}
-
-struct Run {
-    int code = exit_code::solved;
-    std::vector<Status> outcomes;
+int solve(const SolvingOptions& options, Console& console) {
     nlohmann::ordered_json documents = nlohmann::ordered_json::array();
-};
-
-/// Solves one problem and hands out what came of it.
-void carry_out(const Task& task, const std::string& label, const SolveOptions& options, Console& console, Run& run) {
-    const Result result = solve_task(task, options, label, console);
-    nlohmann::ordered_json json = document(task.problem, result);
-    const int kept = keep(task, result, json_text(json), options, console);
-    if (!options.json) {
-        const std::string rule = run.outcomes.empty() ? "" : "\n" + std::string(terminal_width, '-') + "\n\n";
-        print(console, rule + summary(task.problem, result, colour_wanted(console)));
-    }
-    run.documents.push_back(std::move(json));
-    run.outcomes.push_back(result.status);
-    run.code = exit_code::worse(run.code, exit_code::worse(kept, exit_code::of(result.status)));
-}
-
-/// A defect that one problem brings to light does not cost the others their results.
-void carry_out_guarded(const Task& task, const std::string& label, const SolveOptions& options, Console& console,
-                       Run& run) {
-    try {
-        carry_out(task, label, options, console, run);
-    } catch (...) {
-        run.code = exit_code::worse(run.code, report_defect(console, task.problem.file));
-    }
-}
-
-int solve_files(const SolveOptions& options, Console& console) {
-    if (!options.method.empty()) {
-        if (const std::string fault = method_name_fault(options.method); !fault.empty()) {
-            complain(console, "--method: " + fault);
-            return exit_code::wrong_usage;
-        }
-    }
-    Run run;
-    const std::vector<Task> tasks = read_tasks(options, console, run.code);
-    if (run.code == exit_code::wrong_usage) return run.code;
-    if (!options.out.empty() && !tasks.empty()) {
-        std::vector<std::string> names;
-        for (const Task& task : tasks)
-            names.push_back(task.result_name);
-        if (const auto fault = prepare_results(options.out, names, options.csv)) {
-            complain(console, *fault);
-            return exit_code::no_access;
-        }
-    }
-
-    const bool several = options.files.size() > 1;
-    const Interrupt interrupt(!options.quiet && console.err_is_terminal);
-    std::size_t started = 0;
-    for (; started < tasks.size() && !Interrupt::requested(); ++started) {
-        const std::string count = several ? fmt::format("[{}/{}] ", started + 1, tasks.size()) : "";
-        carry_out_guarded(tasks[started], count + tasks[started].problem.file, options, console, run);
-    }
-    if (started < tasks.size()) run.code = exit_code::worse(run.code, exit_code::interrupted);
-
-    if (options.json && several) print(console, json_text(run.documents));
-    if (options.json && !several && !run.documents.empty()) print(console, json_text(run.documents.front()));
-    if (several && !options.quiet)
-        console.err << options.files.size()
-                    << " problems: " << tally(run.outcomes, options.files.size() - run.outcomes.size()) << std::endl;
+    bool first = true;
+    const SolvingRun run =
+        solve_files(options, console, [&](const Problem& problem, const Result& result, const auto& document) {
+            documents.push_back(document);
+            if (options.json) return;
+            const std::string rule = first ? "" : "\n" + std::string(terminal_width, '-') + "\n\n";
+            print(console, rule + summary(problem, result, colour_wanted(console)));
+            first = false;
+        });
+    if (!options.json) return run.code;
+    if (options.files.size() > 1)
+        print(console, json_text(documents));
+    else if (!documents.empty())
+        print(console, json_text(documents.front()));
     return run.code;
 }
 
 }  // namespace
 
 Command add_solve(CLI::App& program) {
-    const auto options = std::make_shared<SolveOptions>();
+    const auto options = std::make_shared<SolvingOptions>();
     CLI::App* command = program.add_subcommand("solve", "Synthesise mechanisms and verify them");
-    command->add_option("FILE", options->files, "Problem files")->required()->option_text(" ");
-    CLI::Option* out = command->add_option("--out", options->out, "Write results into this folder");
-    out->type_name("DIR")->check(not_empty);
+    CLI::Option* out = add_solving_options(*command, *options);
     command->add_flag("--csv", options->csv, "Write motion tables beside the results")->needs(out);
-    command->add_flag("--json", options->json, "Print result documents alone");
-    add_whole_number(*command, "--seed", options->seed, 0, INT64_MAX, "Seed of the search; overrides the file's");
-    add_whole_number(*command, "--jobs", options->jobs, 1, 1024, "Threads (all); results do not depend on it");
-    add_positive_number(*command, "--time-limit", options->time_limit, "Seconds per problem; overrides the file's");
-    command->add_option("--method", options->method, "Method; overrides the file's (see methods)")
-        ->type_name("NAME")
-        ->check(not_empty);
-    command->add_flag("--quiet", options->quiet, "Nothing but errors on standard error");
-    return {command, [options](Console& console) { return solve_files(*options, console); }};
+    return {command, [options](Console& console) { return solve(*options, console); }};
 }
 
 }  // namespace mechwright

@@ -1,32 +1,10 @@
 #include "synthesis/report/motion_table.h"
 
-#include <charconv>
-
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/report/csv_text.h"
 
 namespace mechwright {
-
-namespace {
-
-std::string shortest(double number) {
-    char text[64];
-    const auto written = std::to_chars(text, text + sizeof text, number + 0.0);  // no "-0"
-    return {text, written.ptr};
-}
-
-/// A field of comma-separated values, quoted where a reader would trip over it otherwise.
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + '"';
-}
-
-}  // namespace
 
 std::string motion_header(const Problem& problem) {
     const Mechanism& mechanism = *problem.mechanism;
@@ -36,7 +14,7 @@ std::string motion_header(const Problem& problem) {
         const std::string unit = unit_label(mechanism.motion_units[c], problem.units);
         if (!unit.empty()) name += " [" + unit + "]";
         if (c > 0) line += ',';
-        line += field(name);
+        line += csv_field(name);
     }
     return line + '\n';
 }
@@ -58,7 +36,7 @@ std::string motion_table(const Problem& problem, const Design& design, int steps
         if (!mechanism.motion_row(design.assembly, design.dimensions, angle, row)) continue;
         for (std::size_t c = 0; c < row.size(); ++c) {
             if (c > 0) text += ',';
-            text += shortest(in_file_unit(row[c], mechanism.motion_units[c], problem.units));
+            text += csv_number(in_file_unit(row[c], mechanism.motion_units[c], problem.units));
         }
         text += '\n';
     }
