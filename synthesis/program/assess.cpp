@@ -74,9 +74,14 @@ Solution assess(const Problem& problem, Design design) {
     Solution s;
     s.objective = objective_of(problem, design);
     s.violation = std::max(range_violation(problem, design), path_violation(problem, design));
-    for (const Requirement& r : problem.requirements)
-        s.violation = std::max(s.violation, standing_of(problem, r, design).violation.value_or(without_limit));
+    double on_equalities = s.violation;
+    for (const Requirement& r : problem.requirements) {
+        const double missed = standing_of(problem, r, design).violation.value_or(without_limit);
+        s.violation = std::max(s.violation, missed);
+        if (r.equal) on_equalities = std::max(on_equalities, missed);
+    }
     if (std::isnan(s.objective)) s.violation = without_limit;
+    s.misses_inequalities_only = on_equalities <= problem.solver.tolerance && s.violation < without_limit;
     s.feasible = s.violation <= problem.solver.tolerance;
     s.design = std::move(design);
     return s;
@@ -89,6 +94,7 @@ bool maximizes(const Problem& problem) {
 
 bool preferred(const Problem& problem, const Solution& a, const Solution& b) {
     if (a.feasible != b.feasible) return a.feasible;
+    if (!a.feasible && a.misses_inequalities_only != b.misses_inequalities_only) return a.misses_inequalities_only;
     if (!a.feasible && a.violation != b.violation) return a.violation < b.violation;
     return maximizes(problem) ? a.objective > b.objective : a.objective < b.objective;
 }

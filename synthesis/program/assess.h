@@ -10,7 +10,8 @@ namespace mechwright {
 /// dimensions, order and assembly along the path; a quantity without a value violates without limit.
 Solution assess(const Problem& problem, Design design);
 
-/// Whether solution a is to be preferred to b: feasible before infeasible, then by the objective, then by violation.
+/// Whether solution a is to be preferred to b: feasible before infeasible; among feasible
+/// ones by the objective, among others those that miss inequalities only come first, then by violation.
 bool preferred(const Problem& problem, const Solution& a, const Solution& b);
 
 /// Whether a larger objective is the better one.

@@ -155,7 +155,8 @@ std::string comparison_table(const std::vector<Compared>& all, bool colour) {
             continue;
         table.columns.push_back(Align::point);
         table.rows[0].emplace_back(column.heading);
-        table.rows[1].push_back(
+        table.rows[1].emplace_back(column.more);
+        table.rows[2].push_back(
             common_unit(all, [&](const Compared& c) { return unit_of_quantity(c, column.quantity); }));
         for (std::size_t i = 0; i < all.size(); ++i) {
             const auto value = value_of(all[i], column.quantity);
