@@ -26,10 +26,12 @@ struct FastPlace {
 class GradedGrid {
 public:
     struct Steps {
-        double graded = 0.5;                                      ///< in units of the inverse hyperbolic sine
-        double widest = std::numeric_limits<double>::infinity();  ///< radians
-        double end_part =
-            1;  ///< at both ends, the part of the usual scale that is taken: less where motion is singular
+        /// In units of the inverse hyperbolic sine.
+        double graded = 0.5;
+        /// Radians.
+        double widest = std::numeric_limits<double>::infinity();
+        /// The part of the usual scale that is taken at both ends: less where the motion is singular there.
+        double end_part = 1;
     };
 
     /// Precondition: to - from is little more than a turn, at most; at most eight places.
@@ -39,15 +41,18 @@ public:
         std::size_t count = 0;
         for (const FastPlace& place : places)
             for (double k = std::floor((from - place.angle) / turn) + 1; place.angle + k * turn < to; ++k)
-                if (count < inside.size()) inside[count++] = {place.angle + k * turn, floored(place.scale)};
+                if (count < inside.size()) inside[count++] = {place.angle + k * turn, scale_at(places, place.angle)};
         std::sort(inside.begin(), inside.begin() + count,
                   [](const auto& a, const auto& b) { return a.angle < b.angle; });
-        FastPlace left{from, scale_at_end(places, from, to - from)};
+        const auto end = [&](double angle) {
+            return FastPlace{angle, floored(steps.end_part * std::min(scale_at(places, angle), to - from))};
+        };
+        FastPlace left = end(from);
         for (std::size_t i = 0; i < count; ++i) {
             add_interval(left, inside[i]);
             left = inside[i];
         }
-        add_interval(left, {to, scale_at_end(places, to, to - from)});
+        add_interval(left, end(to));
         add(to);
     }
 
@@ -57,12 +62,13 @@ public:
 private:
     static double floored(double scale) { return scale > 1e-12 ? scale : 1e-12; }  // NaN too
 
-    double scale_at_end(std::span<const FastPlace> places, double end, double span) const {
+    /// How far the nearest singularity is: a place close by can be the faster one.
+    static double scale_at(std::span<const FastPlace> places, double angle) {
         constexpr double turn = 2 * std::numbers::pi;
-        double least = span;
+        double least = turn;
         for (const FastPlace& place : places)
-            least = std::min(least, std::hypot(std::remainder(end - place.angle, turn), place.scale));
-        return floored(steps_.end_part * least);
+            least = std::min(least, std::hypot(std::remainder(angle - place.angle, turn), place.scale));
+        return floored(least);
     }
 
     void add(double angle) {

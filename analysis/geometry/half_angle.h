@@ -8,6 +8,13 @@
 
 namespace mechwright {
 
+/// sqrt(x), and 0 where x is negative: the caller looks at the margin that made it so.
+template <class T>
+T root_or_zero(const T& x) {
+    using std::sqrt;
+    return x > T(0) ? sqrt(x) : T(0);
+}
+
 template <class T>
 struct HalfAngle {
     T sine;    ///< k sin(a/2), >= 0
@@ -28,17 +35,20 @@ T angle_between(const HalfAngle<T>& a, const HalfAngle<T>& b) {
     return T(2) * atan2(a.sine * b.cosine - a.cosine * b.sine, a.cosine * b.cosine + a.sine * b.sine);
 }
 
+/// The angle whose half has a sine and a cosine with these squares, both of them lengths (times anything): written so
+/// that lengths multiplied by a power of two change no digit.
+template <class T>
+HalfAngle<T> half_angle_of_squares(const T& sine_square, const T& cosine_square) {
+    const bool acute = sine_square < cosine_square;
+    const T product = root_or_zero(T(sine_square * cosine_square));
+    if (acute) return {product, cosine_square};
+    return {sine_square, product};
+}
+
 /// The angle pi - a.
 template <class T>
 HalfAngle<T> supplement(const HalfAngle<T>& a) {
     return {a.cosine, a.sine};
-}
-
-/// sqrt(x), and 0 where x is negative: the caller looks at the margin that made it so.
-template <class T>
-T root_or_zero(const T& x) {
-    using std::sqrt;
-    return x > T(0) ? sqrt(x) : T(0);
 }
 
 }  // namespace mechwright

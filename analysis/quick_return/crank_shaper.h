@@ -80,9 +80,8 @@ CrankShaperMargins<T> margins(const CrankShaper<T>& m) {
 /// Precondition here and below: all margins >= 0.
 template <class T>
 Strokes<T> strokes(const CrankShaper<T>& m) {
-    const T difference = root_or_zero(T(m.centre_distance - m.crank));
-    const T sum = root_or_zero(T(m.centre_distance + m.crank));
-    return {T(2) * angle(HalfAngle<T>{sum, difference}), T(2) * angle(HalfAngle<T>{difference, sum})};
+    const auto inward = half_angle_of_squares(T(m.centre_distance - m.crank), T(m.centre_distance + m.crank));
+    return {T(2) * angle(supplement(inward)), T(2) * angle(inward)};
 }
 
 /// 2 lever crank / centre distance: both ends of the swing lie at the same distance from the ram line.

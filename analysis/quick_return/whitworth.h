@@ -77,9 +77,8 @@ T less_projection(const Whitworth<T>& m, double sense) {
 /// arm.
 template <class T>
 Strokes<T> strokes(const Whitworth<T>& m) {
-    const T less = root_or_zero(detail::less_projection(m, 1));
-    const T more = root_or_zero(detail::less_projection(m, -1));
-    return {T(2) * angle(HalfAngle<T>{less, more}), T(2) * angle(HalfAngle<T>{more, less})};
+    const auto outward = half_angle_of_squares(detail::less_projection(m, 1), detail::less_projection(m, -1));
+    return {T(2) * angle(outward), T(2) * angle(supplement(outward))};
 }
 
 /// Twice the arm.

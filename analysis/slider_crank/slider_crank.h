@@ -102,9 +102,8 @@ SliderCrankPose<T> pose(const SliderCrank<T>& m, const T& crank_angle) {
 /// The transmission angle at the ram, in [0, pi/2]: a right angle less the angle between rod and slide line.
 template <class T>
 T transmission_angle(const SliderCrankPose<T>& p) {
-    const bool uphill = p.left < p.right;
     return angle(
-        HalfAngle<T>{root_or_zero(select(uphill, p.left, p.right)), root_or_zero(select(uphill, p.right, p.left))});
+        half_angle_of_squares(select(p.left < p.right, p.left, p.right), select(p.left < p.right, p.right, p.left)));
 }
 
 }  // namespace mechwright

@@ -86,19 +86,29 @@ Check check_branch(const std::vector<RodPlace>& all, bool reaches) {
     return check;
 }
 
+/// The crank angles at which the ram really turns back, each once: the sweep is a little longer than the turn, and
+/// rounding in double can show zeros that fifty digits do not confirm.
+template <class Geometry>
+std::vector<Digits50> turning_points(const Rebuilt<Geometry>& m, const Motion& motion) {
+    const Digits50& turn = boost::math::constants::two_pi<Digits50>();
+    std::vector<Digits50> found;
+    for (const Digits50& x : stationary_crank_angles(m, sweep_of(motion), Slope::position)) {
+        const bool known = std::any_of(found.begin(), found.end(), [&](const Digits50& y) {
+            const Digits50 apart = abs(x - y);
+            return apart < rounding || abs(apart - turn) < rounding;
+        });
+        if (!known && abs(m.at(x).position.c[1]) < zero) found.push_back(x);
+    }
+    return found;
+}
+
 template <class Geometry>
 Check check_strokes(const Rebuilt<Geometry>& m, const Motion& motion) {
-    auto turns = stationary_crank_angles(m, sweep_of(motion), Slope::position);
-    // The sweep is a little longer than the turn; what it sees twice counts once.
-    const Digits50& turn = boost::math::constants::two_pi<Digits50>();
-    const auto seen_before = [&](const Digits50& x) {
-        return std::any_of(turns.begin(), turns.end(), [&](const Digits50& y) { return abs(x - turn - y) < rounding; });
-    };
-    const auto count = std::count_if(turns.begin(), turns.end(), [&](const Digits50& x) { return !seen_before(x); });
-    std::string detail = "the ram turns back at crank angles";
+    const auto turns = turning_points(m, motion);
+    std::string where;
     for (const Digits50& x : turns)
-        if (!seen_before(x)) detail += (detail.back() == 's' ? " " : ", ") + degrees(x);
-    return {"makes two strokes in each turn", count == 2, detail};
+        where += (where.empty() ? "" : ", ") + degrees(x);
+    return {"makes two strokes in each turn", turns.size() == 2, "the ram turns back at crank angles " + where};
 }
 
 /// Whether a slotted arm swings or turns fully as its mechanism's name says.

@@ -16,7 +16,7 @@ namespace detail {
 /// The angle whose cosine is 1 - margin / rod, margin in [0, 2 rod].
 template <class T>
 T angle_at_ram(const T& margin, const T& rod) {
-    return angle(HalfAngle<T>{root_or_zero(margin), root_or_zero(T(T(2) * rod - margin))});
+    return angle(half_angle_of_squares(margin, T(T(2) * rod - margin)));
 }
 
 /// Transmission angles at the ram over a full turn, seen from one side of the rod: the least one, and for an arm that
