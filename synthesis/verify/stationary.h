@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "synthesis/mechanism/mechanism.h"
@@ -113,8 +114,8 @@ std::vector<Bracket> brackets_of_zeros(const Function& f, const std::vector<doub
     return found;
 }
 
-/// A zero in a bracket: first in double, then to about forty digits. Where fifty digits show no change of sign (the one
-/// seen in double was rounding) the place found in double.
+/// A zero in a bracket: first in double, then to about forty digits, in the bracket or close to it. Where fifty digits
+/// show no change of sign (the one seen in double was rounding) the place found in double.
 template <class Rough, class Fine>
 Digits50 polished_zero(const Rough& rough, const Fine& fine, const Bracket& bracket) {
     const auto changes = [](const auto& a, const auto& b) { return (a > 0) != (b > 0); };
@@ -123,14 +124,17 @@ Digits50 polished_zero(const Rough& rough, const Fine& fine, const Bracket& brac
     if (changes(rough_left, rough_right))
         middle = detail::zero_between_signs(rough, bracket.left, bracket.right, rough_left, rough_right, 4e-16);
 
-    const double reach = 1e-12;
-    for (const Bracket& around : {Bracket{middle - reach, middle + reach}, bracket}) {
-        const Digits50 left(around.left), right(around.right);
+    const auto zero_in = [&](double from, double to) -> std::optional<Digits50> {
+        const Digits50 left(from), right(to);
         const Digits50 value_left = fine(left), value_right = fine(right);
-        if (changes(value_left, value_right))
-            return detail::zero_between_signs(fine, left, right, value_left, value_right, 1e-42);
-    }
-    return {middle};
+        if (!changes(value_left, value_right)) return std::nullopt;
+        return detail::zero_between_signs(fine, left, right, value_left, value_right, 1e-42);
+    };
+    // Where the function is flat in double, the zero that its rounding hides is farther away.
+    constexpr double farthest = 1e-6;
+    for (double reach = 1e-12; reach < farthest; reach *= 16)
+        if (const auto zero = zero_in(middle - reach, middle + reach)) return *zero;
+    return zero_in(bracket.left, bracket.right).value_or(Digits50(middle));
 }
 
 /// All zeros of a slope over a sweep. `rough` is the slope in double, `fine` in fifty digits. No mechanism has as many

@@ -49,10 +49,10 @@ inline double sum_of(const FourBar<double>& m) { return m.ground + m.crank + m.c
 inline double shortest_of(const FourBar<double>& m) { return std::min({m.ground, m.crank, m.coupler, m.rocker}); }
 
 /// One link as shortest and the three margins a + b - shortest - c of the others.
-inline FourBar<double> drawn_by_margins(bool crank_shortest) {
+inline FourBar<double> drawn_by_margins(bool crank_shortest, double least_margin = 1e-9) {
     const double scale = log_between(1e-3, 1e3);
-    const double p = scale * log_between(1e-9, 10), q = scale * log_between(1e-9, 10),
-                 s = scale * log_between(1e-9, 10);
+    const double p = scale * log_between(least_margin, 10), q = scale * log_between(least_margin, 10),
+                 s = scale * log_between(least_margin, 10);
     const double a = scale + (q + s) / 2, b = scale + (p + s) / 2, c = scale + (p + q) / 2;
     return crank_shortest ? FourBar<double>{a, scale, b, c} : FourBar<double>{scale, a, b, c};
 }

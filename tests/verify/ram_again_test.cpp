@@ -47,6 +47,13 @@ double measured(const Quantity& quantity, const Motion& motion, const std::vecto
                                             : *std::max_element(all.begin(), all.end());
 }
 
+std::string listed(const std::vector<double>& dimensions) {
+    std::ostringstream text;
+    for (const double x : dimensions)
+        text << std::setprecision(17) << x << ' ';
+    return text.str();
+}
+
 /// All quantities of a drive over a motion, both ways, to a part of their size.
 void expect_measured_alike(const Mechanism& mechanism, const Motion& motion, const std::vector<double>& dimensions,
                            double part) {
@@ -62,12 +69,8 @@ void expect_measured_alike(const Mechanism& mechanism, const Motion& motion, con
                                                               : 0;
         const double slack = part * std::abs(again) + rounding;
         if (!(std::abs(value - again) <= slack)) {
-            std::ostringstream text;
-            text << std::setprecision(17) << mechanism.name << ' ' << quantity.name << ": " << value << " and " << again
-                 << " of";
-            for (const double x : dimensions)
-                text << ' ' << x;
-            RC_LOG() << text.str() << '\n';
+            RC_LOG() << mechanism.name << ' ' << quantity.name << ": " << value << " and " << again << " of "
+                     << listed(dimensions) << '\n';
         }
         RC_ASSERT(std::abs(value - again) <= slack);
     }
@@ -83,7 +86,7 @@ RC_GTEST_PROP(RamAgain, MeasuresOverAFullTurnWhatTheAnalysisMeasures, ()) {
         RC_ASSERT(motion.family == full_turn);
         expect_measured_alike(mechanism, motion, dimensions, 1e-9);
         for (const Check& check : mechanism.check_motion(motion, precise_of(dimensions))) {
-            if (!check.passed) RC_LOG() << check.name << ": " << check.detail << '\n';
+            if (!check.passed) RC_LOG() << check.name << ": " << check.detail << " of " << listed(dimensions) << '\n';
             RC_ASSERT(check.passed);
         }
     });

@@ -12,8 +12,9 @@ namespace {
 
 using namespace again;
 
-constexpr double rounding = 1e-12;  // of crank angles, and of margins over the unit of length
-constexpr double zero = 1e-30;      // places are found to forty digits
+constexpr double rounding = 1e-12;          // of crank angles, and of margins over the unit of length
+constexpr double zero = 1e-30;              // places are found to forty digits
+constexpr double confirmed_within = 1e-25;  // of crank angles at which fifty digits show a zero
 
 std::string number(const Digits50& value) { return fmt::format("{:.9g}", value.convert_to<double>()); }
 
@@ -97,7 +98,10 @@ std::vector<Digits50> turning_points(const Rebuilt<Geometry>& m, const Motion& m
             const Digits50 apart = abs(x - y);
             return apart < rounding || abs(apart - turn) < rounding;
         });
-        if (!known && abs(m.at(x).position.c[1]) < zero) found.push_back(x);
+        const auto position = m.at(x).position;
+        const bool confirmed =
+            abs(position.c[1]) < confirmed_within * std::max(Digits50(1), Digits50(abs(position.c[2])));
+        if (!known && confirmed) found.push_back(x);
     }
     return found;
 }
