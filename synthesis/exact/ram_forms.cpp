@@ -171,7 +171,8 @@ std::optional<ClosedFormOutcome> solve_whitworth(const Problem& problem) {
     else if (best)
         d[arm] = problem.dimensions[arm].min;
     if (best) d[rod] = problem.dimensions[rod].max;
-    return concluded(problem, task, std::acos(std::min(1.0, d[arm] / d[rod])), std::move(design),
+    const double transmission = std::acos(std::min(1.0, d[arm] / d[rod]));
+    return concluded(problem, task, transmission, std::move(design),
                      best ? "closed form: the time ratio fixes centre distance over crank, the stroke the arm; the rod "
                             "slopes least when it is longest"
                           : "closed form: the time ratio fixes centre distance over crank, the stroke the arm");

@@ -89,21 +89,27 @@ VectorXd multipliers_of(std::vector<Active>& active, const VectorXd& x, const Pr
     }
 }
 
-/// The Newton step: back onto the active constraints by the shortest way, then along them to where the curved objective
-/// is stationary. Directions without curvature are left alone, those of negative curvature are turned downhill.
-VectorXd newton_step(const MatrixXd& hessian, const VectorXd& gradient, const Linearised& l) {
+/// The Newton step in two parts: back onto the active constraints by the shortest way, and along them to where the
+/// curved objective is stationary. Directions without curvature are left alone, those of negative curvature are turned
+/// downhill.
+struct NewtonStep {
+    VectorXd back;
+    VectorXd along;
+};
+
+NewtonStep newton_step(const MatrixXd& hessian, const VectorXd& gradient, const Linearised& l) {
     const Index n = gradient.size();
-    VectorXd step = VectorXd::Zero(n);
+    NewtonStep step{VectorXd::Zero(n), VectorXd::Zero(n)};
     MatrixXd along = MatrixXd::Identity(n, n);
     if (l.residual.size() > 0) {
         Eigen::JacobiSVD<MatrixXd> svd(l.gradients, Eigen::ComputeFullU | Eigen::ComputeFullV);
         svd.setThreshold(rank_tolerance);
-        step = -svd.solve(l.residual);
+        step.back = -svd.solve(l.residual);
         along = svd.matrixV().rightCols(n - svd.rank());
     }
     if (along.cols() == 0) return step;
     const MatrixXd reduced = along.transpose() * hessian * along;
-    const VectorXd slope = along.transpose() * (gradient + hessian * step);
+    const VectorXd slope = along.transpose() * (gradient + hessian * step.back);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(0.5 * (reduced + reduced.transpose()));
     const double greatest = eigen.eigenvalues().cwiseAbs().maxCoeff();
     VectorXd coefficients = eigen.eigenvectors().transpose() * slope;
@@ -111,7 +117,8 @@ VectorXd newton_step(const MatrixXd& hessian, const VectorXd& gradient, const Li
         const double curvature = std::abs(eigen.eigenvalues()[i]);
         coefficients[i] = curvature > rank_tolerance * greatest ? -coefficients[i] / curvature : 0;
     }
-    return step + along * (eigen.eigenvectors() * coefficients);
+    step.along = along * (eigen.eigenvectors() * coefficients);
+    return step;
 }
 
 VectorXd within_bounds(const Program& program, VectorXd x) {
@@ -149,10 +156,11 @@ LocalOutcome polish(const Program& program, const LocalOutcome& from, const Loca
             if (active[i].row >= 0) on_rows[active[i].row] += lambda[static_cast<Index>(i)];
         const MatrixXd hessian = lagrangian_hessian(program, best.x, 1, on_rows);
         if (!hessian.allFinite()) break;
-        const VectorXd step = newton_step(hessian, values.gradient, l);
+        const NewtonStep step = newton_step(hessian, values.gradient, l);
         bool moved = false;
-        for (double length = 1; length > 1e-3 && !moved; length /= 2) {
-            const VectorXd x = within_bounds(program, best.x + length * step);
+        for (const double length : {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0}) {
+            if (moved) break;
+            const VectorXd x = within_bounds(program, best.x + step.back + length * step.along);
             ProgramValues there;
             evaluate(program, x, false, there);
             ++best.evaluations;

@@ -25,8 +25,8 @@ struct Solution {
     double objective = 0;   ///< in the user's sense and unit; 0 without an objective
     double violation = 0;   ///< the largest relative violation of a requirement, range or condition of motion
     bool feasible = false;  ///< violation within the problem's tolerance
-    /// All equalities, ranges and conditions of motion are met: of designs that are not feasible such ones show best how
-    /// far the inequalities can be met.
+    /// All equalities, ranges and conditions of motion are met: of designs that are not feasible such ones show best
+    /// how far the inequalities can be met.
     bool misses_inequalities_only = false;
 };
 

@@ -42,8 +42,8 @@ inline Solved solved(const std::string& text, const std::string& method = "auto"
     return s;
 }
 
-inline std::string shipped(const std::string& name) {
-    std::ifstream file(MECHWRIGHT_SOURCE_DIR "/problems/four-bar/" + name);
+inline std::string shipped(const std::string& name, const std::string& folder = "four-bar") {
+    std::ifstream file(MECHWRIGHT_SOURCE_DIR "/problems/" + folder + "/" + name);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
