@@ -41,8 +41,7 @@ int compare(const CompareOptions& options, Console& console) {
 
 Command add_compare(CLI::App& program) {
     const auto options = std::make_shared<CompareOptions>();
-    CLI::App* command =
-        program.add_subcommand("compare", "Solve one task on several mechanisms and put the designs side by side");
+    CLI::App* command = program.add_subcommand("compare", "Solve one task on several mechanisms: one table");
     add_solving_options(*command, options->solving);
     command->add_flag("--csv", options->csv, "Print the table as comma-separated values")
         ->excludes(command->get_option("--json"));

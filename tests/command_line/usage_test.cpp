@@ -11,8 +11,8 @@ TEST(Usage, HelpGoesToStandardOutput) {
     const Outcome help = run({"--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* part : {"check", "solve", "analyse", "verify", "quantities", "methods", "--version", "Exit codes",
-                             "130", "With several files"})
+    for (const char* part : {"check", "solve", "compare", "analyse", "verify", "quantities", "methods", "--version",
+                             "Exit codes", "130", "With several files"})
         expect_has(help.out, part);
     const Outcome of_solve = run({"solve", "--help"});
     EXPECT_EQ(of_solve.exit_code, 0);
@@ -23,6 +23,7 @@ TEST(Usage, HelpGoesToStandardOutput) {
 TEST(Usage, HelpFitsEightyColumns) {
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                       {"solve", "--help"},
+                                                      {"compare", "--help"},
                                                       {"check", "--help"},
                                                       {"analyse", "--help"},
                                                       {"verify", "--help"},

@@ -1,5 +1,7 @@
 #include "tests/verify/documents.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,6 +38,25 @@ double value_of_quantity(const Quantity& quantity, const Motion& motion, const s
     if (quantity.reduce == Reduce::least) value = *std::min_element(components.begin(), end);
     if (quantity.reduce == Reduce::greatest) value = *std::max_element(components.begin(), end);
     return quantity.unit == Unit::angle ? value / degree : value;
+}
+
+int verified_with_replaced(Json& document, Json& at) {
+    static const std::vector<Json> others{Json(),        Json("1"),      Json(true),
+                                          Json::array(), Json::object(), Json(-1),
+                                          Json(0),       Json(1e308),    Json(18446744073709551615u),
+                                          Json(-1e-320)};
+    int replaced = 0;
+    if (at.is_structured())
+        for (auto& child : at)
+            replaced += verified_with_replaced(document, child);
+    const Json kept = at;
+    for (const Json& other : others) {
+        at = other;
+        EXPECT_FALSE(verify(document).empty());
+        ++replaced;
+    }
+    at = kept;
+    return replaced;
 }
 
 }  // namespace
@@ -131,6 +152,8 @@ std::vector<std::string> failures(const Json& document) {
         if (!c.passed) names.push_back(c.name);
     return names;
 }
+
+int verified_with_members_replaced(Json& document) { return verified_with_replaced(document, document); }
 
 std::string told(const std::vector<Check>& checks) {
     std::string text;

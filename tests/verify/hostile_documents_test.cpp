@@ -85,32 +85,10 @@ TEST(HostileDocument, IsRefusedIfANameIsUnknown) {
     expect_refused(json, "objective.sense");
 }
 
-/// Every member of a document, at any depth, replaced by values of every type: no crash, no exception, no hang.
-void replace_everywhere(Json& json, Json& at, const std::vector<Json>& others, int& replaced) {
-    if (at.is_structured()) {
-        for (auto& child : at)
-            replace_everywhere(json, child, others, replaced);
-    }
-    const Json kept = at;
-    for (const Json& other : others) {
-        at = other;
-        const auto checks = verify(json);
-        EXPECT_FALSE(checks.empty());
-        ++replaced;
-    }
-    at = kept;
-}
-
 TEST(HostileDocument, NeverThrowsWhateverItsMembersAre) {
-    const std::vector<Json> others{Json(),        Json("1"),      Json(true),
-                                   Json::array(), Json::object(), Json(-1),
-                                   Json(0),       Json(1e308),    Json(18446744073709551615u),
-                                   Json(-1e-320)};
     Json json = good();
     json["quantities"] = {{"swing", json["quantities"]["swing"]}, {"link-ratio", json["quantities"]["link-ratio"]}};
-    int replaced = 0;
-    replace_everywhere(json, json, others, replaced);
-    EXPECT_GT(replaced, 500);
+    EXPECT_GT(verified_with_members_replaced(json), 500);
     EXPECT_TRUE(failures(json).empty());
 }
 
