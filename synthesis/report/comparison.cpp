@@ -165,12 +165,11 @@ std::string comparison_table(const std::vector<Compared>& all, bool colour) {
     }
     std::string text = to_text(table, 0);
     if (!same_objective(all) || !has_design(all.front())) return text;
-    text +=
-        '\n' + folded(emphasised("Best: ", Emphasis::good, colour),
-                      fmt::format("{} ({}), {} = {}{}{}", short_name(all.front()), all.front().problem.mechanism->name,
-                                  objective_text(all.front()), number_text(all.front().result.best->objective),
-                                  objective_unit(all.front()).empty() ? "" : std::string(1, tied_space),
-                                  objective_unit(all.front())));
+    text += '\n' + folded(emphasised("Best: ", Emphasis::good, colour),
+                          fmt::format("{}, {} = {}{}{}", short_name(all.front()), objective_text(all.front()),
+                                      number_text(all.front().result.best->objective),
+                                      objective_unit(all.front()).empty() ? "" : std::string(1, tied_space),
+                                      objective_unit(all.front())));
     return text;
 }
 

@@ -14,15 +14,23 @@ std::string without_seconds(const std::string& text) {
     return std::regex_replace(text, std::regex(R"([0-9.e-]+\s+s\.)"), "T s.");
 }
 
-TEST(Readme, ShowsWhatTheProgramPrints) {
+/// The README has what a command prints on standard output.
+void expect_shown(const std::vector<std::string>& arguments) {
     std::ifstream file(MECHWRIGHT_SOURCE_DIR "/README.md");
     const std::string readme{std::istreambuf_iterator<char>(file), {}};
     Start how;
-    how.arguments = {"solve", "problems/four-bar/crank-rocker.toml"};
+    how.arguments = arguments;
     how.folder = MECHWRIGHT_SOURCE_DIR;
     const Outcome outcome = run(how);
     EXPECT_EQ(outcome.exit_code, 0);
     expect_has(without_seconds(readme), without_seconds(outcome.out));
+}
+
+TEST(Readme, ShowsWhatSolvePrints) { expect_shown({"solve", "problems/four-bar/crank-rocker.toml"}); }
+
+TEST(Readme, ShowsWhatComparePrints) {
+    const std::string files = "problems/quick-return/uniform-speed-";
+    expect_shown({"compare", files + "crank-shaper.toml", files + "drag-link.toml", files + "whitworth.toml"});
 }
 
 }  // namespace
