@@ -9,6 +9,7 @@
 /// Without the library of toml++ its parser is compiled in, with the sanitizers. replay.cpp calls the same function
 /// over the corpus and changes of it, with any compiler.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -66,7 +67,11 @@ void check_dimensions(const Problem& problem) {
     }
     require(!problem.assemblies.empty(), "there is an assembly");
     for (const std::size_t assembly : problem.assemblies)
-        require(assembly < mechanism.assemblies.size(), "an assembly is one of the mechanism");
+        require(assembly < std::max<std::size_t>(mechanism.assemblies.size(), 1),
+                "an assembly is one of the mechanism");
+    for (std::size_t i = 0; i < mechanism.settings.size(); ++i)
+        require(problem.settings[i] > mechanism.settings[i].above && problem.settings[i] < mechanism.settings[i].below,
+                "a setting is in its range");
 }
 
 void check_quantity(const Problem& problem, std::size_t quantity) {
