@@ -37,6 +37,26 @@ struct Segment {
     const PeriodicSpline<Constant<T>>* table = nullptr;  ///< of a cycle
 };
 
+/// A segment in another number type over the same constants.
+template <class To, class From>
+Segment<To> converted(const Segment<From>& segment) {
+    Segment<To> to;
+    to.kind = segment.kind;
+    to.law = segment.law;
+    to.angle = number_as<To>(segment.angle);
+    to.lift = number_as<To>(segment.lift);
+    to.table = segment.table;
+    const auto& boundary = segment.boundary;
+    to.boundary.start_count = boundary.start_count;
+    to.boundary.end_count = boundary.end_count;
+    to.boundary.shape_count = boundary.shape_count;
+    const auto number = [](const From& x) { return number_as<To>(x); };
+    std::transform(boundary.start.begin(), boundary.start.end(), to.boundary.start.begin(), number);
+    std::transform(boundary.end.begin(), boundary.end.end(), to.boundary.end.begin(), number);
+    std::transform(boundary.shape.begin(), boundary.shape.end(), to.boundary.shape.begin(), number);
+    return to;
+}
+
 /// How many analytic pieces a segment has.
 template <class T>
 std::size_t pieces(const Segment<T>& segment) {

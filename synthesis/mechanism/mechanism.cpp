@@ -3,14 +3,20 @@
 #include <algorithm>
 #include <numeric>
 
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 
 namespace mechwright {
 
 std::span<const Mechanism* const> mechanisms() {
-    static const std::array all{&four_bar_mechanism(), &slider_crank_mechanism(), &crank_shaper_mechanism(),
-                                &whitworth_mechanism(), &drag_link_mechanism()};
+    static const std::vector<const Mechanism*> all = [] {
+        std::vector<const Mechanism*> list{&four_bar_mechanism(), &slider_crank_mechanism(), &crank_shaper_mechanism(),
+                                           &whitworth_mechanism(), &drag_link_mechanism()};
+        const auto cams = cam_mechanisms();
+        list.insert(list.end(), cams.begin(), cams.end());
+        return list;
+    }();
     return all;
 }
 

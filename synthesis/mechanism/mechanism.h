@@ -31,6 +31,7 @@ struct Dimension {
     DimensionKind kind;
     bool required;  ///< if not, and not named in a problem file, it is 0
     std::string_view meaning;
+    bool of_segment = false;  ///< stands in a [[segment]] of a cam's motion, not in [dimensions]
 };
 
 enum class Unit { none, length, area, angle };
@@ -47,6 +48,8 @@ struct Setting {
     static constexpr std::size_t most = 2;  ///< of one mechanism
 };
 
+struct MotionProgram;
+
 /// The discrete data of a design and the motion over which it is judged.
 struct Motion {
     std::size_t assembly = 0;  ///< index into Mechanism::assemblies
@@ -55,6 +58,7 @@ struct Motion {
     double from = 0;  ///< crank angles in radians; for a full turn 0 and 2 pi
     double to = 0;
     std::array<double, Setting::most> settings{};  ///< values of Mechanism::settings
+    const MotionProgram* program = nullptr;        ///< what the follower of a cam does; null for linkages
 };
 
 /// Where a measure writes its smooth components. Derivatives are with respect to the first `reads` dimensions of the
@@ -157,7 +161,8 @@ struct Mechanism {
     /// Whether no design of this mechanism lies in the given ranges, where that shows at a glance; null: no such check.
     std::optional<Objection> (*objection)(std::span<const double> least, std::span<const double> greatest) = nullptr;
     /// The motion of a finished design: its family, and the given crank range or else the full turn or the whole
-    /// assembled range. A design that does not assemble anywhere has from > to. Settings are left to the caller.
+    /// assembled range. A design that does not assemble anywhere has from > to. Settings and motion program are left to
+    /// the caller.
     Motion (*motion)(std::span<const double> dimensions, std::size_t assembly, const double* crank_range) = nullptr;
     /// In one phrase what kind of linkage the dimensions make ("crank-rocker", change points named).
     std::string (*describe)(std::span<const double> dimensions) = nullptr;
@@ -176,7 +181,7 @@ struct Mechanism {
     std::span<const std::string_view> motion_columns;
     std::span<const Unit> motion_units;
     /// Returns false where the mechanism does not assemble.
-    bool (*motion_row)(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
+    bool (*motion_row)(const Motion&, std::span<const double> dimensions, double crank_angle,
                        std::span<double> row) = nullptr;
 };
 

@@ -81,10 +81,7 @@ DimensionRange read_dimension(Section& section, const Dimension& dimension, cons
                                   dimension.name, dimension.meaning));
         return {};
     }
-    const auto range =
-        node->is_table() ? read_range(*node, dimension, messages) : read_fixed(*node, dimension, messages);
-    if (!range) return {};
-    return dimension.kind == DimensionKind::angle ? in_radians(units, *range) : *range;
+    return to_dimension(*node, dimension, units, messages).value_or(DimensionRange{});
 }
 
 std::vector<std::size_t> read_assemblies(Section& section, const Mechanism& mechanism, Messages& messages) {
@@ -121,6 +118,12 @@ std::string required_names(const Mechanism& mechanism) {
 
 }  // namespace
 
+std::optional<DimensionRange> to_dimension(const toml::node& node, const Dimension& dimension, const Units& units,
+                                           Messages& messages) {
+    const auto range = node.is_table() ? read_range(node, dimension, messages) : read_fixed(node, dimension, messages);
+    return range && dimension.kind == DimensionKind::angle ? in_radians(units, *range) : range;
+}
+
 void read_dimensions(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> section = read_section(file, "dimensions", messages);
     if (problem.mechanism == nullptr) return;
@@ -136,7 +139,8 @@ void read_dimensions(Section& file, Problem& problem, Messages& messages) {
     }
     const std::size_t messages_before = messages.entries.size();
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
-        problem.dimensions[i] = read_dimension(*section, mechanism.dimensions[i], problem.units, messages);
+        if (!mechanism.dimensions[i].of_segment)
+            problem.dimensions[i] = read_dimension(*section, mechanism.dimensions[i], problem.units, messages);
     if (mechanism.objection != nullptr && messages.entries.size() == messages_before)
         report_objection(*section, problem, messages);
     problem.assemblies = read_assemblies(*section, mechanism, messages);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -81,6 +82,8 @@ struct Problem {
     std::optional<PathTarget> path;
     std::optional<Vector<double>> crank_range;     ///< (from, to), radians
     std::array<double, Setting::most> settings{};  ///< of the mechanism, in the order of Mechanism::settings
+    std::shared_ptr<const MotionProgram> program;  ///< of a cam
+    std::size_t cam_rotation = 0;                  ///< of a cam: ccw, cw, or either
     SolverOptions solver;
 };
 

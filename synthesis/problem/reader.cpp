@@ -27,10 +27,10 @@ void read_schema(Section& file, Messages& messages) {
 void read_mechanism(Section& file, Problem& problem, Messages& messages) {
     std::vector<std::string_view> names;
     for (const Mechanism* mechanism : mechanisms())
-        names.push_back(mechanism->name);
+        if (names.empty() || names.back() != mechanism->name) names.push_back(mechanism->name);
     if (!has(file, "mechanism")) add_error(messages, file.place, "'mechanism' is missing: known are " + listed(names));
     if (const auto index = read_choice(file, "mechanism", "mechanism", names, messages))
-        problem.mechanism = mechanisms()[*index];
+        problem.mechanism = find_mechanism(names[*index]);
 }
 
 struct Missing {
@@ -39,11 +39,8 @@ struct Missing {
 };
 
 /// Sections of the format that belong to kinds of synthesis which are not built in.
-constexpr std::array<Missing, 5> not_built_in{{{"function", "function generation"},
-                                               {"poses", "body guidance through poses"},
-                                               {"study", "parameter studies"},
-                                               {"cam", "cams"},
-                                               {"segment", "cams"}}};
+constexpr std::array<Missing, 3> not_built_in{
+    {{"function", "function generation"}, {"poses", "body guidance through poses"}, {"study", "parameter studies"}}};
 
 void report_not_built_in(Section& file, Messages& messages) {
     for (const Missing& missing : not_built_in) {
@@ -60,7 +57,9 @@ void read_table(const toml::table& table, Problem& problem, Messages& messages) 
     read_mechanism(file, problem, messages);
     if (auto title = read_string(file, "title", messages)) problem.title = *std::move(title);
     read_units(file, problem, messages);
+    read_cam(file, problem, messages);
     read_dimensions(file, problem, messages);
+    read_segments(file, problem, messages);
     read_path(file, problem, messages);
     read_objective(file, problem, messages);
     read_motion(file, problem, messages);

@@ -18,7 +18,11 @@ double to_radians(const Units& units, double angle);
 double full_turn(const Units& units);
 
 void read_units(Section& file, Problem& problem, Messages& messages);
+/// The [cam] section, which makes a cam one of a certain follower.
+void read_cam(Section& file, Problem& problem, Messages& messages);
 void read_dimensions(Section& file, Problem& problem, Messages& messages);
+/// The motion of a cam: after its dimensions. Adds requirements that the motion closes where it is not given whole.
+void read_segments(Section& file, Problem& problem, Messages& messages);
 void read_requirements(Section& file, Problem& problem, Messages& messages);
 void read_objective(Section& file, Problem& problem, Messages& messages);
 void read_path(Section& file, Problem& problem, Messages& messages);
@@ -26,6 +30,10 @@ void read_motion(Section& file, Problem& problem, Messages& messages);
 /// The sections that the mechanism's settings stand in.
 void read_settings(Section& file, Problem& problem, Messages& messages);
 void read_solver(Section& file, Problem& problem, Messages& messages);
+
+/// A number or a range of the file as a dimension, angles in radians.
+std::optional<DimensionRange> to_dimension(const toml::node& node, const Dimension& dimension, const Units& units,
+                                           Messages& messages);
 
 /// A quantity of the mechanism by its name: its index. Path quantities are accepted only in files with a [path].
 std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view what, const Section& file,

@@ -38,6 +38,7 @@ Motion motion_of(const Problem& problem, const Design& design) {
     Motion motion =
         problem.mechanism->motion(design.dimensions, design.assembly, problem.crank_range ? range.data() : nullptr);
     motion.settings = problem.settings;
+    motion.program = problem.program.get();
     return motion;
 }
 

@@ -10,6 +10,7 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     motion.assembly = assembly;
     motion.family = family;
     motion.settings = problem.settings;
+    motion.program = problem.program.get();
     motion.full_turn = problem.mechanism->families[family].full_turn && !problem.crank_range;
     if (problem.crank_range) {
         motion.from = problem.crank_range->x;

@@ -6,6 +6,7 @@
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
+#include "synthesis/report/cam_document.h"
 #include "synthesis/report/versions.h"
 
 namespace mechwright {
@@ -60,6 +61,7 @@ Json design_of(const Problem& problem, const Design& design) {
         put(json, dimension.name, in_file_unit(value, unit_of(dimension.kind), problem.units));
     }
     if (!mechanism.assemblies.empty()) json["assembly"] = mechanism.assemblies[design.assembly];
+    if (problem.program) put_cam_choice(json, problem, design.assembly);
     json["kind"] = mechanism.describe(design.dimensions);
     return json;
 }
@@ -185,6 +187,7 @@ Json head(const Problem& problem) {
 void put_body(Json& json, const Problem& problem, const Solution* best) {
     put(json, "tolerance", problem.solver.tolerance);
     json["dimensions"] = given_dimensions(problem);
+    if (problem.program) json["cam"] = cam_document(problem);
     if (problem.crank_range)
         json["crank_range"] = angles({problem.crank_range->x, problem.crank_range->y}, problem.units);
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)

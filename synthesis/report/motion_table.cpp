@@ -33,7 +33,7 @@ std::string motion_table(const Problem& problem, const Design& design, int steps
         const double angle = i == 0       ? motion.from
                              : i == steps ? motion.to
                                           : from_file_unit(from + (to - from) * i / steps, Unit::angle, problem.units);
-        if (!mechanism.motion_row(design.assembly, design.dimensions, angle, row)) continue;
+        if (!mechanism.motion_row(motion, design.dimensions, angle, row)) continue;
         for (std::size_t c = 0; c < row.size(); ++c) {
             if (c > 0) text += ',';
             text += csv_number(in_file_unit(row[c], mechanism.motion_units[c], problem.units));

@@ -9,6 +9,7 @@
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
+#include "synthesis/report/cam_document.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/table.h"
 
@@ -115,7 +116,9 @@ std::string design_section(const Problem& problem, const Design& design, bool co
     }
     std::string kind = mechanism.describe(design.dimensions);
     if (!mechanism.assemblies.empty()) kind += fmt::format(", {} assembly", mechanism.assemblies[design.assembly]);
-    return heading("Design: " + kind, colour) + to_text(table, 2);
+    std::string text = heading("Design: " + kind, colour) + to_text(table, 2);
+    if (problem.program) text += folded("  ", cam_choice_text(problem, design.assembly));
+    return text;
 }
 
 std::string objective_section(const Problem& problem, const Solution& solution, bool colour) {

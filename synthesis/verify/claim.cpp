@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/verify/claim_json.h"
+#include "synthesis/verify/claimed_cam.h"
 
 namespace mechwright {
 
@@ -84,7 +86,8 @@ void read_design(Reader& in, const Json& document, Claim& claim) {
     if (!design) return in.fail("the document has no design");
     if (!in.object(design, "design")) return;
     for (const auto& [name, value] : design->items())
-        if (name != "assembly" && name != "kind" && find_dimension(mechanism, name) < 0)
+        if (name != "assembly" && name != "kind" && !(claim.program && (name == "rotation" || name == "laws")) &&
+            find_dimension(mechanism, name) < 0)
             return in.fail(fmt::format("a {} does not have design.{}", mechanism.name, reading::quoted(name)));
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
         const Dimension& dimension = mechanism.dimensions[i];
@@ -229,6 +232,7 @@ ReadClaim read_claim(const Json& document) {
     Claim claim;
     if (!document.is_object()) return {{}, "it is not a JSON object"};
     read_head(in, document, claim);
+    if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
     for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_requirements, read_objective,
                             read_quantities, read_path})
         if (in.understood()) read(in, document, claim);

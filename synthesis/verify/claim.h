@@ -3,6 +3,7 @@
 /// What a result document claims, read from the JSON alone: names resolved by the registry, numbers as they stand there
 /// (lengths and angles in the file's units). See synthesis/report/document.h for the layout.
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -62,6 +63,7 @@ struct Claim {
     std::optional<std::string> kind;
     std::optional<Vector<double>> crank_range;
     std::array<double, Setting::most> settings{};  ///< presets where they are not stated
+    std::shared_ptr<const MotionProgram> program;  ///< of a cam
     std::vector<ClaimedRequirement> requirements;
     std::optional<ClaimedObjective> objective;
     std::vector<std::pair<std::size_t, double>> quantities;  ///< quantity and its value

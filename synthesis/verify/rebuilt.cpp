@@ -100,6 +100,7 @@ Rebuilt rebuilt(const Claim& claim) {
                  plain(from_document(claim.crank_range->y, Unit::angle, claim.units))};
     design.motion = mechanism.motion(design.rounded, claim.assembly, claim.crank_range ? range.data() : nullptr);
     design.motion.settings = claim.settings;
+    design.motion.program = claim.program.get();
     if (claim.path && claim.path->crank_angles.size() == claim.path->points.size()) design.path = rebuilt_path(design);
     return design;
 }

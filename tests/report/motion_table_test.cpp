@@ -48,7 +48,7 @@ TEST(MotionTable, NumbersReadBackAsTheSame) {
     const Design design = path_solution().design;
     const auto fields = fields_of(lines_of(motion_table(problem, design, 4))[2]);
     std::vector<double> row(problem.mechanism->motion_columns.size());
-    ASSERT_TRUE(problem.mechanism->motion_row(0, design.dimensions, 90 * 3.141592653589793 / 180, row));
+    ASSERT_TRUE(problem.mechanism->motion_row(Motion{}, design.dimensions, 90 * 3.141592653589793 / 180, row));
     for (std::size_t c = 0; c < row.size(); ++c) {
         if (problem.mechanism->motion_units[c] == Unit::angle) continue;
         double number = 0;

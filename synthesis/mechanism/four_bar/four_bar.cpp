@@ -139,9 +139,9 @@ constexpr std::array<std::string_view, 10> motion_columns{
 constexpr std::array<Unit, 10> motion_units{Unit::angle, Unit::angle, Unit::angle, Unit::angle,  Unit::none,
                                             Unit::none,  Unit::none,  Unit::none,  Unit::length, Unit::length};
 
-bool motion_row(std::size_t assembly, std::span<const double> d, double crank_angle, std::span<double> row) {
+bool motion_row(const Motion& motion, std::span<const double> d, double crank_angle, std::span<double> row) {
     const FourBar<double> m = linkage_of(d);
-    const auto p = pose(m, crank_angle, assembly == 0 ? Assembly::open : Assembly::crossed);
+    const auto p = pose(m, crank_angle, motion.assembly == 0 ? Assembly::open : Assembly::crossed);
     if (!p.assembled()) return false;
     const auto v = velocity(m, p);
     const auto a = acceleration(m, p, v);

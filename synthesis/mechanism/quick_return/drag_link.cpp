@@ -60,8 +60,8 @@ constexpr std::array<Unit, 13> motion_units{Unit::angle,  Unit::angle,  Unit::an
                                             Unit::none,   Unit::none,   Unit::none,  Unit::none,  Unit::none,
                                             Unit::length, Unit::length, Unit::length};
 
-bool motion_row(std::size_t assembly, std::span<const double> d, double crank_angle, std::span<double> row) {
-    const DragLink<double> m = drive_of<DragLink>(d, assembly);
+bool motion_row(const Motion& motion, std::span<const double> d, double crank_angle, std::span<double> row) {
+    const DragLink<double> m = drive_of<DragLink>(d, motion.assembly);
     const auto p = pose_at(m, crank_angle);
     if (!p.input.assembled() || !p.output.assembled()) return false;
     const auto v = velocity(m, p);

@@ -52,7 +52,7 @@ constexpr std::array<std::string_view, 10> motion_columns{
 constexpr std::array<Unit, 10> motion_units{Unit::angle,  Unit::angle,  Unit::angle,  Unit::none,   Unit::none,
                                             Unit::length, Unit::length, Unit::length, Unit::length, Unit::length};
 
-bool motion_row(std::size_t, std::span<const double> d, double crank_angle, std::span<double> row) {
+bool motion_row(const Motion&, std::span<const double> d, double crank_angle, std::span<double> row) {
     const SliderCrank<double> m = drive_of<SliderCrank>(d, 0);
     const auto p = pose(m, crank_angle);
     if (!p.assembled()) return false;

@@ -22,8 +22,8 @@ inline constexpr std::array<Unit, 14> slotted_units{Unit::angle, Unit::angle,  U
                                                     Unit::none,  Unit::length, Unit::length, Unit::length};
 
 template <template <class> class Drive>
-bool slotted_row(std::size_t assembly, std::span<const double> dimensions, double crank_angle, std::span<double> row) {
-    const Drive<double> m = drive_of<Drive>(dimensions, assembly);
+bool slotted_row(const Motion& motion, std::span<const double> dimensions, double crank_angle, std::span<double> row) {
+    const Drive<double> m = drive_of<Drive>(dimensions, motion.assembly);
     const auto p = pose_at(m, crank_angle);
     if (!p.output.assembled()) return false;
     const auto v = velocity(m, p);

@@ -1,0 +1,264 @@
+#include "synthesis/mechanism/cam/cam.h"
+
+#include <algorithm>
+
+#include "synthesis/mechanism/cam/check_cam.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace cam;
+
+constexpr std::array<std::string_view, MotionProgram::most_segments> angle_names{
+    "angle-1", "angle-2", "angle-3", "angle-4",  "angle-5",  "angle-6",
+    "angle-7", "angle-8", "angle-9", "angle-10", "angle-11", "angle-12"};
+constexpr std::array<std::string_view, MotionProgram::most_segments> lift_names{
+    "lift-1", "lift-2", "lift-3", "lift-4",  "lift-5",  "lift-6",
+    "lift-7", "lift-8", "lift-9", "lift-10", "lift-11", "lift-12"};
+constexpr std::array<std::string_view, MotionProgram::most_coefficients> coefficient_names{
+    "coefficient-1",  "coefficient-2",  "coefficient-3",  "coefficient-4",  "coefficient-5",  "coefficient-6",
+    "coefficient-7",  "coefficient-8",  "coefficient-9",  "coefficient-10", "coefficient-11", "coefficient-12",
+    "coefficient-13", "coefficient-14", "coefficient-15", "coefficient-16"};
+
+constexpr Dimension prime_radius{"prime-radius", DimensionKind::length, true,
+                                 "least distance of the roller centre from the cam centre"};
+constexpr Dimension base_radius{"base-radius", DimensionKind::length, true, "least radius of the cam"};
+constexpr Dimension pivot_distance{"pivot-distance", DimensionKind::length, true,
+                                   "distance of the follower's pivot from the cam centre"};
+constexpr Dimension roller_radius{"roller-radius", DimensionKind::length, true, "radius of the roller"};
+constexpr Dimension no_roller{"roller-radius", DimensionKind::coordinate, false, "a knife edge has none"};
+
+template <template <class> class F>
+std::vector<Dimension> geometry_of(bool knife) {
+    const Dimension& roller = knife ? no_roller : roller_radius;
+    if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>)
+        return {prime_radius,
+                {"offset", DimensionKind::coordinate, false,
+                 "distance of the guide from the cam centre, > 0 on the side that relieves the rise"},
+                roller};
+    else if constexpr (std::is_same_v<F<double>, OscillatingRoller<double>>)
+        return {prime_radius,
+                pivot_distance,
+                {"arm-length", DimensionKind::length, true, "distance of the roller centre from the pivot"},
+                roller};
+    else if constexpr (std::is_same_v<F<double>, TranslatingFlat<double>>)
+        return {base_radius};
+    else
+        return {base_radius,
+                pivot_distance,
+                {"face-offset", DimensionKind::coordinate, false,
+                 "distance of the face from the pivot, > 0 towards the cam"}};
+}
+
+template <template <class> class F>
+std::vector<Dimension> dimensions_of(bool knife) {
+    std::vector<Dimension> all = geometry_of<F>(knife);
+    const DimensionKind lift = Layout<F>::oscillating ? DimensionKind::angle : DimensionKind::coordinate;
+    for (const std::string_view name : angle_names)
+        all.push_back({name, DimensionKind::angle, false, "angle of a segment of the motion", true});
+    for (const std::string_view name : lift_names)
+        all.push_back({name, lift, false, "lift of a segment of the motion", true});
+    for (const std::string_view name : coefficient_names)
+        all.push_back({name, lift, false, "number of a polynomial of the motion", true});
+    return all;
+}
+
+/// Linear conditions of the geometry, coefficients of the first dimensions.
+template <template <class> class F>
+std::vector<LinearCondition> conditions() {
+    if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>)
+        return {{"the guide reaches the cam on one side", {1, -1}},
+                {"the guide reaches the cam on the other side", {1, 1}}};
+    else if constexpr (std::is_same_v<F<double>, OscillatingRoller<double>>)
+        return {{"the arm reaches the cam", {-1, 1, 1}},
+                {"the arm is not too short", {1, -1, 1}},
+                {"the arm is not too long", {1, 1, -1}}};
+    else if constexpr (std::is_same_v<F<double>, OscillatingFlat<double>>)
+        return {{"the pivot lies outside the cam", {-1, 1, -1}}, {"the face is on the cam's side", {1, 0, 1}}};
+    else
+        return {};
+}
+
+template <template <class> class F>
+std::span<const Family> families() {
+    static const Quantity margin = existence_margin<F>();
+    static const std::array<Family, 1> all{{{"cam", true, conditions<F>(), &margin}}};
+    return all;
+}
+
+Motion whole_turn(std::span<const double>, std::size_t assembly, const double*) {
+    Motion motion;
+    motion.assembly = assembly;
+    motion.to = 2 * pi<double>();
+    return motion;
+}
+
+/// Where a cam angle lies in the motion program; past the end the last segment's end.
+struct At {
+    std::size_t segment, piece;
+    double u;
+};
+
+template <template <class> class F>
+At place_of(const Motion& motion, std::span<const double> d, double cam_angle) {
+    const std::size_t n = motion.program->segments.size();
+    std::size_t i = 0;
+    double left = cam_angle;
+    while (i + 1 < n && left >= d[slots<F>.angle(i)])
+        left -= d[slots<F>.angle(i++)];
+    const Segment<double> segment = placed_segment<F>(motion, d, i).segment;
+    double u = std::clamp(left / segment.angle, 0.0, 1.0);
+    std::size_t piece = 0;
+    if (segment.law.form == SegmentLaw::Form::table && u < break_before(segment, 0)) u += 1;
+    while (piece + 1 < pieces(segment) && u > break_before(segment, piece + 1))
+        ++piece;
+    return {i, piece, u};
+}
+
+constexpr std::array<std::string_view, 12> columns{"cam-angle", "lift",           "velocity",       "acceleration",
+                                                   "jerk",      "pressure-angle", "pitch-x",        "pitch-y",
+                                                   "profile-x", "profile-y",      "profile-radius", "face-contact"};
+
+template <bool oscillating>
+constexpr std::array<Unit, 12> column_units() {
+    constexpr Unit lift = oscillating ? Unit::angle : Unit::length;
+    return {Unit::angle,  lift,         lift,         lift,         lift,         Unit::angle,
+            Unit::length, Unit::length, Unit::length, Unit::length, Unit::length, Unit::length};
+}
+
+/// Points are those of the cam as it lies at cam angle 0. The pitch curve of a flat follower is the cam itself.
+template <template <class> class F>
+bool motion_row(const Motion& motion, std::span<const double> d, double cam_angle, std::span<double> row) {
+    const At at = place_of<F>(motion, d, cam_angle);
+    const PlacedSegment placed = placed_segment<F>(motion, d, at.segment);
+    const Lift<double> lift = lift_at(placed.segment, at.piece, at.u, placed.start_lift);
+    const auto f = follower_of<F, double>(d, motion.assembly);
+    const double back = -f.sense * cam_angle;
+    const Vector<double> turn{std::cos(back), std::sin(back)};
+    double angle, radius, along = 0;
+    Vector<double> pitch, profile;
+    if constexpr (Layout<F>::roller) {
+        const auto p = pitch_point(f, lift);
+        angle = pressure_angle(p);
+        pitch = p.position;
+        profile = contact_point(p, f.roller_radius);
+        radius = 1 / curvature(p) - f.roller_radius;
+    } else {
+        const auto p = face_contact(f, lift);
+        angle = p.pressure_angle;
+        pitch = profile = p.position;
+        radius = p.radius;
+        along = p.along;
+    }
+    pitch = turned(pitch, turn);
+    profile = turned(profile, turn);
+    const std::array<double, 12> values{cam_angle, lift.s,  lift.v,    lift.a,    lift.j, angle,
+                                        pitch.x,   pitch.y, profile.x, profile.y, radius, along};
+    std::copy(values.begin(), values.end(), row.begin());
+    return true;
+}
+
+std::optional<Objection> knife_has_no_roller(std::size_t roller, std::span<const double> least,
+                                             std::span<const double> greatest) {
+    if (least[roller] == 0 && greatest[roller] == 0) return std::nullopt;
+    return Objection{roller, "a knife edge has no roller-radius: leave it out, or write follower = \"roller\""};
+}
+
+/// The smallest offset that the ranges allow against the greatest prime radius.
+std::optional<Objection> offset_too_large(std::span<const double> least, std::span<const double> greatest) {
+    const double offset = least[1] > 0 ? least[1] : greatest[1] < 0 ? -greatest[1] : 0;
+    if (offset <= greatest[0]) return std::nullopt;
+    return Objection{
+        1, fmt::format("the offset is larger than the prime-radius, by {:.6g}: the guide would pass the cam by; "
+                       "it must be {:.6g} at most",
+                       offset - greatest[0], greatest[0])};
+}
+
+template <template <class> class F, bool knife>
+std::optional<Objection> objection(std::span<const double> least, std::span<const double> greatest) {
+    if constexpr (Layout<F>::roller && knife)
+        if (const auto no = knife_has_no_roller(Layout<F>::geometry - 1, least, greatest)) return no;
+    if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>) return offset_too_large(least, greatest);
+    return std::nullopt;
+}
+
+template <template <class> class F, bool knife>
+const Mechanism& entry(std::string_view kind) {
+    static const std::vector<Dimension> dimensions = dimensions_of<F>(knife);
+    static const std::vector<Quantity> quantities = cam_quantities<F>();
+    static const std::array<Unit, 12> units = column_units<Layout<F>::oscillating>();
+    static const std::string name(kind);
+    static const std::string meaning = "disc cam with " + name;
+    static const Mechanism mechanism{.name = "cam",
+                                     .meaning = meaning,
+                                     .dimensions = dimensions,
+                                     .assemblies = {},
+                                     .quantities = quantities,
+                                     .families = families<F>(),
+                                     .objection = objection<F, knife>,
+                                     .motion = whole_turn,
+                                     .describe = [](std::span<const double>) { return "cam with " + name; },
+                                     .check_motion = check_cam<F>,
+                                     .motion_columns = columns,
+                                     .motion_units = units,
+                                     .motion_row = motion_row<F>};
+    return mechanism;
+}
+
+}  // namespace
+
+const Mechanism& cam_mechanism(CamFollower follower, bool oscillating) {
+    switch (follower) {
+        case CamFollower::knife:
+            return oscillating ? entry<OscillatingRoller, true>("oscillating knife-edge follower")
+                               : entry<TranslatingRoller, true>("translating knife-edge follower");
+        case CamFollower::flat:
+            return oscillating ? entry<OscillatingFlat, false>("oscillating flat-faced follower")
+                               : entry<TranslatingFlat, false>("translating flat-faced follower");
+        default:
+            return oscillating ? entry<OscillatingRoller, false>("oscillating roller follower")
+                               : entry<TranslatingRoller, false>("translating roller follower");
+    }
+}
+
+std::span<const Mechanism* const> cam_mechanisms() {
+    using enum CamFollower;
+    static const std::array all{&cam_mechanism(roller, false), &cam_mechanism(roller, true),
+                                &cam_mechanism(knife, false),  &cam_mechanism(knife, true),
+                                &cam_mechanism(flat, false),   &cam_mechanism(flat, true)};
+    return all;
+}
+
+bool is_cam(const Mechanism& mechanism) {
+    const auto all = cam_mechanisms();
+    return std::find(all.begin(), all.end(), &mechanism) != all.end();
+}
+
+CamKind cam_kind(const Mechanism& mechanism) {
+    for (const CamFollower follower : {CamFollower::knife, CamFollower::roller, CamFollower::flat})
+        for (const bool oscillating : {false, true})
+            if (&cam_mechanism(follower, oscillating) == &mechanism) return {follower, oscillating};
+    return {CamFollower::roller, false};
+}
+
+namespace {
+
+/// How many dimensions come before those of the segments.
+std::size_t geometry_count(const Mechanism& mechanism) { return mechanism.dimensions.size() - ProgramSlots{0}.end(); }
+
+}  // namespace
+
+std::size_t cam_angle_dimension(const Mechanism& mechanism, std::size_t segment) {
+    return ProgramSlots{geometry_count(mechanism)}.angle(segment);
+}
+
+std::size_t cam_lift_dimension(const Mechanism& mechanism, std::size_t segment) {
+    return ProgramSlots{geometry_count(mechanism)}.lift(segment);
+}
+
+std::size_t cam_coefficient_dimension(const Mechanism& mechanism, std::size_t index) {
+    return ProgramSlots{geometry_count(mechanism)}.coefficient(index);
+}
+
+}  // namespace mechwright

@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// Registry entries of disc cams: one for each kind of follower, all named "cam".
+
+#include <array>
+#include <string_view>
+
+#include "synthesis/mechanism/mechanism.h"
+
+namespace mechwright {
+
+enum class CamFollower { knife, roller, flat };
+
+inline constexpr std::array<std::string_view, 3> cam_follower_names{"knife", "roller", "flat"};
+inline constexpr std::array<std::string_view, 2> cam_motion_names{"translating", "oscillating"};
+inline constexpr std::array<std::string_view, 2> cam_rotation_names{"ccw", "cw"};
+
+const Mechanism& cam_mechanism(CamFollower follower, bool oscillating);
+
+/// What kind of follower an entry is of. Precondition: it is one of the entries above.
+struct CamKind {
+    CamFollower follower;
+    bool oscillating;
+};
+CamKind cam_kind(const Mechanism& mechanism);
+
+/// Whether an entry is a cam.
+bool is_cam(const Mechanism& mechanism);
+
+/// Where the angle, lift and coefficients of segments stand among the dimensions of a cam.
+std::size_t cam_angle_dimension(const Mechanism& mechanism, std::size_t segment);
+std::size_t cam_lift_dimension(const Mechanism& mechanism, std::size_t segment);
+std::size_t cam_coefficient_dimension(const Mechanism& mechanism, std::size_t index);
+
+/// All entries, rollers first.
+std::span<const Mechanism* const> cam_mechanisms();
+
+}  // namespace mechwright

@@ -1,0 +1,258 @@
+#pragma once
+/// \file
+/// Cams measured a second time, for verification: from positions of the follower alone, in fifty digits. Tangents,
+/// curvatures, velocities are differences of positions; normals and pressure angles follow from the tangent. No formula
+/// of the analysis but the law's own lift is used.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "synthesis/mechanism/cam/layout.h"
+
+namespace mechwright::cam::again {
+
+/// Steps of the difference formulas: far above rounding, far below what the motion does.
+template <class R>
+struct Step;
+template <>
+struct Step<double> {
+    static constexpr double first = 1e-3, third = 1e-2;
+};
+template <>
+struct Step<Digits50> {
+    static constexpr double first = 1e-9, third = 1e-7;
+};
+
+template <class R>
+struct Derivatives {
+    R value, first, second;
+};
+
+/// f and its first two derivatives at 0, by differences over five points.
+template <class R, class Function>
+Derivatives<R> derivatives(const Function& f) {
+    const R h(Step<R>::first);
+    const R a = f(R(-2 * h)), b = f(R(-h)), c = f(R(0)), d = f(h), e = f(R(2 * h));
+    return {c, (a - 8 * b + 8 * d - e) / (12 * h), (-a + 16 * b - 30 * c + 16 * d - e) / (12 * h * h)};
+}
+
+template <class R, class Function>
+R third_derivative(const Function& f) {
+    const R h(Step<R>::third);
+    const auto odd = [&](int k) { return R(f(R(k * h)) - f(R(-k * h))); };
+    return (-13 * odd(1) + 8 * odd(2) - odd(3)) / (8 * h * h * h);
+}
+
+/// A segment at a place, to be moved by small cam angles.
+template <class R>
+struct Here {
+    const Segment<R>* segment;
+    R start_lift;
+    std::size_t piece;
+    R u;
+
+    R lift(const R& cam_angle) const {
+        return lift_at(*segment, piece, R(u + cam_angle / segment->angle), start_lift).s;
+    }
+};
+
+/// A vector of the fixed plane as the cam sees it after turning by a small angle.
+template <class R>
+Vector<R> seen_by_cam(const Vector<R>& v, int sense, const R& cam_angle) {
+    using std::cos, std::sin;
+    const R angle = -sense * cam_angle;
+    return turned(v, Vector<R>{cos(angle), sin(angle)});
+}
+
+/// Centre of the roller and direction of its rise, in the fixed plane.
+template <class R>
+struct Centre {
+    Vector<R> position;
+    Vector<R> rise;
+};
+
+template <class R>
+Centre<R> centre(const TranslatingRoller<R>& f, const R& lift) {
+    using std::sqrt;
+    return {{f.sense * f.offset, R(sqrt(R(f.prime_radius * f.prime_radius - f.offset * f.offset)) + lift)},
+            {R(0), R(1)}};
+}
+
+template <class R>
+Centre<R> centre(const OscillatingRoller<R>& f, const R& lift) {
+    using std::acos, std::cos, std::sin;
+    const R& c = f.pivot_distance;
+    const R& l = f.arm_length;
+    const R arm = acos(R((c * c + l * l - f.prime_radius * f.prime_radius) / (2 * c * l))) + lift;
+    return {{R(c - l * cos(arm)), R(l * sin(arm))}, {sin(arm), cos(arm)}};
+}
+
+/// Distance of the face from the cam centre and direction of its normal, in the fixed plane.
+template <class R>
+struct Face {
+    R distance;
+    R direction;
+    R foot;  ///< place of the cam centre's foot along the face, from guide or pivot's foot
+};
+
+template <class R>
+Face<R> face(const TranslatingFlat<R>& f, const R& lift) {
+    return {f.base_radius + lift, pi<R>() / 2, R(0)};
+}
+
+template <class R>
+Face<R> face(const OscillatingFlat<R>& f, const R& lift) {
+    using std::asin, std::cos, std::sin;
+    const R angle = asin(R((f.base_radius + f.face_offset) / f.pivot_distance)) + lift;
+    return {f.pivot_distance * sin(angle) - f.face_offset, pi<R>() / 2 - angle, f.pivot_distance * cos(angle)};
+}
+
+/// What the cam is like at a place.
+template <class R>
+struct CamHere {
+    Vector<R> contact;  ///< in the fixed plane
+    R pressure_angle;
+    R held;       ///< cosine of the pressure angle; under a face how fast it turns against the cam
+    R curvature;  ///< of the pitch curve; under a face of the cam
+    R along;      ///< the face
+};
+
+template <class R, template <class> class Follower>
+CamHere<R> cam_here(const Follower<R>& f, const Here<R>& here) {
+    using std::atan2, std::hypot, std::sqrt;
+    if constexpr (Layout<Follower>::roller) {
+        const auto pitch = [&](const R& t) { return seen_by_cam(centre(f, here.lift(t)).position, f.sense, t); };
+        const auto x = derivatives<R>([&](const R& t) { return pitch(t).x; });
+        const auto y = derivatives<R>([&](const R& t) { return pitch(t).y; });
+        const R speed = sqrt(R(x.first * x.first + y.first * y.first));
+        const Vector<R> tangent{R(x.first / speed), R(y.first / speed)};
+        // Clockwise round a cam that turns counter-clockwise: the outside is on the left.
+        const Vector<R> normal = R(f.sense) * left_of(tangent);
+        const Vector<R> rise = centre(f, here.lift(R(0))).rise;
+        const R straight = dot(normal, rise), aside = -f.sense * cross(normal, rise);
+        return {Vector<R>{x.value, y.value} - f.roller_radius * normal, R(atan2(aside, straight)), straight,
+                R(-f.sense * (x.first * y.second - y.first * x.second) / (speed * speed * speed)), R(0)};
+    } else {
+        // The face as a line of the cam: distance p of the centre and direction of the normal a. The contact lies at
+        // dp/da along the line, the radius of curvature is p + d2p/da2.
+        const auto p = derivatives<R>([&](const R& t) { return face(f, here.lift(t)).distance; });
+        const auto a = derivatives<R>([&](const R& t) { return R(face(f, here.lift(t)).direction - f.sense * t); });
+        const R slope = p.first / a.first;
+        const R radius = p.value + (p.second - slope * a.second) / (a.first * a.first);
+        const Face<R> now = face(f, here.lift(R(0)));
+        using std::cos, std::sin;
+        const Vector<R> normal{R(cos(now.direction)), R(sin(now.direction))};
+        const R along = Layout<Follower>::oscillating ? R(now.foot + slope) : R(-slope);
+        R angle(0);
+        if constexpr (Layout<Follower>::oscillating) angle = atan2(f.face_offset, along);
+        return {p.value * normal + slope * left_of(normal), angle, R(-f.sense * a.first), R(1 / radius),
+                Layout<Follower>::oscillating ? along : R(f.sense * along)};
+    }
+}
+
+/// A cam rebuilt from its dimensions, in double to look for places and in fifty digits to measure there.
+template <template <class> class Follower>
+struct Rebuilt {
+    const Motion* motion;
+    Follower<Digits50> follower;
+    Follower<double> plain_follower;
+    std::vector<Segment<Digits50>> segments;
+    std::vector<Segment<double>> plain_segments;
+    std::vector<Digits50> start_lifts;
+
+    Rebuilt(const Motion& m, std::span<const Digits50> dimensions) : motion(&m) {
+        std::vector<double> plain;
+        for (const Digits50& d : dimensions)
+            plain.push_back(d.convert_to<double>());
+        const std::span<const double> rounded(plain);
+        follower = follower_of<Follower, Digits50>(dimensions, m.assembly);
+        plain_follower = follower_of<Follower, double>(rounded, m.assembly);
+        for (std::size_t i = 0; i < m.program->segments.size(); ++i) {
+            const auto p = parameters_of<Digits50>(*m.program, slots<Follower>, dimensions, i);
+            segments.push_back(segment_of(*m.program, m.assembly, i, p));
+            start_lifts.push_back(p.start_lift);
+            plain_segments.push_back(
+                segment_of(*m.program, m.assembly, i, parameters_of<double>(*m.program, slots<Follower>, rounded, i)));
+        }
+    }
+
+    Here<Digits50> here(std::size_t segment, std::size_t piece, const Digits50& u) const {
+        return {&segments[segment], start_lifts[segment], piece, u};
+    }
+    Here<double> roughly(std::size_t segment, std::size_t piece, double u) const {
+        return {&plain_segments[segment], start_lifts[segment].template convert_to<double>(), piece, u};
+    }
+};
+
+/// The greatest value over some segments of a measure: f(follower, here), in double and in fifty digits.
+template <template <class> class Follower, class Wanted, class Function>
+Digits50 greatest(const Rebuilt<Follower>& cam, const Wanted& wanted, const Function& f) {
+    struct Found {
+        std::size_t segment, piece;
+        double from, u, to;
+        double value;
+    };
+    std::vector<Found> found;
+    for (std::size_t i = 0; i < cam.segments.size(); ++i) {
+        const Segment<double>& segment = cam.plain_segments[i];
+        if (!wanted(segment.kind)) continue;
+        const std::size_t count = segment.kind == SegmentKind::dwell ? 1 : pieces(segment);
+        const int steps = segment.kind == SegmentKind::dwell ? 1 : count > 8 ? 8 : 128;
+        for (std::size_t piece = 0; piece < count; ++piece) {
+            const double from = break_before(segment, piece), to = break_before(segment, piece + 1);
+            for (int k = 0; k <= steps; ++k) {
+                const double u = k == steps ? to : from + k * (to - from) / steps;
+                found.push_back({i, piece, from, u, to, f(cam.plain_follower, cam.roughly(i, piece, u))});
+            }
+        }
+    }
+    double best = -std::numeric_limits<double>::infinity(), scale = 0;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        best = std::max(best, found[k].value);
+        scale = std::max(scale, std::abs(found[k].value));
+    }
+    Digits50 result = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const Found& at = found[k];
+        const bool has_before = k > 0 && found[k - 1].segment == at.segment && found[k - 1].piece == at.piece;
+        const bool has_after =
+            k + 1 < found.size() && found[k + 1].segment == at.segment && found[k + 1].piece == at.piece;
+        if (has_before && found[k - 1].value > at.value) continue;
+        if (has_after && found[k + 1].value >= at.value) continue;
+        if (!(at.value >= best - 0.02 * scale)) continue;
+        const auto fine = [&](const Digits50& u) {
+            return Digits50(f(cam.follower, cam.here(at.segment, at.piece, u)));
+        };
+        // Newton's method on the slope, kept in the piece; first with differences in double.
+        Digits50 u = at.u;
+        if (cam.segments[at.segment].kind != SegmentKind::dwell && at.to > at.from) {
+            double rough = at.u;
+            const double h = 1e-2 * (at.to - at.from);
+            const auto plain = [&](double x) { return f(cam.plain_follower, cam.roughly(at.segment, at.piece, x)); };
+            for (int step = 0; step < 4; ++step) {
+                const double a = plain(rough - h), b = plain(rough), c = plain(rough + h);
+                const double bend = a - 2 * b + c;
+                if (!(bend < 0)) break;
+                rough = std::clamp(rough + std::clamp(0.5 * h * (a - c) / bend, -h, h), at.from, at.to);
+            }
+            u = rough;
+            const Digits50 fine_step = 1e-6 * (at.to - at.from);
+            for (int step = 0; step < 3; ++step) {
+                const auto slope = derivatives<Digits50>(
+                    [&](const Digits50& t) { return fine(Digits50(u + t * fine_step / Step<Digits50>::first)); });
+                if (!(slope.second < 0)) break;
+                Digits50 next = u - slope.first / slope.second * (fine_step / Step<Digits50>::first);
+                next = std::clamp(next, Digits50(at.from), Digits50(at.to));
+                u = next;
+            }
+            if (!(fine(u) >= fine(Digits50(at.u)))) u = at.u;
+        }
+        result = std::max(result, fine(u));
+    }
+    return result;
+}
+
+}  // namespace mechwright::cam::again

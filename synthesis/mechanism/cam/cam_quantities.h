@@ -1,0 +1,265 @@
+#pragma once
+/// \file
+/// The quantities of a cam with a given follower as rows of the registry.
+
+#include <limits>
+
+#include "synthesis/mechanism/cam/cam_again.h"
+#include "synthesis/mechanism/cam/quantities.h"
+
+namespace mechwright::cam {
+
+namespace again {
+
+/// Measures of a place for `greatest`, by name of what they find.
+struct PressureSize {
+    template <class R, template <class> class F>
+    R operator()(const F<R>& f, const Here<R>& here) const {
+        using std::abs;
+        return abs(cam_here(f, here).pressure_angle);
+    }
+};
+struct Curvature {
+    template <class R, template <class> class F>
+    R operator()(const F<R>& f, const Here<R>& here) const {
+        return cam_here(f, here).curvature;
+    }
+};
+/// The negative radius under a face, which may be hollow.
+struct RadiusDeficit {
+    template <class R, template <class> class F>
+    R operator()(const F<R>& f, const Here<R>& here) const {
+        return -1 / cam_here(f, here).curvature;
+    }
+};
+struct Distance {
+    template <class R, template <class> class F>
+    R operator()(const F<R>& f, const Here<R>& here) const {
+        using std::sqrt;
+        const auto p = cam_here(f, here).contact;
+        return sqrt(R(dot(p, p)));
+    }
+};
+template <int sign>
+struct AlongFace {
+    template <class R, template <class> class F>
+    R operator()(const F<R>& f, const Here<R>& here) const {
+        return sign * cam_here(f, here).along;
+    }
+};
+struct Released {
+    template <class R, template <class> class F>
+    R operator()(const F<R>& f, const Here<R>& here) const {
+        return -cam_here(f, here).held;
+    }
+};
+template <int order>
+struct LiftDerivative {
+    template <class R>
+    static R of(const Here<R>& here) {
+        const auto lift = [&](const R& t) { return here.lift(t); };
+        if constexpr (order == 3)
+            return third_derivative<R>(lift);
+        else
+            return order == 1 ? derivatives<R>(lift).first : derivatives<R>(lift).second;
+    }
+    template <class R, template <class> class F>
+    R operator()(const F<R>&, const Here<R>& here) const {
+        using std::abs;
+        return abs(of(here));
+    }
+};
+
+template <template <class> class F, Kinds kinds, class Measure>
+Digits50 over(const Motion& motion, std::span<const Digits50> d) {
+    return greatest(Rebuilt<F>(motion, d), kinds, Measure{});
+}
+
+template <template <class> class F>
+Digits50 pitch_radius(const Motion& motion, std::span<const Digits50> d) {
+    return 1 / over<F, anywhere, Curvature>(motion, d);
+}
+
+template <template <class> class F>
+Digits50 profile_radius(const Motion& motion, std::span<const Digits50> d) {
+    if constexpr (Layout<F>::roller)
+        return pitch_radius<F>(motion, d) - follower_of<F, Digits50>(d, motion.assembly).roller_radius;
+    else
+        return -over<F, anywhere, RadiusDeficit>(motion, d);
+}
+
+template <template <class> class F>
+Digits50 undercut_margin(const Motion& motion, std::span<const Digits50> d) {
+    const auto follower = follower_of<F, Digits50>(d, motion.assembly);
+    if constexpr (Layout<F>::roller)
+        return 1 - follower.roller_radius * over<F, anywhere, Curvature>(motion, d);
+    else
+        return profile_radius<F>(motion, d) / follower.base_radius;
+}
+
+template <template <class> class F>
+Digits50 face_length(const Motion& motion, std::span<const Digits50> d) {
+    return over<F, anywhere, AlongFace<1>>(motion, d) + over<F, anywhere, AlongFace<-1>>(motion, d);
+}
+
+template <std::size_t index>
+Digits50 dimension(const Motion&, std::span<const Digits50> d) {
+    return d[index];
+}
+
+template <template <class> class F>
+Digits50 turn(const Motion& motion, std::span<const Digits50> d) {
+    Digits50 sum = 0;
+    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
+        sum += d[slots<F>.angle(i)];
+    return sum;
+}
+
+template <template <class> class F>
+Digits50 lift_balance(const Motion& motion, std::span<const Digits50> d) {
+    Digits50 sum = 0;
+    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
+        sum += lift_sign(motion.program->segments[i].kind) * d[slots<F>.lift(i)];
+    return sum;
+}
+
+/// The greatest jump of a derivative of the lift where two segments meet.
+template <template <class> class F, int order>
+Digits50 jump(const Motion& motion, std::span<const Digits50> d) {
+    const Rebuilt<F> cam(motion, d);
+    Digits50 greatest = 0;
+    const std::size_t n = cam.segments.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t next = i + 1 == n ? 0 : i + 1, last = pieces(cam.segments[i]) - 1;
+        const auto before = cam.here(i, last, break_before(cam.segments[i], last + 1));
+        const auto after = cam.here(next, 0, break_before(cam.segments[next], 0));
+        greatest =
+            std::max<Digits50>(greatest, abs(LiftDerivative<order>::of(after) - LiftDerivative<order>::of(before)));
+    }
+    return greatest;
+}
+
+}  // namespace again
+
+/// A quantity found by a formula over segments of some kinds.
+template <template <class> class F, class Formula, Kinds kinds, bool both, Reduce reduce>
+Quantity extreme(std::string_view name, Unit unit, std::string_view meaning,
+                 Digits50 (*measure_again)(const Motion&, std::span<const Digits50>)) {
+    using Search = Extremes<F, Formula, kinds, both>;
+    return {name,
+            unit,
+            meaning,
+            reduce,
+            dimension_count<F>,
+            has_segments<kinds>,
+            Search::components,
+            Search::measure,
+            measure_again};
+}
+
+template <template <class> class F, std::size_t index>
+Quantity dimension_itself(std::string_view name, Unit unit, std::string_view meaning) {
+    return {name,
+            unit,
+            meaning,
+            Reduce::only,
+            dimension_count<F>,
+            has_program,
+            one_component,
+            measure_dimension<F, index>,
+            again::dimension<index>};
+}
+
+/// Whether the motion program ends where it began.
+template <template <class> class F>
+std::array<Quantity, 2> closure() {
+    const Unit lift = Layout<F>::oscillating ? Unit::angle : Unit::length;
+    return {Quantity{"turn", Unit::angle, "sum of all segment angles", Reduce::only, dimension_count<F>, has_program,
+                     one_component, measure_turn<F>, again::turn<F>},
+            Quantity{"lift-balance", lift, "all rises less all returns", Reduce::only, dimension_count<F>, has_program,
+                     one_component, measure_lift_balance<F>, again::lift_balance<F>}};
+}
+
+template <template <class> class F>
+std::vector<Quantity> cam_quantities() {
+    const Unit lift = Layout<F>::oscillating ? Unit::angle : Unit::length;
+    const Unit angle = Unit::angle, length = Unit::length;
+    std::vector<Quantity> all;
+    if constexpr (Layout<F>::roller) {
+        all.push_back(dimension_itself<F, 0>("prime-radius", length, "least radius of the pitch curve"));
+        if constexpr (Layout<F>::oscillating)
+            all.push_back(
+                dimension_itself<F, 1>("pivot-distance", length, "distance of the arm's pivot from the cam centre"));
+        else
+            all.push_back(dimension_itself<F, 1>("offset", length, "distance of the guide from the cam centre"));
+    } else {
+        all.push_back(dimension_itself<F, 0>("base-radius", length, "least radius of the cam"));
+        if constexpr (Layout<F>::oscillating)
+            all.push_back(
+                dimension_itself<F, 1>("pivot-distance", length, "distance of the face's pivot from the cam centre"));
+    }
+    all.push_back(extreme<F, PressureAngle, in_rises, true, Reduce::greatest>(
+        "pressure-angle-rise", angle, "greatest size of the pressure angle over the rises",
+        again::over<F, in_rises, again::PressureSize>));
+    all.push_back(extreme<F, PressureAngle, in_returns, true, Reduce::greatest>(
+        "pressure-angle-return", angle, "greatest size of the pressure angle over the returns",
+        again::over<F, in_returns, again::PressureSize>));
+    all.push_back(extreme<F, PressureAngle, anywhere, true, Reduce::greatest>(
+        "pressure-angle-max", angle, "greatest size of the pressure angle over the whole turn",
+        again::over<F, anywhere, again::PressureSize>));
+    if constexpr (Layout<F>::roller)
+        all.push_back(extreme<F, PitchRadius, anywhere, false, Reduce::least>(
+            "pitch-radius-min", length, "least convex radius of curvature of the pitch curve", again::pitch_radius<F>));
+    all.push_back(extreme<F, ProfileRadius, anywhere, false, Reduce::least>(
+        "profile-radius-min", length, "least convex radius of curvature of the cam; negative where it is undercut",
+        again::profile_radius<F>));
+    all.push_back(extreme<F, UndercutMargin, anywhere, false, Reduce::least>(
+        "undercut-margin", Unit::none,
+        Layout<F>::roller ? "1 less the roller radius times the greatest curvature of the pitch curve: 0 is a cusp"
+                          : "least radius of curvature of the cam over its base radius: 0 is a cusp",
+        again::undercut_margin<F>));
+    if constexpr (!Layout<F>::roller)
+        all.push_back({"face-length", length, "length of the face that the contact passes over", Reduce::greatest,
+                       dimension_count<F>, has_program, FaceLength<F>::components, FaceLength<F>::measure,
+                       again::face_length<F>});
+    all.push_back(extreme<F, ContactDistance, anywhere, false, Reduce::greatest>(
+        "cam-size", length, "greatest radius of the cam", again::over<F, anywhere, again::Distance>));
+    all.push_back(extreme<F, Velocity, anywhere, true, Reduce::greatest>(
+        "velocity-max", lift, "greatest velocity of the follower, for unit angular velocity of the cam",
+        again::over<F, anywhere, again::LiftDerivative<1>>));
+    all.push_back(extreme<F, Acceleration, anywhere, true, Reduce::greatest>(
+        "acceleration-max", lift,
+        "greatest acceleration of the follower, for unit angular velocity of the cam; jumps of the velocity not "
+        "counted",
+        again::over<F, anywhere, again::LiftDerivative<2>>));
+    all.push_back(extreme<F, Jerk, anywhere, true, Reduce::greatest>(
+        "jerk-max", lift,
+        "greatest jerk of the follower, for unit angular velocity of the cam; jumps of the acceleration not counted",
+        again::over<F, anywhere, again::LiftDerivative<3>>));
+    all.push_back({"velocity-jump", lift, "greatest jump of the velocity where segments meet", Reduce::greatest,
+                   dimension_count<F>, has_program, Jumps<F, Velocity>::components, Jumps<F, Velocity>::measure,
+                   again::jump<F, 1>});
+    all.push_back({"acceleration-jump", lift, "greatest jump of the acceleration where segments meet", Reduce::greatest,
+                   dimension_count<F>, has_program, Jumps<F, Acceleration>::components, Jumps<F, Acceleration>::measure,
+                   again::jump<F, 2>});
+    all.push_back({"jerk-jump", lift, "greatest jump of the jerk where segments meet", Reduce::greatest,
+                   dimension_count<F>, has_program, Jumps<F, Jerk>::components, Jumps<F, Jerk>::measure,
+                   again::jump<F, 3>});
+    for (const Quantity& quantity : closure<F>())
+        all.push_back(quantity);
+    return all;
+}
+
+template <template <class> class F>
+Quantity existence_margin() {
+    return {"existence margin",
+            Unit::length,
+            "what the cam can be changed by before it is none",
+            Reduce::least,
+            dimension_count<F>,
+            has_program,
+            ExistenceMargin<F>::components,
+            ExistenceMargin<F>::measure};
+}
+
+}  // namespace mechwright::cam

@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// Checks of a finished cam over the whole turn, in fifty digits.
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "synthesis/mechanism/cam/cam_quantities.h"
+
+namespace mechwright::cam {
+
+namespace detail {
+
+inline std::string short_number(const Digits50& number) { return fmt::format("{:.10g}", number.convert_to<double>()); }
+
+/// Whether the dimensions make a cam and a follower at all: triangles close, guides reach the cam.
+template <template <class> class F>
+Check closes(std::span<const Digits50> d, std::size_t assembly) {
+    const auto f = follower_of<F, Digits50>(d, assembly);
+    Digits50 margin;
+    std::string what;
+    if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>) {
+        margin = f.prime_radius - abs(f.offset);
+        what = "prime radius less offset";
+    } else if constexpr (std::is_same_v<F<double>, OscillatingRoller<double>>) {
+        margin = std::min<Digits50>(f.pivot_distance + f.arm_length - f.prime_radius,
+                                    f.prime_radius - abs(Digits50(f.pivot_distance - f.arm_length)));
+        what = "margin of the triangle of pivot distance, arm and prime radius";
+    } else if constexpr (std::is_same_v<F<double>, OscillatingFlat<double>>) {
+        margin = std::min<Digits50>(f.pivot_distance - f.base_radius - f.face_offset, f.base_radius + f.face_offset);
+        what = "pivot distance less base radius and face offset";
+    } else {
+        margin = f.base_radius;
+        what = "base radius";
+    }
+    return {"cam and follower can be assembled", margin >= 0, what + " " + short_number(margin)};
+}
+
+}  // namespace detail
+
+template <template <class> class F>
+std::vector<Check> check_cam(const Motion& motion, std::span<const Digits50> d) {
+    using detail::short_number;
+    std::vector<Check> checks;
+    const Digits50 turn = 2 * pi<Digits50>();
+    Digits50 greatest_lift = 0, least_angle = turn;
+    for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+        greatest_lift = std::max<Digits50>(greatest_lift, abs(d[slots<F>.lift(i)]));
+        least_angle = std::min(least_angle, d[slots<F>.angle(i)]);
+    }
+    constexpr double rounding = 1e-9;
+    const Digits50 open = again::turn<F>(motion, d) - turn, left = again::lift_balance<F>(motion, d);
+    checks.push_back(
+        {"segments make up a full turn", abs(open) <= rounding && least_angle > 0,
+         least_angle > 0 ? "off by " + short_number(open * 180 / pi<Digits50>()) + " deg" : "a segment has no angle"});
+    checks.push_back(
+        {"follower returns to where it began", abs(left) <= rounding * greatest_lift, "off by " + short_number(left)});
+    checks.push_back(detail::closes<F>(d, motion.assembly));
+    if (!checks.back().passed || !(least_angle > 0)) return checks;
+    const Digits50 released = again::over<F, anywhere, again::Released>(motion, d);
+    checks.push_back({"the cam holds the follower everywhere", released < 0,
+                      Layout<F>::roller ? "least cosine of the pressure angle " + short_number(-released)
+                                        : "least turning of the face against the cam " + short_number(-released)});
+    if (!checks.back().passed) return checks;
+    const Digits50 margin = again::undercut_margin<F>(motion, d);
+    checks.push_back({"the cam is not undercut", margin >= -rounding, "margin " + short_number(margin)});
+    return checks;
+}
+
+}  // namespace mechwright::cam

@@ -1,0 +1,157 @@
+#pragma once
+/// \file
+/// The quantities of cams as measures at a place: `search` is what is to be greatest there, `value` what it amounts to.
+/// A quantity looks in the segments of the kinds it names, for the greatest values of sign * search.
+
+#include <cmath>
+
+#include "synthesis/mechanism/cam/measured_program.h"
+
+namespace mechwright::cam {
+
+inline bool in_rises(SegmentKind kind) { return kind == SegmentKind::rise || kind == SegmentKind::cycle; }
+inline bool in_returns(SegmentKind kind) { return kind == SegmentKind::fall || kind == SegmentKind::cycle; }
+inline bool anywhere(SegmentKind) { return true; }
+
+struct PressureAngle {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift) {
+        if constexpr (Layout<Follower>::roller)
+            return pressure_angle(pitch_point(f, lift));
+        else
+            return face_contact(f, lift).pressure_angle;
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
+        return search(f, lift);
+    }
+};
+
+/// Curvature of the pitch curve, and its radius; where it is hollow the radius counts as very great.
+struct PitchRadius {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift) {
+        return curvature(pitch_point(f, lift));
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
+        const T k = search(f, lift);
+        const T flattest = T(1e-6) / f.prime_radius;
+        return T(1) / (k > flattest ? k : flattest);
+    }
+};
+
+/// Of the cam itself. Under a flat face the radius is what is found, signed.
+struct ProfileRadius {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift) {
+        if constexpr (Layout<Follower>::roller)
+            return curvature(pitch_point(f, lift));
+        else
+            return -face_contact(f, lift).radius;
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
+        if constexpr (Layout<Follower>::roller)
+            return PitchRadius::value(f, lift) - f.roller_radius;
+        else
+            return face_contact(f, lift).radius;
+    }
+};
+
+/// 1 - roller radius times curvature; under a flat face the radius of curvature over the base radius.
+struct UndercutMargin {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift) {
+        return -value(f, lift);
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
+        if constexpr (Layout<Follower>::roller)
+            return T(1) - f.roller_radius * curvature(pitch_point(f, lift));
+        else
+            return face_contact(f, lift).radius / f.base_radius;
+    }
+};
+
+/// Distance of the contact from the cam centre.
+struct ContactDistance {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift) {
+        using std::hypot;
+        if constexpr (Layout<Follower>::roller) {
+            const auto p = contact_point(pitch_point(f, lift), f.roller_radius);
+            return hypot(p.x, p.y);
+        } else {
+            const auto p = face_contact(f, lift).position;
+            return hypot(p.x, p.y);
+        }
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
+        return search(f, lift);
+    }
+};
+
+/// Where along the face the contact is.
+struct ContactAlongFace {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift) {
+        return face_contact(f, lift).along;
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
+        return search(f, lift);
+    }
+};
+
+/// How far the follower is from a position in which the cam cannot hold it: the roller centre across its direction of
+/// motion from the cam's instant centre; under a face the turning of face against cam.
+struct FollowMargin {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift) {
+        return -value(f, lift);
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
+        if constexpr (Layout<Follower>::roller)
+            return pitch_point(f, lift).across;
+        else
+            return f.base_radius * face_contact(f, lift).margin;
+    }
+};
+
+struct Velocity {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>&, const Lift<T>& lift) {
+        return lift.v;
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>&, const Lift<T>& lift) {
+        return lift.v;
+    }
+};
+
+struct Acceleration {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>&, const Lift<T>& lift) {
+        return lift.a;
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>&, const Lift<T>& lift) {
+        return lift.a;
+    }
+};
+
+struct Jerk {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>&, const Lift<T>& lift) {
+        return lift.j;
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>&, const Lift<T>& lift) {
+        return lift.j;
+    }
+};
+
+}  // namespace mechwright::cam

@@ -1,0 +1,151 @@
+#pragma once
+/// \file
+/// Turns a measure of a cam at one place, written once as a template, into the Measure functions of the registry. At a
+/// place a measure depends on the geometry of the follower and on the parameters of one segment alone; its derivatives
+/// are taken in those and then spread over the dimensions of the whole mechanism, the lift at the segment's start over
+/// the lifts before it.
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "synthesis/mechanism/cam/places.h"
+#include "synthesis/mechanism/measured.h"
+
+namespace mechwright::cam {
+
+/// Geometry, then start lift, lift, angle, and the numbers of a polynomial.
+inline constexpr std::size_t local_count = most_geometry + 3 + 2 * MotionProgram::most_ends + MotionProgram::most_shape;
+
+/// A share of a local parameter in a dimension of the mechanism.
+struct Share {
+    std::size_t local;
+    std::size_t dimension;
+    double factor;
+};
+
+/// Which dimensions the local parameters of a segment come from.
+template <template <class> class Follower>
+std::vector<Share> shares_of(const MotionProgram& program, std::size_t index) {
+    constexpr ProgramSlots at = slots<Follower>;
+    std::vector<Share> shares;
+    for (std::size_t i = 0; i < Layout<Follower>::geometry; ++i)
+        shares.push_back({i, i, 1});
+    constexpr std::size_t start_lift = most_geometry, lift = start_lift + 1, angle = lift + 1, ends = angle + 1;
+    for (std::size_t i = 0; i < index; ++i)
+        if (const int sign = lift_sign(program.segments[i].kind); sign != 0)
+            shares.push_back({start_lift, at.lift(i), static_cast<double>(sign)});
+    shares.push_back({lift, at.lift(index), 1});
+    shares.push_back({angle, at.angle(index), 1});
+    const SegmentPlan& plan = program.segments[index];
+    std::size_t c = plan.first_coefficient;
+    const auto add = [&](std::size_t first, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i)
+            shares.push_back({first + i, at.coefficient(c++), 1});
+    };
+    add(ends, plan.start_count);
+    add(ends + MotionProgram::most_ends, plan.end_count);
+    add(ends + 2 * MotionProgram::most_ends, plan.shape_count);
+    return shares;
+}
+
+/// Geometry and segment of a place from its local parameters, as numbers of type T.
+template <template <class> class Follower, class T>
+struct Local {
+    Follower<T> follower;
+    Segment<T> segment;
+    T start_lift;
+};
+
+template <template <class> class Follower, class T>
+Local<Follower, T> local_of(const Motion& motion, std::size_t index, const std::array<T, local_count>& x) {
+    std::array<T, most_geometry> geometry;
+    auto next = std::copy_n(x.begin(), most_geometry, geometry.begin());
+    SegmentParameters<T> p;
+    auto from = x.begin() + most_geometry;
+    p.start_lift = *from++;
+    p.lift = *from++;
+    p.angle = *from++;
+    std::copy_n(from, p.start.size(), p.start.begin());
+    std::copy_n(from + p.start.size(), p.end.size(), p.end.begin());
+    std::copy_n(from + p.start.size() + p.end.size(), p.shape.size(), p.shape.begin());
+    static_cast<void>(next);
+    return {Layout<Follower>::make(geometry, sense_of(motion.assembly)),
+            segment_of(*motion.program, motion.assembly, index, p), p.start_lift};
+}
+
+/// The values of the local parameters.
+template <template <class> class Follower>
+std::array<double, local_count> local_values(const std::vector<Share>& shares, std::span<const double> dimensions) {
+    std::array<double, local_count> x{};
+    for (const Share& share : shares)
+        x[share.local] += share.factor * dimensions[share.dimension];
+    return x;
+}
+
+/// A measure at places, times factors, added up: one component of a quantity.
+struct Term {
+    Place place;
+    double factor;
+};
+
+/// Adds factor * value(follower, lift) at a place to a component of a measurement.
+template <template <class> class Follower, class Value>
+void add_term(const Motion& motion, std::span<const double> dimensions, const Term& term, const Value& value,
+              std::size_t component, const Measurement& out) {
+    const Place& place = term.place;
+    const auto shares = shares_of<Follower>(*motion.program, place.segment);
+    const auto plain = local_values<Follower>(shares, dimensions);
+    const auto at = [&]<class T>(const std::array<T, local_count>& x, const T& u) {
+        const auto local = local_of<Follower, T>(motion, place.segment, x);
+        return value(local.follower, lift_at(local.segment, place.piece, u, local.start_lift));
+    };
+    const std::size_t n = dimension_count<Follower>, pairs = n * (n + 1) / 2;
+    if (!out.hessian.empty()) {
+        using T = SecondDual<double, local_count>;
+        const auto seeds = seeded<T, local_count>(plain);
+        const T result = place.stationary ? at_stationary(seeds, place.u, at) : at(seeds, T(place.u));
+        out.value[component] += term.factor * result.value;
+        for (const Share& a : shares) {
+            if (!out.gradient.empty())
+                out.gradient[component * n + a.dimension] += term.factor * a.factor * result.first[a.local];
+            for (const Share& b : shares)
+                if (a.dimension >= b.dimension)
+                    out.hessian[component * pairs + a.dimension * (a.dimension + 1) / 2 + b.dimension] +=
+                        term.factor * a.factor * b.factor * result.mixed(a.local, b.local);
+        }
+    } else if (!out.gradient.empty()) {
+        using T = Dual<double, local_count>;
+        const T result = at(seeded<T, local_count>(plain), T(place.u));
+        out.value[component] += term.factor * result.value;
+        for (const Share& a : shares)
+            out.gradient[component * n + a.dimension] += term.factor * a.factor * result.partial[a.local];
+    } else {
+        out.value[component] += term.factor * at(plain, place.u);
+    }
+}
+
+/// Sets the first components to zero, where terms are to be added.
+inline void clear(const Measurement& out, std::size_t components, std::size_t dimensions) {
+    const auto zero = [](std::span<double> all, std::size_t count) {
+        if (!all.empty()) std::fill_n(all.begin(), count, 0.0);
+    };
+    zero(out.value, components);
+    zero(out.gradient, components * dimensions);
+    zero(out.hessian, components * (dimensions * (dimensions + 1) / 2));
+}
+
+/// A segment as it stands, with the lift at its start.
+struct PlacedSegment {
+    Segment<double> segment;
+    double start_lift;
+};
+
+template <template <class> class Follower>
+PlacedSegment placed_segment(const Motion& motion, std::span<const double> dimensions, std::size_t index) {
+    const auto p = parameters_of<double>(*motion.program, slots<Follower>, dimensions, index);
+    return {segment_of(*motion.program, motion.assembly, index, p), p.start_lift};
+}
+
+}  // namespace mechwright::cam

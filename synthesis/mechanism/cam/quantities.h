@@ -1,0 +1,195 @@
+#pragma once
+/// \file
+/// Quantities of the registry from the formulas of a cam: how many components each has over a motion program, and how
+/// they are measured.
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "synthesis/mechanism/cam/formulas.h"
+
+namespace mechwright::cam {
+
+using Kinds = bool (*)(SegmentKind);
+
+inline std::size_t segments_of(const Motion& motion, Kinds kinds) {
+    const auto& segments = motion.program->segments;
+    return static_cast<std::size_t>(
+        std::count_if(segments.begin(), segments.end(), [&](const SegmentPlan& s) { return kinds(s.kind); }));
+}
+
+inline bool has_program(const Motion& motion) { return motion.program != nullptr; }
+
+template <Kinds kinds>
+bool has_segments(const Motion& motion) {
+    return has_program(motion) && segments_of(motion, kinds) > 0;
+}
+
+/// The places where a formula is greatest, or least too (`both` signs), in the segments of some kinds: two in each
+/// segment if there is room for them. A component is the value there, of a least one the negative value.
+template <template <class> class Follower, class Formula, Kinds kinds, bool both>
+struct Extremes {
+    static constexpr std::size_t signs = both ? 2 : 1;
+
+    static std::size_t each(const Motion& motion) {
+        return 2 * signs * segments_of(motion, kinds) <= Quantity::most_components ? 2 : 1;
+    }
+    static std::size_t components(const Motion& motion) { return each(motion) * signs * segments_of(motion, kinds); }
+
+    static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+        clear(out, components(motion), dimension_count<Follower>);
+        const auto value = [](const auto& f, const auto& lift) { return Formula::value(f, lift); };
+        const std::size_t kept = each(motion);
+        std::size_t component = 0;
+        for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+            if (!kinds(motion.program->segments[i].kind)) continue;
+            const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
+            for (std::size_t s = 0; s < signs; ++s) {
+                const double sign = s == 0 ? 1 : -1;
+                const auto places =
+                    greatest_places<2>(placed.segment, i, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
+                        return T(sign) * Formula::search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
+                    });
+                for (std::size_t k = 0; k < kept; ++k)
+                    add_term<Follower>(motion, dimensions, {places[k], sign}, value, component++, out);
+            }
+        }
+    }
+};
+
+/// A jump of a derivative of the lift where segments meet: what comes after less what was before, and the reverse.
+template <template <class> class Follower, class Formula>
+struct Jumps {
+    static std::size_t components(const Motion& motion) { return 2 * motion.program->segments.size(); }
+
+    static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+        clear(out, components(motion), dimension_count<Follower>);
+        const auto value = [](const auto& f, const auto& lift) { return Formula::value(f, lift); };
+        const std::size_t n = motion.program->segments.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t next = i + 1 == n ? 0 : i + 1;
+            const Segment<double> before = placed_segment<Follower>(motion, dimensions, i).segment;
+            const std::size_t last = pieces(before) - 1;
+            const double end = break_before(before, last + 1);
+            const double begin = break_before(placed_segment<Follower>(motion, dimensions, next).segment, 0);
+            for (const double sign : {1.0, -1.0}) {
+                const std::size_t component = 2 * i + (sign > 0 ? 0 : 1);
+                add_term<Follower>(motion, dimensions, {{next, 0, begin, false}, sign}, value, component, out);
+                add_term<Follower>(motion, dimensions, {{i, last, end, false}, -sign}, value, component, out);
+            }
+        }
+    }
+};
+
+/// Greatest less least place of the contact along the face: every difference of the five greatest and the five least
+/// of the segments.
+template <template <class> class Follower>
+struct FaceLength {
+    static constexpr std::size_t most = 5;
+
+    static std::size_t kept(const Motion& motion) { return std::min(most, motion.program->segments.size()); }
+    static std::size_t components(const Motion& motion) { return kept(motion) * kept(motion); }
+
+    static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+        clear(out, components(motion), dimension_count<Follower>);
+        const auto value = [](const auto& f, const auto& lift) { return ContactAlongFace::value(f, lift); };
+        const auto greatest = ends(motion, dimensions, 1), least = ends(motion, dimensions, -1);
+        std::size_t component = 0;
+        for (std::size_t i = 0; i < kept(motion); ++i)
+            for (std::size_t j = 0; j < kept(motion); ++j, ++component) {
+                add_term<Follower>(motion, dimensions, {greatest[i], 1}, value, component, out);
+                add_term<Follower>(motion, dimensions, {least[j], -1}, value, component, out);
+            }
+    }
+
+private:
+    /// One place in each segment, the farthest first.
+    static std::vector<Place> ends(const Motion& motion, std::span<const double> dimensions, double sign) {
+        std::vector<std::pair<double, Place>> all;
+        for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+            const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
+            const auto along = [&]<class T>(const Lift<T>& lift) {
+                return T(sign) * ContactAlongFace::search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
+            };
+            const Place place = greatest_places<1>(placed.segment, i, placed.start_lift, along)[0];
+            all.emplace_back(along(lift_at(placed.segment, place.piece, place.u, placed.start_lift)), place);
+        }
+        std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        std::vector<Place> places;
+        for (const auto& [value, place] : all)
+            places.push_back(place);
+        return places;
+    }
+};
+
+/// The sum of some dimensions, each with a factor of its own.
+inline void measure_linear(std::span<const double> dimensions, std::span<const std::pair<std::size_t, double>> terms,
+                           std::size_t count, const Measurement& out) {
+    clear(out, 1, count);
+    for (const auto& [index, factor] : terms) {
+        out.value[0] += factor * dimensions[index];
+        if (!out.gradient.empty()) out.gradient[index] += factor;
+    }
+}
+
+inline std::size_t one_component(const Motion&) { return 1; }
+
+/// A dimension as a quantity of its own.
+template <template <class> class Follower, std::size_t index>
+void measure_dimension(const Motion&, std::span<const double> dimensions, const Measurement& out) {
+    const std::pair<std::size_t, double> term{index, 1};
+    measure_linear(dimensions, {&term, 1}, dimension_count<Follower>, out);
+}
+
+/// All segment angles together.
+template <template <class> class Follower>
+void measure_turn(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+    std::vector<std::pair<std::size_t, double>> terms;
+    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
+        terms.emplace_back(slots<Follower>.angle(i), 1);
+    measure_linear(dimensions, terms, dimension_count<Follower>, out);
+}
+
+/// All rises less all returns.
+template <template <class> class Follower>
+void measure_lift_balance(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+    std::vector<std::pair<std::size_t, double>> terms;
+    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
+        if (const int sign = lift_sign(motion.program->segments[i].kind); sign != 0)
+            terms.emplace_back(slots<Follower>.lift(i), sign);
+    measure_linear(dimensions, terms, dimension_count<Follower>, out);
+}
+
+/// What must be >= 0 for a cam to exist: the follower is held, and the cam is not undercut. Both as lengths.
+template <template <class> class Follower>
+struct ExistenceMargin {
+    static constexpr auto follows = [](const auto& f, const auto& lift) { return FollowMargin::value(f, lift); };
+    static constexpr auto not_undercut = [](const auto& f, const auto& lift) {
+        const auto margin = UndercutMargin::value(f, lift);
+        if constexpr (requires { f.prime_radius; })
+            return decltype(margin)(margin * f.prime_radius);
+        else
+            return decltype(margin)(margin * f.base_radius);
+    };
+
+    static std::size_t components(const Motion& motion) { return 2 * motion.program->segments.size(); }
+
+    static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+        clear(out, components(motion), dimension_count<Follower>);
+        for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+            const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
+            const auto worst = [&](const auto& search) {
+                return greatest_places<1>(placed.segment, i, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
+                    return search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
+                })[0];
+            };
+            const auto held = [](const auto& f, const auto& lift) { return FollowMargin::search(f, lift); };
+            const auto cut = [](const auto& f, const auto& lift) { return UndercutMargin::search(f, lift); };
+            add_term<Follower>(motion, dimensions, {worst(held), 1}, follows, 2 * i, out);
+            add_term<Follower>(motion, dimensions, {worst(cut), 1}, not_undercut, 2 * i + 1, out);
+        }
+    }
+};
+
+}  // namespace mechwright::cam
