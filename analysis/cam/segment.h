@@ -117,8 +117,7 @@ Lift<T> lift_at(const Segment<T>& segment, std::size_t piece, const T& u, const 
         const T v = by * per_angle, a = v * per_angle;
         return Lift<T>{start + by * f.s, v * f.v, a * f.a, a * per_angle * f.j};
     };
-    if (segment.law.form == SegmentLaw::Form::table)
-        return scaled(lift_at(*segment.table, piece, u), T(Constant<T>(1)));
+    if (segment.law.form == SegmentLaw::Form::table) return scaled(lift_at(*segment.table, piece, u), segment.lift);
     const T rise = segment.kind == SegmentKind::rise ? segment.lift : -segment.lift;
     if (segment.law.form == SegmentLaw::Form::polynomial)
         return scaled(lift_at(detail::in_parts(segment.boundary, segment.angle), rise, u), T(Constant<T>(1)));

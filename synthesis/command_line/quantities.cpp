@@ -19,6 +19,8 @@ std::string_view name_of(Unit unit) {
         case Unit::length: return "length";
         case Unit::area: return "area";
         case Unit::angle: return "angle";
+        case Unit::force: return "force";
+        case Unit::torque: return "torque";
     }
     return "";
 }

@@ -6,9 +6,11 @@ namespace mechwright {
 
 namespace {
 
-const std::array<ClosedForm, 4>& closed_forms() {
-    static const std::array<ClosedForm, 4> all{crank_rocker_closed_form(), slider_crank_closed_form(),
-                                               crank_shaper_closed_form(), whitworth_closed_form()};
+const std::array<ClosedForm, 8>& closed_forms() {
+    static const std::array<ClosedForm, 8> all{crank_rocker_closed_form(),    slider_crank_closed_form(),
+                                               crank_shaper_closed_form(),    whitworth_closed_form(),
+                                               translating_cam_closed_form(), oscillating_cam_closed_form(),
+                                               flat_cam_closed_form(),        swinging_flat_cam_closed_form()};
     return all;
 }
 

@@ -35,4 +35,10 @@ ClosedForm slider_crank_closed_form();
 ClosedForm crank_shaper_closed_form();
 ClosedForm whitworth_closed_form();
 
+/// The smallest cams under limits on pressure angle or curvature.
+ClosedForm translating_cam_closed_form();
+ClosedForm oscillating_cam_closed_form();
+ClosedForm flat_cam_closed_form();
+ClosedForm swinging_flat_cam_closed_form();
+
 }  // namespace mechwright

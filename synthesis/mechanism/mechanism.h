@@ -23,8 +23,13 @@ using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_fl
 enum class DimensionKind {
     length,      ///< > 0
     coordinate,  ///< a length of either sign
-    angle        ///< radians, of either sign
+    angle,       ///< radians, of either sign
+    force,       ///< of either sign; grows with the lengths for given masses and spring rates
+    number       ///< anything that does not grow with the lengths: a spring rate
 };
+
+/// Whether dimensions of this kind grow in proportion when a mechanism is made larger.
+constexpr bool scales(DimensionKind kind) { return kind != DimensionKind::angle && kind != DimensionKind::number; }
 
 struct Dimension {
     std::string_view name;
@@ -34,7 +39,7 @@ struct Dimension {
     bool of_segment = false;  ///< stands in a [[segment]] of a cam's motion, not in [dimensions]
 };
 
-enum class Unit { none, length, area, angle };
+enum class Unit { none, length, area, angle, force, torque };
 
 /// A plain number that says how a mechanism is judged, from a section of its own in the problem file.
 struct Setting {
@@ -44,8 +49,12 @@ struct Setting {
     double above;  ///< the value lies strictly between these two
     double below;
     std::string_view meaning;
+    bool or_above = false;  ///< may be equal to `above`
 
-    static constexpr std::size_t most = 2;  ///< of one mechanism
+    static constexpr std::size_t most = 4;  ///< of one mechanism
+
+    /// Whether a number is one that it can have.
+    bool allows(double number) const { return (or_above ? number >= above : number > above) && number < below; }
 };
 
 struct MotionProgram;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "synthesis/problem/sections.h"
 #include "synthesis/problem/text.h"
@@ -19,10 +20,11 @@ std::vector<std::string_view> sections_of(std::span<const Setting> settings) {
 
 double read_setting(Section& section, const Setting& setting, Messages& messages) {
     const double number = read_number(section, setting.name, messages).value_or(setting.preset);
-    if (number > setting.above && number < setting.below) return number;
+    if (!has(section, setting.name) || setting.allows(number)) return number;
     add_error(messages, place_of(section, setting.name),
-              fmt::format("{} must be greater than {} and less than {}, not {}", name_of(section, setting.name),
-                          setting.above, setting.below, number));
+              fmt::format("{} must be {} {}{}, not {}", name_of(section, setting.name),
+                          setting.or_above ? "at least" : "greater than", setting.above,
+                          std::isfinite(setting.below) ? fmt::format(" and less than {}", setting.below) : "", number));
     return setting.preset;
 }
 

@@ -39,7 +39,14 @@ double degrees_of(double radians, const Units& units) {
 
 }  // namespace
 
-Unit unit_of(DimensionKind kind) { return kind == DimensionKind::angle ? Unit::angle : Unit::length; }
+Unit unit_of(DimensionKind kind) {
+    switch (kind) {
+        case DimensionKind::angle: return Unit::angle;
+        case DimensionKind::force: return Unit::force;
+        case DimensionKind::number: return Unit::none;
+        default: return Unit::length;
+    }
+}
 
 double in_file_unit(double value, Unit unit, const Units& units) {
     return unit == Unit::angle && units.degrees ? degrees_of(value, units) : value;
@@ -51,7 +58,9 @@ double from_file_unit(double number, Unit unit, const Units& units) {
 
 std::string unit_label(Unit unit, const Units& units) {
     switch (unit) {
-        case Unit::none: return {};
+        case Unit::none:
+        case Unit::force:
+        case Unit::torque: return {};
         case Unit::angle: return units.degrees ? "deg" : "rad";
         case Unit::length: return reading::printable(units.length, longest_label);
         case Unit::area: return reading::printable(units.length, longest_label) + "^2";

@@ -49,8 +49,10 @@ bool is_angle(const Dimension& d) { return d.kind == DimensionKind::angle; }
 /// What a value of this unit is divided by in the program.
 double unit_scale(Unit unit, double length) {
     switch (unit) {
-        case Unit::length: return length;
-        case Unit::area: return length * length;
+        case Unit::length:
+        case Unit::force: return length;
+        case Unit::area:
+        case Unit::torque: return length * length;
         case Unit::none:
         case Unit::angle: return 1;
     }
@@ -75,7 +77,7 @@ struct Builder {
         program.variable_of.assign(kinds.size(), -1);
         for (std::size_t i = 0; i < kinds.size(); ++i) {
             const DimensionRange& range = problem.dimensions[i];
-            const double scale = is_angle(kinds[i]) ? 1 : program.length;
+            const double scale = scales(kinds[i].kind) ? program.length : 1;
             program.dimensions.push_back(range.min / scale);
             if (range.fixed()) continue;
             // A timed path alone needs the start angle; an untimed one finds its own crank angles.
@@ -340,7 +342,7 @@ Program build_program(const Problem& problem, const Variant& variant) {
         const std::ptrdiff_t v = program.variable_of[i];
         if (v < 0) continue;
         const Variable& variable = program.variables[static_cast<std::size_t>(v)];
-        const double scale = is_angle(problem.mechanism->dimensions[i]) ? 1 : program.length;
+        const double scale = scales(problem.mechanism->dimensions[i].kind) ? program.length : 1;
         const auto& start = problem.dimensions[i].start;
         program.reference[v] = start ? *start / scale : 0.5 * (variable.lower + variable.upper);
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -13,8 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t most_reads = 16;  ///< dimensions a quantity or a path can depend on
+constexpr std::size_t most_reads = 64;  ///< dimensions a quantity can depend on
 constexpr std::size_t most_pairs = most_reads * (most_reads + 1) / 2;
+constexpr std::size_t most_path_reads = 16;  ///< dimensions a path can depend on
+constexpr std::size_t most_path_pairs = most_path_reads * (most_path_reads + 1) / 2;
 
 /// All outputs at a point.
 struct Outputs {
@@ -33,6 +36,7 @@ std::vector<double> dimensions_at(const Program& program, const VectorXd& x) {
 void evaluate_block(const Program& program, const QuantityBlock& block, std::span<const double> dimensions,
                     bool derivatives, Outputs& out) {
     const std::size_t reads = block.quantity->reads;
+    assert(reads <= most_reads);
     std::array<double, Quantity::most_components> value;
     std::array<double, Quantity::most_components * most_reads> gradient;
     Measurement measurement{value, {}, {}};
@@ -64,11 +68,11 @@ PathAngle path_angle(const Program& program, std::span<const double> dimensions,
 
 /// Squared distance at one point with what its derivatives need.
 struct PointTerms {
-    std::array<double, most_reads> gradient_x;
-    std::array<double, most_reads> gradient_y;
-    std::array<double, most_pairs> hessian_x;
-    std::array<double, most_pairs> hessian_y;
-    std::array<std::ptrdiff_t, most_reads> variable;  ///< of each of the reads + 1 arguments
+    std::array<double, most_path_reads> gradient_x;
+    std::array<double, most_path_reads> gradient_y;
+    std::array<double, most_path_pairs> hessian_x;
+    std::array<double, most_path_pairs> hessian_y;
+    std::array<std::ptrdiff_t, most_path_reads> variable;  ///< of each of the reads + 1 arguments
     PathMiss miss;
     double square;
 };
@@ -365,7 +369,7 @@ Design design_at(const Program& program, const VectorXd& x) {
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         double& value = design.dimensions[i];
         const DimensionRange& range = program.problem->dimensions[i];
-        if (kinds[i].kind != DimensionKind::angle)
+        if (scales(kinds[i].kind))
             value *= program.length;
         else if (program.variable_of[i] >= 0 && range.any_angle())
             value = into_range(value, range.min, range.max);
@@ -382,7 +386,7 @@ VectorXd point_of(const Program& program, const Design& design) {
     for (std::size_t i = 0; i < kinds.size(); ++i)
         if (program.variable_of[i] >= 0)
             x[program.variable_of[i]] =
-                design.dimensions[i] / (kinds[i].kind == DimensionKind::angle ? 1 : program.length);
+                design.dimensions[i] / (scales(kinds[i].kind) ? program.length : 1);
     if (program.untimed_path())
         for (std::size_t i = 0; i < program.targets.size(); ++i)
             x[static_cast<Index>(program.first_path_angle + i)] = design.path_angles[i];

@@ -96,7 +96,7 @@ constexpr std::array<Method, 4> methods{{
     {"closed-form",
      "crank-rockers of given swing and time ratio, slider-cranks, crank shapers and Whitworth drives of given time "
      "ratio "
-     "and stroke, with the best transmission angle: the global optimum",
+     "and stroke, with the best transmission angle; the smallest cams: the global optimum",
      why_no_closed_form, closed_form},
     {"slsqp", "sequential quadratic programming (NLopt) from many starts, exact gradients, Newton polish",
      why_no_search, with_slsqp},

@@ -126,7 +126,7 @@ void read_settings(Reader& in, const Json& document, Claim& claim) {
             std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.name == name; });
         if (at == settings.end()) return in.fail(fmt::format("a {} does not have {}", claim.mechanism->name, place));
         const double number = in.number(&value, place);
-        if (!(number > at->above && number < at->below))
+        if (number != at->preset && !at->allows(number))
             in.fail(fmt::format("{} is {}, not between {} and {}", place, number, at->above, at->below));
         claim.settings[static_cast<std::size_t>(at - settings.begin())] = number;
     }

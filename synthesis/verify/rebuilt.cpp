@@ -76,7 +76,9 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
     if (!isfinite(value)) return std::nullopt;
     switch (quantity.unit) {
         case Unit::angle: return Measured{value, angular};
-        case Unit::none: return Measured{value, relative * abs(value) + rounding};
+        case Unit::none:
+        case Unit::force:
+        case Unit::torque: return Measured{value, relative * abs(value) + rounding};
         case Unit::length: return Measured{value, relative * abs(value) + rounding * design.longest};
         case Unit::area: return Measured{value, relative * abs(value) + rounding * design.longest * design.longest};
     }

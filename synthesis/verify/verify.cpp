@@ -65,6 +65,7 @@ Digits50 violation_scale(const Rebuilt& design, Unit unit, const std::vector<Dig
         scale = std::max<Digits50>(scale, abs(limit));
     if (unit == Unit::none || unit == Unit::angle) return std::max(scale, Digits50(1));
     if (scale > 0) return scale;
+    if (unit == Unit::force || unit == Unit::torque) return 1;
     return unit == Unit::length ? design.longest : Digits50(design.longest * design.longest);
 }
 

@@ -30,7 +30,7 @@ constexpr Dimension roller_radius{"roller-radius", DimensionKind::length, true, 
 constexpr Dimension no_roller{"roller-radius", DimensionKind::coordinate, false, "a knife edge has none"};
 
 template <template <class> class F>
-std::vector<Dimension> geometry_of(bool knife) {
+std::vector<Dimension> geometry_dimensions(bool knife) {
     const Dimension& roller = knife ? no_roller : roller_radius;
     if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>)
         return {prime_radius,
@@ -51,9 +51,28 @@ std::vector<Dimension> geometry_of(bool knife) {
                  "distance of the face from the pivot, > 0 towards the cam"}};
 }
 
+constexpr std::array<Dimension, load_count> load_dimensions{{
+    {"spring-rate", DimensionKind::number, false, "force of the spring per length"},
+    {"preload", DimensionKind::force, false, "force of the spring at the lowest position"},
+    {"load", DimensionKind::force, false, "any other force on the follower towards the cam"},
+    {"weight", DimensionKind::force, false, "of the follower, towards the cam"},
+    {"guide-length", DimensionKind::coordinate, false, "length of the guide"},
+    {"overhang", DimensionKind::coordinate, false, "of the follower's end over the near edge of the guide"},
+    {"stem-diameter", DimensionKind::coordinate, false, "of the follower in its guide"},
+}};
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr std::array<Setting, 3> load_settings{{
+    {"dynamics", "mass", 0, 0, unlimited, "of all that moves with the follower"},
+    {"dynamics", "speed", 0, 0, unlimited, "of the cam, in turns per minute"},
+    {"dynamics", "friction", 0, 0, 1, "coefficient of friction in the guide", true},
+}};
+
 template <template <class> class F>
 std::vector<Dimension> dimensions_of(bool knife) {
-    std::vector<Dimension> all = geometry_of<F>(knife);
+    std::vector<Dimension> all = geometry_dimensions<F>(knife);
+    if constexpr (Layout<F>::geometry > Layout<F>::shape)
+        all.insert(all.end(), load_dimensions.begin(), load_dimensions.end());
     const DimensionKind lift = Layout<F>::oscillating ? DimensionKind::angle : DimensionKind::coordinate;
     for (const std::string_view name : angle_names)
         all.push_back({name, DimensionKind::angle, false, "angle of a segment of the motion", true});
@@ -178,7 +197,7 @@ std::optional<Objection> offset_too_large(std::span<const double> least, std::sp
 template <template <class> class F, bool knife>
 std::optional<Objection> objection(std::span<const double> least, std::span<const double> greatest) {
     if constexpr (Layout<F>::roller && knife)
-        if (const auto no = knife_has_no_roller(Layout<F>::geometry - 1, least, greatest)) return no;
+        if (const auto no = knife_has_no_roller(Layout<F>::shape - 1, least, greatest)) return no;
     if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>) return offset_too_large(least, greatest);
     return std::nullopt;
 }
@@ -189,6 +208,7 @@ const Mechanism& entry(std::string_view kind) {
     static const std::vector<Quantity> quantities = cam_quantities<F>();
     static const std::array<Unit, 12> units = column_units<Layout<F>::oscillating>();
     static const std::string name(kind);
+    constexpr bool loaded = Layout<F>::geometry > Layout<F>::shape;
     static const std::string meaning = "disc cam with " + name;
     static const Mechanism mechanism{.name = "cam",
                                      .meaning = meaning,
@@ -196,6 +216,8 @@ const Mechanism& entry(std::string_view kind) {
                                      .assemblies = {},
                                      .quantities = quantities,
                                      .families = families<F>(),
+                                     .settings = loaded ? std::span<const Setting>(load_settings)
+                                                        : std::span<const Setting>(),
                                      .objection = objection<F, knife>,
                                      .motion = whole_turn,
                                      .describe = [](std::span<const double>) { return "cam with " + name; },

@@ -75,6 +75,72 @@ Digits50 over(const Motion& motion, std::span<const Digits50> d) {
     return greatest(Rebuilt<F>(motion, d), kinds, Measure{});
 }
 
+/// Forces, from the same differences: what presses on the cam along the guide.
+template <class R>
+R axial(const FollowerLoad<Digits50>& l, const Here<R>& here) {
+    const auto lift = derivatives<R>([&](const R& t) { return here.lift(t); });
+    return R(l.weight + l.load + l.preload) + R(l.spring_rate) * lift.value + R(l.mass * l.speed * l.speed) * lift.second;
+}
+
+template <class R>
+R closing(const FollowerLoad<Digits50>& l, const Here<R>& here) {
+    return R(l.weight + l.load + l.preload) + R(l.spring_rate) * here.lift(R(0));
+}
+
+template <class R, template <class> class F>
+R contact(const FollowerLoad<Digits50>& l, const F<R>& f, const Here<R>& here) {
+    using std::abs, std::cos, std::sin;
+    const R angle = cam_here(f, here).pressure_angle;
+    const R b(l.guide_length), friction(l.friction);
+    if (!(l.friction > 0) || !(b > 0)) return axial(l, here) / cos(angle);
+    // Moments about the two edges of the guide: F b = N (b cos phi - f (2 a + b - f D) |sin phi|).
+    return axial(l, here) * b /
+           (b * cos(angle) - friction * (2 * R(l.overhang) + b - friction * R(l.stem_diameter)) * abs(R(sin(angle))));
+}
+
+template <template <class> class F>
+FollowerLoad<Digits50> load(const Motion& motion, std::span<const Digits50> d) {
+    return load_of<F>(geometry_of<F, Digits50>(d), motion);
+}
+
+template <template <class> class F>
+Digits50 least_axial(const Motion& motion, std::span<const Digits50> d) {
+    const auto l = load<F>(motion, d);
+    return -greatest(Rebuilt<F>(motion, d), anywhere, [&]<class R>(const F<R>&, const Here<R>& here) { return R(-axial(l, here)); });
+}
+
+template <template <class> class F>
+Digits50 greatest_contact(const Motion& motion, std::span<const Digits50> d) {
+    const auto l = load<F>(motion, d);
+    return greatest(Rebuilt<F>(motion, d), anywhere, [&]<class R>(const F<R>& f, const Here<R>& here) { return contact(l, f, here); });
+}
+
+/// Force times the lever arm of the contact normal about the axis.
+template <template <class> class F>
+Digits50 greatest_torque(const Motion& motion, std::span<const Digits50> d) {
+    const auto l = load<F>(motion, d);
+    return greatest(Rebuilt<F>(motion, d), anywhere, [&]<class R>(const F<R>& f, const Here<R>& here) {
+        using std::abs, std::cos;
+        const auto lift = derivatives<R>([&](const R& t) { return here.lift(t); });
+        return R(abs(R(contact(l, f, here) * lift.first * cos(cam_here(f, here).pressure_angle))));
+    });
+}
+
+template <template <class> class F>
+Digits50 jump_speed(const Motion& motion, std::span<const Digits50> d) {
+    const auto l = load<F>(motion, d);
+    const Digits50 tendency = greatest(Rebuilt<F>(motion, d), anywhere, [&]<class R>(const F<R>&, const Here<R>& here) {
+        return R(-R(l.mass) * derivatives<R>([&](const R& t) { return here.lift(t); }).second / closing(l, here));
+    });
+    return 30 / pi<Digits50>() / sqrt(std::max<Digits50>(tendency, 1e-12));
+}
+
+template <template <class> class F>
+Digits50 jamming(const Motion& motion, std::span<const Digits50> d) {
+    const auto l = load<F>(motion, d);
+    return atan2(l.guide_length, Digits50(l.friction) * (2 * l.overhang + l.guide_length - Digits50(l.friction) * l.stem_diameter));
+}
+
 template <template <class> class F>
 Digits50 pitch_radius(const Motion& motion, std::span<const Digits50> d) {
     return 1 / over<F, anywhere, Curvature>(motion, d);
@@ -95,6 +161,17 @@ Digits50 undercut_margin(const Motion& motion, std::span<const Digits50> d) {
         return 1 - follower.roller_radius * over<F, anywhere, Curvature>(motion, d);
     else
         return profile_radius<F>(motion, d) / follower.base_radius;
+}
+
+template <template <class> class F>
+Digits50 start_angle(const Motion& motion, std::span<const Digits50> d) {
+    const auto f = follower_of<F, Digits50>(d, motion.assembly);
+    if constexpr (Layout<F>::roller)
+        return acos(
+            (f.pivot_distance * f.pivot_distance + f.arm_length * f.arm_length - f.prime_radius * f.prime_radius) /
+            (2 * f.pivot_distance * f.arm_length));
+    else
+        return asin((f.base_radius + f.face_offset) / f.pivot_distance);
 }
 
 template <template <class> class F>
@@ -180,6 +257,31 @@ std::array<Quantity, 2> closure() {
                      one_component, measure_lift_balance<F>, again::lift_balance<F>}};
 }
 
+inline bool has_mass(const Motion& motion) { return has_program(motion) && motion.settings[mass_setting] > 0; }
+inline bool has_dynamics(const Motion& motion) { return has_mass(motion) && motion.settings[speed_setting] > 0; }
+inline bool has_friction(const Motion& motion) { return has_program(motion) && motion.settings[friction_setting] > 0; }
+
+/// Forces of a follower that a spring holds to the cam; defined where a file says mass and speed.
+template <template <class> class F>
+std::vector<Quantity> force_quantities() {
+    constexpr std::size_t reads = dimension_count<F>;
+    using Least = Extremes<F, AxialForce, anywhere, false>;
+    using Contact = Extremes<F, ContactForce, anywhere, false>;
+    using Torque = Extremes<F, DriveTorque, anywhere, true>;
+    using Jump = Extremes<F, JumpSpeed, anywhere, false>;
+    return {{"contact-force-min", Unit::force,
+             "least force along the guide that holds the follower to the cam; negative where it leaves the cam",
+             Reduce::least, reads, has_dynamics, Least::components, Least::measure, again::least_axial<F>},
+            {"contact-force-max", Unit::force, "greatest force between cam and follower, with friction in the guide",
+             Reduce::greatest, reads, has_dynamics, Contact::components, Contact::measure, again::greatest_contact<F>},
+            {"drive-torque-max", Unit::torque, "greatest size of the torque on the cam", Reduce::greatest, reads,
+             has_dynamics, Torque::components, Torque::measure, again::greatest_torque<F>},
+            {"jump-speed", Unit::none, "turns per minute at which the follower leaves the cam", Reduce::least, reads,
+             has_mass, Jump::components, Jump::measure, again::jump_speed<F>},
+            {"jamming-angle", Unit::angle, "pressure angle at which the follower jams in its guide", Reduce::only, reads,
+             has_friction, one_component, measure_at_start<F, JammingAngle>, again::jamming<F>}};
+}
+
 template <template <class> class F>
 std::vector<Quantity> cam_quantities() {
     const Unit lift = Layout<F>::oscillating ? Unit::angle : Unit::length;
@@ -198,6 +300,10 @@ std::vector<Quantity> cam_quantities() {
             all.push_back(
                 dimension_itself<F, 1>("pivot-distance", length, "distance of the face's pivot from the cam centre"));
     }
+    if constexpr (Layout<F>::oscillating)
+        all.push_back({"start-angle", angle, "angle of the arm or face to the line of centres at the lowest position",
+                       Reduce::only, dimension_count<F>, has_program, one_component, measure_at_start<F, StartAngle>,
+                       again::start_angle<F>});
     all.push_back(extreme<F, PressureAngle, in_rises, true, Reduce::greatest>(
         "pressure-angle-rise", angle, "greatest size of the pressure angle over the rises",
         again::over<F, in_rises, again::PressureSize>));
@@ -245,6 +351,9 @@ std::vector<Quantity> cam_quantities() {
     all.push_back({"jerk-jump", lift, "greatest jump of the jerk where segments meet", Reduce::greatest,
                    dimension_count<F>, has_program, Jumps<F, Jerk>::components, Jumps<F, Jerk>::measure,
                    again::jump<F, 3>});
+    if constexpr (Layout<F>::geometry > Layout<F>::shape)
+        for (const Quantity& quantity : force_quantities<F>())
+            all.push_back(quantity);
     for (const Quantity& quantity : closure<F>())
         all.push_back(quantity);
     return all;

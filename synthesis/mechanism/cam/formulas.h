@@ -121,6 +121,88 @@ struct FollowMargin {
     }
 };
 
+/// Angle of the arm or face to the line of centres at the lowest position.
+struct StartAngle {
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>&) {
+        if constexpr (Layout<Follower>::roller)
+            return angle(arm_start(f));
+        else
+            return face_start(f);
+    }
+};
+
+/// Force along the guide.
+struct AxialForce {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>&, const Lift<T>& lift, const FollowerLoad<T>& load) {
+        return -axial_force(load, lift);
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>&, const Lift<T>& lift, const FollowerLoad<T>& load) {
+        return axial_force(load, lift);
+    }
+};
+
+/// Force between cam and follower, friction in the guide counted.
+struct ContactForce {
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift, const FollowerLoad<T>& load) {
+        if constexpr (Layout<Follower>::roller) {
+            using std::hypot;
+            const auto p = pitch_point(f, lift);
+            const T speed = hypot(p.across, p.along);
+            return axial_force(load, lift) / effective_cosine(load, T(p.across / speed), T(p.along / speed));
+        } else {
+            return axial_force(load, lift);
+        }
+    }
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift, const FollowerLoad<T>& load) {
+        return value(f, lift, load);
+    }
+};
+
+/// Of the contact force about the cam's axis: the normal passes the axis at the distance v cos(pressure angle).
+struct DriveTorque {
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift, const FollowerLoad<T>& load) {
+        const T force = ContactForce::value(f, lift, load);
+        if constexpr (Layout<Follower>::roller) {
+            using std::hypot;
+            const auto p = pitch_point(f, lift);
+            return force * lift.v * p.across / hypot(p.across, p.along);
+        } else {
+            return force * lift.v;
+        }
+    }
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift, const FollowerLoad<T>& load) {
+        return value(f, lift, load);
+    }
+};
+
+/// Speed in turns per minute at which the follower leaves the cam. Where it is not lifted: very great.
+struct JumpSpeed {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>&, const Lift<T>& lift, const FollowerLoad<T>& load) {
+        return lifting_tendency(load, lift);
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>&, const Lift<T>& lift, const FollowerLoad<T>& load) {
+        using std::sqrt;
+        const T tendency = lifting_tendency(load, lift), least(1e-12);
+        return T(30 / pi<double>()) / sqrt(tendency > least ? tendency : least);
+    }
+};
+
+struct JammingAngle {
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>&, const Lift<T>&, const FollowerLoad<T>& load) {
+        return jamming_angle(load);
+    }
+};
+
 struct Velocity {
     template <template <class> class Follower, class T>
     static T search(const Follower<T>&, const Lift<T>& lift) {

@@ -5,22 +5,32 @@
 #include <array>
 #include <cstddef>
 
+#include "analysis/cam/contact_force.h"
 #include "analysis/cam/flat_follower.h"
 #include "analysis/cam/roller_follower.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 
 namespace mechwright::cam {
 
-/// Of every follower; those with fewer geometric dimensions leave the last ones alone.
-inline constexpr std::size_t most_geometry = 4;
+/// Of every follower; those with fewer leave the last ones alone.
+inline constexpr std::size_t most_geometry = 10;
 
-/// `geometry`: how many of the first dimensions the follower is made of; `make`: the follower.
+/// Dimensions of a loaded follower, after those that shape the cam: spring rate, preload, load, weight, guide length,
+/// overhang, stem diameter.
+inline constexpr std::size_t load_count = 7;
+
+/// Settings of a cam's mechanism.
+enum CamSetting : std::size_t { mass_setting, speed_setting, friction_setting };
+
+/// `shape`: how many of the first dimensions shape the cam; `geometry`: the same with those of the load; `make`: the
+/// follower.
 template <template <class> class Follower>
 struct Layout;
 
 template <>
 struct Layout<TranslatingRoller> {
-    static constexpr std::size_t geometry = 3;
+    static constexpr std::size_t shape = 3;
+    static constexpr std::size_t geometry = shape + load_count;
     static constexpr bool roller = true;
     static constexpr bool oscillating = false;
     template <class T>
@@ -31,7 +41,8 @@ struct Layout<TranslatingRoller> {
 
 template <>
 struct Layout<OscillatingRoller> {
-    static constexpr std::size_t geometry = 4;
+    static constexpr std::size_t shape = 4;
+    static constexpr std::size_t geometry = shape;
     static constexpr bool roller = true;
     static constexpr bool oscillating = true;
     template <class T>
@@ -42,7 +53,8 @@ struct Layout<OscillatingRoller> {
 
 template <>
 struct Layout<TranslatingFlat> {
-    static constexpr std::size_t geometry = 1;
+    static constexpr std::size_t shape = 1;
+    static constexpr std::size_t geometry = shape + load_count;
     static constexpr bool roller = false;
     static constexpr bool oscillating = false;
     template <class T>
@@ -53,7 +65,8 @@ struct Layout<TranslatingFlat> {
 
 template <>
 struct Layout<OscillatingFlat> {
-    static constexpr std::size_t geometry = 3;
+    static constexpr std::size_t shape = 3;
+    static constexpr std::size_t geometry = shape;
     static constexpr bool roller = false;
     static constexpr bool oscillating = true;
     template <class T>
@@ -69,13 +82,32 @@ constexpr ProgramSlots slots{Layout<Follower>::geometry};
 template <template <class> class Follower>
 constexpr std::size_t dimension_count = slots<Follower>.end();
 
-/// The follower of these dimensions, in numbers that are made of theirs.
+/// The geometry in numbers that are made of the dimensions.
 template <template <class> class Follower, class T, class Number>
-Follower<T> follower_of(std::span<const Number> dimensions, std::size_t assembly) {
+std::array<T, most_geometry> geometry_of(std::span<const Number> dimensions) {
     std::array<T, most_geometry> g{};
     for (std::size_t i = 0; i < Layout<Follower>::geometry; ++i)
         g[i] = T(dimensions[i]);
-    return Layout<Follower>::make(g, sense_of(assembly));
+    return g;
+}
+
+template <template <class> class Follower, class T, class Number>
+Follower<T> follower_of(std::span<const Number> dimensions, std::size_t assembly) {
+    return Layout<Follower>::make(geometry_of<Follower, T>(dimensions), sense_of(assembly));
+}
+
+/// The load of a follower from its geometry. Only translating followers have one.
+template <template <class> class Follower, class T>
+FollowerLoad<T> load_of(const std::array<T, most_geometry>& g, const Motion& motion) {
+    if constexpr (Layout<Follower>::geometry == Layout<Follower>::shape) {
+        return {};
+    } else {
+        constexpr std::size_t first = Layout<Follower>::shape;
+        return {g[first],     g[first + 1], g[first + 2],
+                g[first + 3], g[first + 4], g[first + 5],
+                g[first + 6], motion.settings[mass_setting], motion.settings[speed_setting] * pi<double>() / 30,
+                motion.settings[friction_setting]};
+    }
 }
 
 }  // namespace mechwright::cam

@@ -54,6 +54,7 @@ std::vector<Share> shares_of(const MotionProgram& program, std::size_t index) {
 template <template <class> class Follower, class T>
 struct Local {
     Follower<T> follower;
+    FollowerLoad<T> load;
     Segment<T> segment;
     T start_lift;
 };
@@ -61,7 +62,7 @@ struct Local {
 template <template <class> class Follower, class T>
 Local<Follower, T> local_of(const Motion& motion, std::size_t index, const std::array<T, local_count>& x) {
     std::array<T, most_geometry> geometry;
-    auto next = std::copy_n(x.begin(), most_geometry, geometry.begin());
+    std::copy_n(x.begin(), most_geometry, geometry.begin());
     SegmentParameters<T> p;
     auto from = x.begin() + most_geometry;
     p.start_lift = *from++;
@@ -70,8 +71,7 @@ Local<Follower, T> local_of(const Motion& motion, std::size_t index, const std::
     std::copy_n(from, p.start.size(), p.start.begin());
     std::copy_n(from + p.start.size(), p.end.size(), p.end.begin());
     std::copy_n(from + p.start.size() + p.end.size(), p.shape.size(), p.shape.begin());
-    static_cast<void>(next);
-    return {Layout<Follower>::make(geometry, sense_of(motion.assembly)),
+    return {Layout<Follower>::make(geometry, sense_of(motion.assembly)), load_of<Follower>(geometry, motion),
             segment_of(*motion.program, motion.assembly, index, p), p.start_lift};
 }
 
@@ -90,7 +90,7 @@ struct Term {
     double factor;
 };
 
-/// Adds factor * value(follower, lift) at a place to a component of a measurement.
+/// Adds factor * value(follower, lift), or value(follower, lift, load), at a place to a component of a measurement.
 template <template <class> class Follower, class Value>
 void add_term(const Motion& motion, std::span<const double> dimensions, const Term& term, const Value& value,
               std::size_t component, const Measurement& out) {
@@ -99,7 +99,11 @@ void add_term(const Motion& motion, std::span<const double> dimensions, const Te
     const auto plain = local_values<Follower>(shares, dimensions);
     const auto at = [&]<class T>(const std::array<T, local_count>& x, const T& u) {
         const auto local = local_of<Follower, T>(motion, place.segment, x);
-        return value(local.follower, lift_at(local.segment, place.piece, u, local.start_lift));
+        const auto lift = lift_at(local.segment, place.piece, u, local.start_lift);
+        if constexpr (requires { value(local.follower, lift, local.load); })
+            return value(local.follower, lift, local.load);
+        else
+            return value(local.follower, lift);
     };
     const std::size_t n = dimension_count<Follower>, pairs = n * (n + 1) / 2;
     if (!out.hessian.empty()) {

@@ -26,6 +26,25 @@ bool has_segments(const Motion& motion) {
     return has_program(motion) && segments_of(motion, kinds) > 0;
 }
 
+/// The value of a formula as a function of follower, lift and, where it needs it, load.
+template <class Formula>
+auto value_by() {
+    return []<class F, class L, class... Load>(const F& f, const L& lift, const Load&... load)
+        requires requires { Formula::value(f, lift, load...); }
+    { return Formula::value(f, lift, load...); };
+}
+
+/// What a formula looks for, at a lift in numbers of type T, the dimensions constant.
+template <template <class> class Follower, class Formula, class T>
+T searched(const Motion& motion, std::span<const double> dimensions, const Lift<T>& lift) {
+    const auto geometry = geometry_of<Follower, T>(dimensions);
+    const auto follower = Layout<Follower>::make(geometry, sense_of(motion.assembly));
+    if constexpr (requires { Formula::search(follower, lift); })
+        return Formula::search(follower, lift);
+    else
+        return Formula::search(follower, lift, load_of<Follower>(geometry, motion));
+}
+
 /// The places where a formula is greatest, or least too (`both` signs), in the segments of some kinds: two in each
 /// segment if there is room for them. A component is the value there, of a least one the negative value.
 template <template <class> class Follower, class Formula, Kinds kinds, bool both>
@@ -39,7 +58,7 @@ struct Extremes {
 
     static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
         clear(out, components(motion), dimension_count<Follower>);
-        const auto value = [](const auto& f, const auto& lift) { return Formula::value(f, lift); };
+        const auto value = value_by<Formula>();
         const std::size_t kept = each(motion);
         std::size_t component = 0;
         for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
@@ -49,7 +68,7 @@ struct Extremes {
                 const double sign = s == 0 ? 1 : -1;
                 const auto places =
                     greatest_places<2>(placed.segment, i, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
-                        return T(sign) * Formula::search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
+                        return T(sign) * searched<Follower, Formula, T>(motion, dimensions, lift);
                     });
                 for (std::size_t k = 0; k < kept; ++k)
                     add_term<Follower>(motion, dimensions, {places[k], sign}, value, component++, out);
@@ -122,6 +141,15 @@ private:
         return places;
     }
 };
+
+/// A formula at the beginning of the motion.
+template <template <class> class Follower, class Formula>
+void measure_at_start(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+    clear(out, 1, dimension_count<Follower>);
+    const auto value = value_by<Formula>();
+    const double begin = break_before(placed_segment<Follower>(motion, dimensions, 0).segment, 0);
+    add_term<Follower>(motion, dimensions, {{0, 0, begin, false}, 1}, value, 0, out);
+}
 
 /// The sum of some dimensions, each with a factor of its own.
 inline void measure_linear(std::span<const double> dimensions, std::span<const std::pair<std::size_t, double>> terms,

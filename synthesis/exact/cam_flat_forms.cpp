@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/exact/closed_form.h"
+#include "synthesis/mechanism/cam/quantities.h"
+#include "synthesis/program/assess.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace cam;
+
+/// The greatest least radius of curvature that is required; 0 where none is, for a cusp is none.
+double least_radius(const Problem& problem) {
+    double least = 0;
+    for (const Requirement& r : problem.requirements)
+        if (problem.mechanism->quantities[r.quantity].measure ==
+                &Extremes<TranslatingFlat, ProfileRadius, anywhere, false>::measure &&
+            r.min)
+            least = std::max(least, *r.min);
+    return least;
+}
+
+bool covers(const Problem& problem) {
+    if (!problem.program || !problem.objective || problem.objective->terms.size() != 1) return false;
+    const ObjectiveTerm& term = problem.objective->terms.front();
+    if (term.maximize || problem.mechanism->quantities[term.quantity].measure != &measure_dimension<TranslatingFlat, 0>)
+        return false;
+    return std::all_of(problem.dimensions.begin() + 1, problem.dimensions.end(),
+                       [](const DimensionRange& range) { return range.fixed(); });
+}
+
+/// The radius of curvature is the base radius and s + s'' together, so that the least base radius follows from the
+/// least s + s'' over the turn (Carver and Quinn).
+std::optional<ClosedFormOutcome> solve(const Problem& problem) {
+    const DimensionRange& range = problem.dimensions[0];
+    const double radius = least_radius(problem);
+    std::optional<ClosedFormOutcome> best;
+    for (const std::size_t assembly : problem.assemblies) {
+        Motion motion;
+        motion.assembly = assembly;
+        motion.program = problem.program.get();
+        Design design;
+        design.assembly = assembly;
+        for (const DimensionRange& d : problem.dimensions)
+            design.dimensions.push_back(d.min);
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < problem.program->segments.size(); ++i) {
+            const PlacedSegment placed = placed_segment<TranslatingFlat>(motion, design.dimensions, i);
+            const auto deficit = []<class T>(const Lift<T>& lift) { return T(-(lift.s + lift.a)); };
+            const Place at = greatest_places<1>(placed.segment, i, placed.start_lift, deficit)[0];
+            least = std::min(least, -deficit(lift_at(placed.segment, at.piece, at.u, placed.start_lift)));
+        }
+        const double base = std::max(radius - least, range.min);
+        ClosedFormOutcome outcome;
+        outcome.infeasible = base > range.max * (1 + problem.solver.tolerance);
+        design.dimensions[0] = std::clamp(base, range.min, range.max);
+        outcome.argument = fmt::format(
+            "closed form: under a flat face the radius of curvature is base radius + s + s'', and the least s + s'' "
+            "over "
+            "the turn is {:.9g}{}",
+            least, outcome.infeasible ? fmt::format("; the least base radius is {:.9g}", base) : "");
+        outcome.best = assess(problem, std::move(design));
+        if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;  // something else is asked too
+        const bool better = !best || (best->infeasible && !outcome.infeasible) ||
+                            (best->infeasible == outcome.infeasible && outcome.best->objective < best->best->objective);
+        if (better) best = std::move(outcome);
+    }
+    return best;
+}
+
+/// What is asked of an oscillating face: the angle that it starts at, and a radius of curvature.
+struct SwingTask {
+    double start_angle = 0;
+    double radius = 0;
+};
+
+std::optional<SwingTask> swing_task(const Problem& problem) {
+    if (!problem.program || !problem.objective || problem.objective->terms.size() != 1) return std::nullopt;
+    const ObjectiveTerm& term = problem.objective->terms.front();
+    const auto asked = problem.mechanism->quantities[term.quantity].measure;
+    const bool size =
+        asked == &measure_dimension<OscillatingFlat, 0> || asked == &measure_dimension<OscillatingFlat, 1>;
+    if (term.maximize || !size || problem.dimensions[0].fixed() || problem.dimensions[1].fixed()) return std::nullopt;
+    if (!std::all_of(problem.dimensions.begin() + 2, problem.dimensions.end(),
+                     [](const DimensionRange& range) { return range.fixed(); }))
+        return std::nullopt;
+    SwingTask task;
+    for (const Requirement& r : problem.requirements) {
+        const auto measure = problem.mechanism->quantities[r.quantity].measure;
+        if (measure == &measure_at_start<OscillatingFlat, StartAngle> && r.equal) task.start_angle = *r.equal;
+        if (measure == &Extremes<OscillatingFlat, ProfileRadius, anywhere, false>::measure && r.min)
+            task.radius = std::max(task.radius, *r.min);
+    }
+    return task.start_angle > 0 ? std::optional(task) : std::nullopt;
+}
+
+bool covers_swing(const Problem& problem) { return swing_task(problem).has_value(); }
+
+/// For a given start angle the radius of curvature is pivot distance times g, less the face offset, where g depends on
+/// the motion alone: the least g over the turn gives the least pivot distance, or shows that there is none.
+std::optional<ClosedFormOutcome> solve_swing(const Problem& problem) {
+    const SwingTask task = *swing_task(problem);
+    std::optional<ClosedFormOutcome> best;
+    for (const std::size_t assembly : problem.assemblies) {
+        Motion motion;
+        motion.assembly = assembly;
+        motion.program = problem.program.get();
+        Design design;
+        design.assembly = assembly;
+        for (const DimensionRange& d : problem.dimensions)
+            design.dimensions.push_back(d.min);
+        std::vector<double>& d = design.dimensions;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < problem.program->segments.size(); ++i) {
+            const PlacedSegment placed = placed_segment<OscillatingFlat>(motion, d, i);
+            const auto deficit = [&]<class T>(const Lift<T>& lift) {
+                // At pivot distance 1 with the face in line with its pivot.
+                const OscillatingFlat<T> unit{T(std::sin(task.start_angle)), T(1), T(0), sense_of(assembly)};
+                return T(-face_contact(unit, lift).radius);
+            };
+            const Place at = greatest_places<1>(placed.segment, i, placed.start_lift, deficit)[0];
+            least = std::min(least, -deficit(lift_at(placed.segment, at.piece, at.u, placed.start_lift)));
+        }
+        const double offset = d[2];
+        ClosedFormOutcome outcome;
+        outcome.argument = fmt::format(
+            "closed form: for this start angle the radius of curvature is the pivot distance times {:.9g}, less the "
+            "face "
+            "offset, where it is least",
+            least);
+        const double distance = (task.radius + offset) / least;
+        const bool none = !(least > 0) || distance > problem.dimensions[1].max * (1 + problem.solver.tolerance);
+        outcome.infeasible = none;
+        if (least > 0 && none) outcome.argument += fmt::format("; the least pivot distance is {:.9g}", distance);
+        if (!(least > 0)) outcome.argument += ": no pivot distance is enough";
+        d[1] = none ? problem.dimensions[1].max : std::max(distance, problem.dimensions[1].min);
+        d[0] = std::clamp(d[1] * std::sin(task.start_angle) - offset, problem.dimensions[0].min,
+                          problem.dimensions[0].max);
+        outcome.best = assess(problem, std::move(design));
+        if (!none && !outcome.best->feasible) return std::nullopt;
+        const bool better = !best || (best->infeasible && !outcome.infeasible) ||
+                            (best->infeasible == outcome.infeasible && outcome.best->objective < best->best->objective);
+        if (better) best = std::move(outcome);
+    }
+    return best;
+}
+
+}  // namespace
+
+ClosedForm swinging_flat_cam_closed_form() { return {covers_swing, solve_swing, {}}; }
+
+ClosedForm flat_cam_closed_form() {
+    return {covers, solve, "cams with translating flat followers, of least base radius for a radius of curvature"};
+}
+
+}  // namespace mechwright
