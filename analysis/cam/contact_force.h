@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Forces on a translating follower that a spring holds to its cam. Units are those of the problem taken together: force
-/// = mass times length over time squared (millimetres, newtons and seconds go with tonnes). Lift derivatives are with
-/// respect to the cam angle.
+/// Forces on a translating follower that a spring holds to its cam. Units are those of the problem taken together:
+/// force = mass times length over time squared (millimetres, newtons and seconds go with tonnes). Lift derivatives are
+/// with respect to the cam angle.
 
 #include <cmath>
 
@@ -57,8 +57,9 @@ T jamming_angle(const FollowerLoad<T>& l) {
     return atan2(l.guide_length, f * (T(Constant<T>(2)) * l.overhang + l.guide_length - f * l.stem_diameter));
 }
 
-/// mass * |acceleration| over the closing force, for a cam turning at one radian per second: the follower leaves the cam
-/// at the speed whose square is one over its greatest value. Negative where the follower is accelerated from the cam.
+/// mass * |acceleration| over the closing force, for a cam turning at one radian per second: the follower leaves the
+/// cam at the speed whose square is one over its greatest value. Negative where the follower is accelerated from the
+/// cam.
 template <class T>
 T lifting_tendency(const FollowerLoad<T>& l, const Lift<T>& lift) {
     return -T(Constant<T>(l.mass)) * lift.a / closing_force(l, lift);

@@ -311,12 +311,13 @@ void read_cam(Section& file, Problem& problem, Messages& messages) {
     constexpr std::array<std::string_view, 3> rotations{"ccw", "cw", "either"};
     problem.cam_rotation = read_choice(*section, "rotation", "rotation", rotations, messages).value_or(0);
     report_unknown_keys(*section, messages);
-    problem.mechanism = &cam_mechanism(static_cast<CamFollower>(follower.value_or(1)), motion.value_or(0) == 1);
+    const bool known = follower && (motion || !has(*section, "motion"));
+    problem.mechanism = known ? &cam_mechanism(static_cast<CamFollower>(*follower), motion.value_or(0) == 1) : nullptr;
 }
 
 void read_segments(Section& file, Problem& problem, Messages& messages) {
-    if (problem.mechanism == nullptr || !is_cam(*problem.mechanism)) return;
     const toml::node* node = find(file, "segment");
+    if (problem.mechanism == nullptr || !is_cam(*problem.mechanism)) return;
     if (node == nullptr)
         return add_error(messages, file.place,
                          "a cam needs its motion: sections headed [[segment]] that make up a full turn");

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/sections.h"
 
 namespace mechwright::reading {
@@ -60,6 +61,9 @@ void read_units(Section& file, Problem& problem, Messages& messages) {
 void read_motion(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> section = read_section(file, "motion", messages);
     if (!section) return;
+    if (problem.mechanism != nullptr && is_cam(*problem.mechanism) && has(*section, "crank_range"))
+        add_error(messages, place_of(*section, "crank_range"),
+                  "a cam is judged over its full turn: leave crank_range out");
     if (const auto range = read_numbers(*section, "crank_range", messages)) {
         if (range->size() != 2) {
             add_error(messages, place_of(*section, "crank_range"),

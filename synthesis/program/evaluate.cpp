@@ -385,8 +385,7 @@ VectorXd point_of(const Program& program, const Design& design) {
     const auto& kinds = program.problem->mechanism->dimensions;
     for (std::size_t i = 0; i < kinds.size(); ++i)
         if (program.variable_of[i] >= 0)
-            x[program.variable_of[i]] =
-                design.dimensions[i] / (scales(kinds[i].kind) ? program.length : 1);
+            x[program.variable_of[i]] = design.dimensions[i] / (scales(kinds[i].kind) ? program.length : 1);
     if (program.untimed_path())
         for (std::size_t i = 0; i < program.targets.size(); ++i)
             x[static_cast<Index>(program.first_path_angle + i)] = design.path_angles[i];

@@ -76,9 +76,9 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
     if (!isfinite(value)) return std::nullopt;
     switch (quantity.unit) {
         case Unit::angle: return Measured{value, angular};
-        case Unit::none:
-        case Unit::force:
-        case Unit::torque: return Measured{value, relative * abs(value) + rounding};
+        case Unit::none: return Measured{value, relative * abs(value) + rounding};
+        case Unit::force: return Measured{value, relative * abs(value) + rounding * design.strongest};
+        case Unit::torque: return Measured{value, relative * abs(value) + rounding * design.strongest * design.longest};
         case Unit::length: return Measured{value, relative * abs(value) + rounding * design.longest};
         case Unit::area: return Measured{value, relative * abs(value) + rounding * design.longest * design.longest};
     }
@@ -89,12 +89,17 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
 
 Rebuilt rebuilt(const Claim& claim) {
     const Mechanism& mechanism = *claim.mechanism;
-    Rebuilt design{&claim, {}, {}, {}, 0, {}};
+    Rebuilt design{&claim, {}, {}, {}, 0, 0, {}};
     for (std::size_t i = 0; i < claim.design.size(); ++i) {
         const DimensionKind kind = mechanism.dimensions[i].kind;
         design.dimensions.push_back(from_document(claim.design[i], unit_of(kind), claim.units));
         design.rounded.push_back(plain(design.dimensions.back()));
         if (kind == DimensionKind::length) design.longest = std::max(design.longest, design.dimensions.back());
+    }
+    for (std::size_t i = 0; i < claim.design.size(); ++i) {
+        const DimensionKind kind = mechanism.dimensions[i].kind;
+        if (kind == DimensionKind::force) design.strongest += abs(design.dimensions[i]);
+        if (kind == DimensionKind::number) design.strongest += abs(design.dimensions[i]) * design.longest;
     }
     std::array<double, 2> range{};
     if (claim.crank_range)

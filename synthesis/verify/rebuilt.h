@@ -30,6 +30,7 @@ struct Rebuilt {
     std::vector<double> rounded;  ///< the same, rounded
     Motion motion;
     Digits50 longest;                 ///< of the lengths
+    Digits50 strongest;               ///< of the forces, those of springs over the longest length among them
     std::optional<RebuiltPath> path;  ///< only with one crank angle for each point
 };
 

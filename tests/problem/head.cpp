@@ -52,8 +52,6 @@ TEST(Head, SectionsOfOtherKindsOfSynthesisAreNamedAsNotBuiltIn) {
         only_says(read(valid + "[function]\nx = [1, 4]\n"), "p.toml:8:2", {"unknown key", "function generation"}));
     EXPECT_TRUE(only_says(read(valid + "[poses]\nposes = []\n"), "p.toml:8:2", {"unknown key", "body guidance"}));
     EXPECT_TRUE(only_says(read(valid + "[study]\n"), "p.toml:8:2", {"unknown key", "parameter studies"}));
-    EXPECT_TRUE(only_says(read(valid + "[cam]\n"), "p.toml:8:2", {"unknown key", "cams"}));
-    EXPECT_TRUE(only_says(read(valid + "[[segment]]\n[[segment]]\n"), "p.toml:8:3", {"unknown key", "cams"}));
 }
 
 TEST(Head, ASectionThatIsNoTableIsAnError) {

@@ -210,21 +210,21 @@ const Mechanism& entry(std::string_view kind) {
     static const std::string name(kind);
     constexpr bool loaded = Layout<F>::geometry > Layout<F>::shape;
     static const std::string meaning = "disc cam with " + name;
-    static const Mechanism mechanism{.name = "cam",
-                                     .meaning = meaning,
-                                     .dimensions = dimensions,
-                                     .assemblies = {},
-                                     .quantities = quantities,
-                                     .families = families<F>(),
-                                     .settings = loaded ? std::span<const Setting>(load_settings)
-                                                        : std::span<const Setting>(),
-                                     .objection = objection<F, knife>,
-                                     .motion = whole_turn,
-                                     .describe = [](std::span<const double>) { return "cam with " + name; },
-                                     .check_motion = check_cam<F>,
-                                     .motion_columns = columns,
-                                     .motion_units = units,
-                                     .motion_row = motion_row<F>};
+    static const Mechanism mechanism{
+        .name = "cam",
+        .meaning = meaning,
+        .dimensions = dimensions,
+        .assemblies = {},
+        .quantities = quantities,
+        .families = families<F>(),
+        .settings = loaded ? std::span<const Setting>(load_settings) : std::span<const Setting>(),
+        .objection = objection<F, knife>,
+        .motion = whole_turn,
+        .describe = [](std::span<const double>) { return "cam with " + name; },
+        .check_motion = check_cam<F>,
+        .motion_columns = columns,
+        .motion_units = units,
+        .motion_row = motion_row<F>};
     return mechanism;
 }
 

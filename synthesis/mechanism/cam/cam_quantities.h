@@ -79,7 +79,8 @@ Digits50 over(const Motion& motion, std::span<const Digits50> d) {
 template <class R>
 R axial(const FollowerLoad<Digits50>& l, const Here<R>& here) {
     const auto lift = derivatives<R>([&](const R& t) { return here.lift(t); });
-    return R(l.weight + l.load + l.preload) + R(l.spring_rate) * lift.value + R(l.mass * l.speed * l.speed) * lift.second;
+    return R(l.weight + l.load + l.preload) + R(l.spring_rate) * lift.value +
+           R(l.mass * l.speed * l.speed) * lift.second;
 }
 
 template <class R>
@@ -106,13 +107,15 @@ FollowerLoad<Digits50> load(const Motion& motion, std::span<const Digits50> d) {
 template <template <class> class F>
 Digits50 least_axial(const Motion& motion, std::span<const Digits50> d) {
     const auto l = load<F>(motion, d);
-    return -greatest(Rebuilt<F>(motion, d), anywhere, [&]<class R>(const F<R>&, const Here<R>& here) { return R(-axial(l, here)); });
+    return -greatest(Rebuilt<F>(motion, d), anywhere,
+                     [&]<class R>(const F<R>&, const Here<R>& here) { return R(-axial(l, here)); });
 }
 
 template <template <class> class F>
 Digits50 greatest_contact(const Motion& motion, std::span<const Digits50> d) {
     const auto l = load<F>(motion, d);
-    return greatest(Rebuilt<F>(motion, d), anywhere, [&]<class R>(const F<R>& f, const Here<R>& here) { return contact(l, f, here); });
+    return greatest(Rebuilt<F>(motion, d), anywhere,
+                    [&]<class R>(const F<R>& f, const Here<R>& here) { return contact(l, f, here); });
 }
 
 /// Force times the lever arm of the contact normal about the axis.
@@ -138,7 +141,8 @@ Digits50 jump_speed(const Motion& motion, std::span<const Digits50> d) {
 template <template <class> class F>
 Digits50 jamming(const Motion& motion, std::span<const Digits50> d) {
     const auto l = load<F>(motion, d);
-    return atan2(l.guide_length, Digits50(l.friction) * (2 * l.overhang + l.guide_length - Digits50(l.friction) * l.stem_diameter));
+    return atan2(l.guide_length,
+                 Digits50(l.friction) * (2 * l.overhang + l.guide_length - Digits50(l.friction) * l.stem_diameter));
 }
 
 template <template <class> class F>
@@ -278,8 +282,8 @@ std::vector<Quantity> force_quantities() {
              has_dynamics, Torque::components, Torque::measure, again::greatest_torque<F>},
             {"jump-speed", Unit::none, "turns per minute at which the follower leaves the cam", Reduce::least, reads,
              has_mass, Jump::components, Jump::measure, again::jump_speed<F>},
-            {"jamming-angle", Unit::angle, "pressure angle at which the follower jams in its guide", Reduce::only, reads,
-             has_friction, one_component, measure_at_start<F, JammingAngle>, again::jamming<F>}};
+            {"jamming-angle", Unit::angle, "pressure angle at which the follower jams in its guide", Reduce::only,
+             reads, has_friction, one_component, measure_at_start<F, JammingAngle>, again::jamming<F>}};
 }
 
 template <template <class> class F>

@@ -103,9 +103,15 @@ FollowerLoad<T> load_of(const std::array<T, most_geometry>& g, const Motion& mot
         return {};
     } else {
         constexpr std::size_t first = Layout<Follower>::shape;
-        return {g[first],     g[first + 1], g[first + 2],
-                g[first + 3], g[first + 4], g[first + 5],
-                g[first + 6], motion.settings[mass_setting], motion.settings[speed_setting] * pi<double>() / 30,
+        return {g[first],
+                g[first + 1],
+                g[first + 2],
+                g[first + 3],
+                g[first + 4],
+                g[first + 5],
+                g[first + 6],
+                motion.settings[mass_setting],
+                motion.settings[speed_setting] * pi<double>() / 30,
                 motion.settings[friction_setting]};
     }
 }

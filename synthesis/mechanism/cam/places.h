@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -58,6 +59,9 @@ std::array<Place, count> greatest_places(const Segment<double>& segment, std::si
     std::size_t kept = 0;
     const auto offer = [&](std::size_t piece, double u, bool stationary) {
         const double value = f(lift_at(segment, piece, u, start_lift));
+        // The same place as the end of the piece before.
+        for (std::size_t i = 0; i < kept; ++i)
+            if (best[i].place.u == u && std::abs(best[i].value - value) <= 1e-9 * std::abs(value)) return;
         std::size_t at = kept;
         for (std::size_t i = 0; i < kept; ++i)
             if (!(value <= best[i].value)) {
@@ -85,12 +89,13 @@ std::array<Place, count> greatest_places(const Segment<double>& segment, std::si
             std::size_t n = 0;
             for (const double part : parts)
                 grid[n++] = from + part * (to - from);
-            if (!(slope(from) > 0)) offer(piece, from, false);
-            if (!(slope(to) < 0)) offer(piece, to, false);
-            const double beside = 1e-7 * (to - from);
+            offer(piece, from, false);
+            offer(piece, to, false);
+            // Closer to an end than this a zero is the rounding of a slope that vanishes there.
+            const double beside = 1e-6 * (to - from);
             zeros_on_grid(slope, std::span<const double>(grid.data(), n), [&](double u) {
                 const bool peak = slope(u - beside) >= 0 && slope(u + beside) <= 0;
-                if (u > from && u < to && peak) offer(piece, u, true);
+                if (u > from + beside && u < to - beside && peak) offer(piece, u, true);
             });
         }
     }

@@ -29,8 +29,9 @@ bool has_segments(const Motion& motion) {
 /// The value of a formula as a function of follower, lift and, where it needs it, load.
 template <class Formula>
 auto value_by() {
-    return []<class F, class L, class... Load>(const F& f, const L& lift, const Load&... load)
-        requires requires { Formula::value(f, lift, load...); }
+    return []<class F, class L, class... Load>(const F& f, const L& lift, const Load&... load) requires requires {
+        Formula::value(f, lift, load...);
+    }
     { return Formula::value(f, lift, load...); };
 }
 

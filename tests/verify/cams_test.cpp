@@ -1,0 +1,147 @@
+// Cams measured twice: random cams of every follower, whose quantities must be the same by the analysis in double and
+// by positions alone in fifty digits; and documents of cams, also spoilt ones.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/problem/reader.h"
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/report/document.h"
+#include "synthesis/search/solve.h"
+#include "synthesis/verify/rebuilt.h"
+#include "tests/verify/documents.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace test;
+
+struct Random {
+    std::mt19937_64 bits{7};
+    double between(double low, double high) {
+        return low + (high - low) * std::ldexp(static_cast<double>(bits() >> 11), -53);
+    }
+    template <class T, std::size_t N>
+    const T& one_of(const std::array<T, N>& all) {
+        return all[static_cast<std::size_t>(between(0, N)) % N];
+    }
+};
+
+constexpr std::array laws{"parabolic",
+                          "harmonic",
+                          "double-harmonic",
+                          "cycloidal",
+                          "modified-trapezoid",
+                          "modified-sine",
+                          "modified-constant-velocity",
+                          "3-4-5",
+                          "4-5-6-7",
+                          "kloomok-muffley"};
+
+std::string random_cam(Random& random, const char* follower, bool oscillating) {
+    const auto number = [](double x) { return std::to_string(x); };
+    const double a = random.between(70, 120), b = random.between(10, 60), c = random.between(70, 120);
+    const std::string lift = number(oscillating ? random.between(5, 15) : random.between(5, 20));
+    const auto moving = [&](const char* kind, double angle) {
+        const bool polynomial = random.between(0, 1) < 0.2;
+        return std::string("[[segment]]\nkind = \"") + kind + "\"\nangle = " + number(angle) + "\nlift = " + lift +
+               "\nlaw = \"" + (polynomial ? "polynomial" : random.one_of(laws)) + "\"\n" +
+               (polynomial ? "start = [0, 0]\nend = [0, 0, 0]\nshape = [" + number(random.between(-0.5, 0.5)) + "]\n"
+                           : "");
+    };
+    const auto dwell = [&](double angle) { return "[[segment]]\nkind = \"dwell\"\nangle = " + number(angle) + "\n"; };
+    std::string text =
+        std::string("schema = 1\nmechanism = \"cam\"\n[cam]\nfollower = \"") + follower + "\"\nmotion = \"" +
+        (oscillating ? "oscillating" : "translating") + "\"\nrotation = \"" +
+        (random.between(0, 1) < 0.5 ? "cw" : "ccw") + "\"\n" + moving("rise", a) + dwell(b) + moving("return", c) +
+        dwell(360 - std::stod(number(a)) - std::stod(number(b)) - std::stod(number(c))) + "[dimensions]\n";
+    const bool flat = std::string(follower) == "flat";
+    const double size = flat ? random.between(90, 150) : random.between(40, 80);
+    text += std::string(flat ? "base-radius = " : "prime-radius = ") + number(size) + "\n";
+    if (oscillating) text += "pivot-distance = " + number((flat ? 1.6 : 1.5) * size) + "\n";
+    if (oscillating && flat) text += "face-offset = " + number(random.between(-5, 10)) + "\n";
+    if (oscillating && !flat) text += "arm-length = " + number(1.2 * size) + "\n";
+    if (!flat && !oscillating) text += "offset = " + number(random.between(-0.2, 0.2) * size) + "\n";
+    if (std::string(follower) == "roller") text += "roller-radius = " + number(random.between(1, 6)) + "\n";
+    if (!oscillating) {
+        text +=
+            "spring-rate = 8\npreload = 300\nweight = 7\nload = 20\nguide-length = 60\noverhang = 30\nstem-diameter = "
+            "12\n";
+        text += "[dynamics]\nmass = 0.001\nspeed = 300\nfriction = 0.1\n";
+    }
+    return text;
+}
+
+Problem problem_of(const std::string& text) {
+    const ReadProblem read = parse_problem(text, "cam.toml");
+    for (const Message& m : read.messages)
+        ADD_FAILURE() << to_string(m) << "\n" << text;
+    return read.problem;
+}
+
+}  // namespace
+
+TEST(CamsAgain, RandomCamsMeasureTheSame) {
+    Random random;
+    int compared = 0;
+    for (int round = 0; round < 12; ++round)
+        for (const char* follower : {"knife", "roller", "flat"})
+            for (const bool oscillating : {false, true}) {
+                const std::string text = random_cam(random, follower, oscillating);
+                const Problem problem = problem_of(text);
+                const Result result = solve(problem, {});
+                const Json json = document(problem, result);
+                ASSERT_TRUE(json.contains("quantities")) << text;
+                compared += static_cast<int>(json["quantities"].size());
+                for (const Check& check : result.verification)
+                    EXPECT_TRUE(check.passed || check.name == "the cam is not undercut")
+                        << check.name << ": " << check.detail << "\n"
+                        << text;
+            }
+    EXPECT_GT(compared, 12 * 6 * 14);
+}
+
+TEST(CamDocument, IsSpoiltByAnotherLawRotationOrTable) {
+    Random random;
+    const Problem problem = problem_of(random_cam(random, "roller", true));
+    const Json good = document(problem, solve(problem, {}));
+    ASSERT_TRUE(failures(good).empty()) << told(verify(good));
+    Json json = good;
+    json["design"]["laws"][0] = json["design"]["laws"][0] == "harmonic" ? "cycloidal" : "harmonic";
+    EXPECT_FALSE(failures(json).empty());
+    json = good;
+    json["design"]["rotation"] = json["design"]["rotation"] == "cw" ? "ccw" : "cw";
+    EXPECT_FALSE(failures(json).empty());
+    json = good;
+    json["design"]["angle-1"] = json["design"]["angle-1"].get<double>() + 1;
+    EXPECT_FALSE(failures(json).empty());
+    for (const char* member : {"laws", "rotation"}) {
+        json = good;
+        json["design"].erase(member);
+        EXPECT_NE(told(verify(json)).find(member), std::string::npos) << told(verify(json));
+    }
+    json = good;
+    json.erase("cam");
+    EXPECT_NE(told(verify(json)).find("cam"), std::string::npos);
+}
+
+TEST(CamDocument, NeverThrowsWhateverItsMembersAre) {
+    Random random;
+    const Problem problem = problem_of(random_cam(random, "flat", true));
+    Json json = document(problem, solve(problem, {}));
+    json["quantities"] = {{"base-radius", json["quantities"]["base-radius"]}};
+    EXPECT_GT(verified_with_members_replaced(json), 300);
+    const Problem tabled = problem_of(
+        "schema = 1\nmechanism = \"cam\"\n[cam]\nfollower = \"knife\"\n[dimensions]\nprime-radius = "
+        "40\n[[segment]]\nkind = "
+        "\"cycle\"\npoints = [[0, 0], [90, 5], [180, 9], [270, 4]]\n");
+    json = document(tabled, solve(tabled, {}));
+    EXPECT_TRUE(failures(json).empty()) << told(verify(json));
+    json["quantities"] = {{"prime-radius", 40}};
+    EXPECT_GT(verified_with_members_replaced(json), 100);
+}
+
+}  // namespace mechwright
