@@ -14,9 +14,9 @@ namespace mechwright::cam {
 template <class T>
 struct FollowerLoad {
     T spring_rate;
-    T preload;  ///< of the spring, at the lowest position
-    T load;     ///< any other force towards the cam
-    T weight;   ///< as far as it acts towards the cam
+    T precompression;  ///< of the spring, at the lowest position: a length
+    T load;            ///< any other force towards the cam
+    T weight;          ///< as far as it acts towards the cam
     T guide_length;
     T overhang;       ///< of the roller centre over the near edge of the guide, at the lowest position
     T stem_diameter;  ///< of the follower in its guide
@@ -28,7 +28,7 @@ struct FollowerLoad {
 /// Spring, load and weight together.
 template <class T>
 T closing_force(const FollowerLoad<T>& l, const Lift<T>& lift) {
-    return l.weight + l.load + l.preload + l.spring_rate * lift.s;
+    return l.weight + l.load + l.spring_rate * (l.precompression + lift.s);
 }
 
 /// Force along the guide that the cam must exert; negative where the follower leaves the cam.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "analysis/cam/contour.h"
 #include "analysis/cam/law.h"
 #include "analysis/geometry/half_angle.h"
 #include "analysis/geometry/vector.h"
@@ -43,6 +44,11 @@ FaceContact<T> face_contact(const TranslatingFlat<T>& f, const Lift<T>& lift) {
     const T height = f.base_radius + lift.s;
     const T one(Constant<T>(1));
     return {{f.sense > 0 ? lift.v : -lift.v, height}, {T(), one}, height + lift.a, lift.v, T(), one};
+}
+
+template <class T>
+FaceContact<T> face_contact(const ContourFlat<T>& f, const Lift<T>& lift) {
+    return face_contact(TranslatingFlat<T>{f.base_radius, f.sense}, lift);
 }
 
 /// Angle of the face to the line from pivot to cam centre at the lowest position; between 0 and a right angle.

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "analysis/cam/contour.h"
 #include "analysis/cam/law.h"
 #include "analysis/geometry/half_angle.h"
 #include "analysis/geometry/vector.h"
@@ -63,6 +64,11 @@ PitchPoint<T> pitch_point(const TranslatingRoller<T>& f, const Lift<T>& lift) {
             along,
             across * (across - lift.a) + along * (along + lift.v),
             f.sense};
+}
+
+template <class T>
+PitchPoint<T> pitch_point(const ContourRoller<T>& f, const Lift<T>& lift) {
+    return pitch_point(TranslatingRoller<T>{f.base_radius + f.roller_radius, T(), f.roller_radius, f.sense}, lift);
 }
 
 /// The angle of the arm to the line from pivot to cam centre at the lowest position.

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "analysis/cam/boundary_polynomial.h"
+#include "analysis/cam/contour.h"
 #include "analysis/cam/law.h"
 #include "analysis/cam/periodic_spline.h"
 
@@ -16,12 +17,12 @@ enum class SegmentKind {
     rise,
     fall,  ///< "return" in problem files
     dwell,
-    cycle  ///< a whole turn from a table
+    cycle  ///< a whole turn, from a table or the contour of the cam
 };
 
 /// How a segment moves, but for its size.
 struct SegmentLaw {
-    enum class Form { law, polynomial, table };
+    enum class Form { law, polynomial, table, contour };
     Form form = Form::law;
     Law law = Law::cycloidal;
     bool to_rest = false;  ///< of a half law: it comes to rest at its end; else it starts from rest
@@ -35,6 +36,7 @@ struct Segment {
     T lift{};                                            ///< > 0 for a rise and for a return; 0 for a dwell
     BoundaryPolynomial<T> boundary{};                    ///< derivatives with respect to the cam angle
     const PeriodicSpline<Constant<T>>* table = nullptr;  ///< of a cycle
+    Contour<T> contour{};
 };
 
 /// A segment in another number type over the same constants.
@@ -50,6 +52,15 @@ Segment<To> converted(const Segment<From>& segment) {
     to.boundary.start_count = boundary.start_count;
     to.boundary.end_count = boundary.end_count;
     to.boundary.shape_count = boundary.shape_count;
+    to.contour = {segment.contour.kind,
+                  number_as<To>(segment.contour.base_radius),
+                  number_as<To>(segment.contour.nose_radius),
+                  number_as<To>(segment.contour.centre_distance),
+                  number_as<To>(segment.contour.flank_radius),
+                  number_as<To>(segment.contour.roller_radius),
+                  segment.contour.roller,
+                  number_as<To>(segment.contour.rise),
+                  number_as<To>(segment.contour.flank)};
     const auto number = [](const From& x) { return number_as<To>(x); };
     std::transform(boundary.start.begin(), boundary.start.end(), to.boundary.start.begin(), number);
     std::transform(boundary.end.begin(), boundary.end.end(), to.boundary.end.begin(), number);
@@ -62,6 +73,7 @@ template <class T>
 std::size_t pieces(const Segment<T>& segment) {
     if (segment.kind == SegmentKind::dwell) return 1;
     if (segment.law.form == SegmentLaw::Form::table) return segment.table->pieces();
+    if (segment.law.form == SegmentLaw::Form::contour) return pieces(segment.contour.kind);
     return segment.law.form == SegmentLaw::Form::law ? pieces(segment.law.law) : 1;
 }
 
@@ -69,6 +81,8 @@ std::size_t pieces(const Segment<T>& segment) {
 template <class T>
 double break_before(const Segment<T>& segment, std::size_t piece) {
     if (segment.law.form == SegmentLaw::Form::table) return static_cast<double>(segment.table->begin(piece));
+    if (segment.law.form == SegmentLaw::Form::contour)
+        return static_cast<double>(piece) / static_cast<double>(pieces(segment.contour.kind));
     if (segment.kind == SegmentKind::dwell || segment.law.form == SegmentLaw::Form::polynomial)
         return piece == 0 ? 0 : 1;
     const Law law = segment.law.law;
@@ -107,11 +121,16 @@ BoundaryPolynomial<T> in_parts(const BoundaryPolynomial<T>& p, const T& angle) {
 
 }  // namespace detail
 
-/// The follower at part u of a segment that starts at lift `start`, by the formula of the given piece. Precondition:
-/// the segment's angle is positive.
+/// The follower at part u of a segment (of a contour: in even parts for its pieces) that starts at lift `start`, by the
+/// formula of the given piece. Precondition: the segment's angle is positive.
 template <class T>
 Lift<T> lift_at(const Segment<T>& segment, std::size_t piece, const T& u, const T& start) {
     if (segment.kind == SegmentKind::dwell) return {start, T(), T(), T()};
+    if (segment.law.form == SegmentLaw::Form::contour) {
+        const double count = static_cast<double>(pieces(segment.contour.kind));
+        return lift_at(segment.contour, piece,
+                       T(u * T(Constant<T>(count)) - T(Constant<T>(static_cast<double>(piece)))));
+    }
     const T per_angle = T(Constant<T>(1)) / segment.angle;
     const auto scaled = [&](const Lift<T>& f, const T& by) {
         const T v = by * per_angle, a = v * per_angle;
@@ -122,6 +141,16 @@ Lift<T> lift_at(const Segment<T>& segment, std::size_t piece, const T& u, const 
     if (segment.law.form == SegmentLaw::Form::polynomial)
         return scaled(lift_at(detail::in_parts(segment.boundary, segment.angle), rise, u), T(Constant<T>(1)));
     return scaled(detail::normalised(segment, piece, u), rise);
+}
+
+/// The cam angle that the whole segment would take at the rate of one piece: that of the segment, but for contours,
+/// whose pieces have even parts.
+template <class T>
+T angle_per_part(const Segment<T>& segment, std::size_t piece) {
+    if (segment.law.form != SegmentLaw::Form::contour) return segment.angle;
+    const auto angles = piece_angles(segment.contour);
+    const double count = static_cast<double>(pieces(segment.contour.kind));
+    return T(Constant<T>(count)) * (angles[piece + 1] - angles[piece]);
 }
 
 /// What a segment adds to the lift.

@@ -15,6 +15,7 @@ namespace mechwright::reading {
 
 namespace {
 
+using cam::ContourKind;
 using cam::SegmentKind;
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -283,11 +284,19 @@ void check_lifts(Problem& problem, const std::vector<Place>& places, Messages& m
         require_closure(problem, "lift-balance", 0);
 }
 
+void set_contour(Problem& problem, ContourKind contour) {
+    if (problem.dimensions.empty()) return;
+    problem.program = contour_program(contour);
+    problem.dimensions[cam_angle_dimension(*problem.mechanism, 0)] = {turn, turn, {}, true};
+    problem.assemblies.clear();
+    for (const std::size_t rotation : {std::size_t{0}, std::size_t{1}})
+        if (problem.cam_rotation == 2 || problem.cam_rotation == rotation) problem.assemblies.push_back(rotation);
+}
+
 }  // namespace
 
 void read_cam(Section& file, Problem& problem, Messages& messages) {
-    const bool cam = problem.mechanism != nullptr && is_cam(*problem.mechanism);
-    if (!cam) {
+    if (problem.mechanism == nullptr || !is_cam(*problem.mechanism)) {
         for (const std::string_view key : {"cam", "segment"}) {
             if (!has(file, key)) continue;
             file.reported.push_back(key);
@@ -310,14 +319,34 @@ void read_cam(Section& file, Problem& problem, Messages& messages) {
     const auto motion = read_choice(*section, "motion", "motion", cam_motion_names, messages);
     constexpr std::array<std::string_view, 3> rotations{"ccw", "cw", "either"};
     problem.cam_rotation = read_choice(*section, "rotation", "rotation", rotations, messages).value_or(0);
+    const auto contour = read_choice(*section, "contour", "contour", cam_contour_names, messages);
     report_unknown_keys(*section, messages);
-    const bool known = follower && (motion || !has(*section, "motion"));
-    problem.mechanism = known ? &cam_mechanism(static_cast<CamFollower>(*follower), motion.value_or(0) == 1) : nullptr;
+    const bool known = follower && (motion || !has(*section, "motion")) && (contour || !has(*section, "contour"));
+    problem.mechanism = nullptr;
+    if (!known) return;
+    const auto kind = static_cast<CamFollower>(*follower);
+    if (!contour) {
+        problem.mechanism = &cam_mechanism(kind, motion.value_or(0) == 1);
+        return;
+    }
+    problem.mechanism = contour_cam_mechanism(kind, static_cast<ContourKind>(*contour + 1));
+    if (problem.mechanism == nullptr)
+        return add_error(messages, place_of(*section, "follower"),
+                         "straight flanks cannot move a flat follower: a tangent cam needs follower = \"roller\"");
+    if (motion == 1u)
+        add_error(messages, place_of(*section, "motion"),
+                  "cams of a specified contour have translating followers: leave 'motion' or 'contour' out");
 }
 
 void read_segments(Section& file, Problem& problem, Messages& messages) {
     const toml::node* node = find(file, "segment");
     if (problem.mechanism == nullptr || !is_cam(*problem.mechanism)) return;
+    if (const ContourKind contour = cam_kind(*problem.mechanism).contour; contour != ContourKind::none) {
+        if (node != nullptr)
+            add_error(messages, key_place(file, "segment"),
+                      "the motion follows from the contour: leave [[segment]] or 'contour' in [cam] out");
+        return set_contour(problem, contour);
+    }
     if (node == nullptr)
         return add_error(messages, file.place,
                          "a cam needs its motion: sections headed [[segment]] that make up a full turn");

@@ -55,9 +55,12 @@ nlohmann::ordered_json cam_document(const Problem& problem) {
     Json segments = Json::array();
     for (const SegmentPlan& segment : problem.program->segments)
         segments.push_back(segment_document(problem, segment, kind.oscillating));
-    return {{"follower", cam_follower_names[static_cast<std::size_t>(kind.follower)]},
-            {"motion", cam_motion_names[kind.oscillating ? 1 : 0]},
-            {"segments", std::move(segments)}};
+    Json json{{"follower", cam_follower_names[static_cast<std::size_t>(kind.follower)]},
+              {"motion", cam_motion_names[kind.oscillating ? 1 : 0]}};
+    if (kind.contour != cam::ContourKind::none)
+        json["contour"] = cam_contour_names[static_cast<std::size_t>(kind.contour) - 1];
+    json["segments"] = std::move(segments);
+    return json;
 }
 
 void put_cam_choice(nlohmann::ordered_json& design, const Problem& problem, std::size_t assembly) {

@@ -9,8 +9,9 @@
 
 namespace mechwright {
 
-/// {follower, motion, segments: [{kind, [laws], [start, end, shape], [points]}]}: what was given. start, end and shape
-/// count the numbers of a polynomial, points are [cam angle, lift]. Precondition: the problem is that of a cam.
+/// {follower, motion, [contour], segments: [{kind, [laws], [start, end, shape], [points]}]}: what was given. start, end
+/// and shape count the numbers of a polynomial, points are [cam angle, lift]. Precondition: the problem is that of a
+/// cam.
 nlohmann::ordered_json cam_document(const Problem& problem);
 
 /// Adds rotation and laws (one name for each segment, empty where it has none) to a design.

@@ -91,6 +91,15 @@ void read_cam(Reader& in, const Json& document, Claim& claim) {
     const auto follower = word(in, member(*json, "follower"), "cam.follower", cam_follower_names);
     const bool angular = word(in, member(*json, "motion"), "cam.motion", cam_motion_names) == 1;
     claim.mechanism = &cam_mechanism(static_cast<CamFollower>(follower), angular);
+    if (const Json* contour = member(*json, "contour")) {
+        const auto kind = static_cast<cam::ContourKind>(word(in, contour, "cam.contour", cam_contour_names) + 1);
+        const Mechanism* mechanism = contour_cam_mechanism(static_cast<CamFollower>(follower), kind);
+        if (angular || mechanism == nullptr) return in.fail("cam.contour does not go with the follower");
+        claim.mechanism = mechanism;
+        claim.program = contour_program(kind);
+        claim.assembly = word(in, member(*design, "rotation"), "design.rotation", cam_rotation_names);
+        return;
+    }
     const Json* segments = member(*json, "segments");
     const Json* laws = member(*design, "laws");
     if (!in.array(segments, "cam.segments", MotionProgram::most_segments) ||

@@ -301,7 +301,7 @@ std::string cam(const std::string& kind, const std::string& dimensions, const st
 
 TEST(Derivatives, OfTranslatingCams) {
     const std::string load = R"(spring-rate = { min = 5, max = 9 }
-preload = { min = 10, max = 90 }
+precompression = { min = 10, max = 20 }
 load = { min = 1, max = 3 }
 weight = { min = 1, max = 3 }
 guide-length = { min = 50, max = 60 }

@@ -68,7 +68,8 @@ std::string random_cam(Random& random, const char* follower, bool oscillating) {
     if (std::string(follower) == "roller") text += "roller-radius = " + number(random.between(1, 6)) + "\n";
     if (!oscillating) {
         text +=
-            "spring-rate = 8\npreload = 300\nweight = 7\nload = 20\nguide-length = 60\noverhang = 30\nstem-diameter = "
+            "spring-rate = 8\nprecompression = 40\nweight = 7\nload = 20\nguide-length = 60\noverhang = "
+            "30\nstem-diameter = "
             "12\n";
         text += "[dynamics]\nmass = 0.001\nspeed = 300\nfriction = 0.1\n";
     }

@@ -29,8 +29,23 @@ constexpr Dimension pivot_distance{"pivot-distance", DimensionKind::length, true
 constexpr Dimension roller_radius{"roller-radius", DimensionKind::length, true, "radius of the roller"};
 constexpr Dimension no_roller{"roller-radius", DimensionKind::coordinate, false, "a knife edge has none"};
 
+/// Of the circles of a contour; those that a kind does not have stay 0 and are not read.
+std::vector<Dimension> contour_dimensions(ContourKind contour, bool roller) {
+    const bool nose = contour != ContourKind::eccentric, arc = contour == ContourKind::circular_arc;
+    constexpr Dimension none{"", DimensionKind::coordinate, false, "", true};
+    std::vector<Dimension> all{
+        base_radius,
+        nose ? Dimension{"nose-radius", DimensionKind::length, true, "radius of the nose"} : none,
+        {"centre-distance", DimensionKind::length, true,
+         nose ? "distance of the nose's centre from the cam centre" : "eccentricity of the circle"},
+        arc ? Dimension{"flank-radius", DimensionKind::length, true, "radius of the flanks"} : none};
+    if (roller) all.push_back(roller_radius);
+    return all;
+}
+
 template <template <class> class F>
-std::vector<Dimension> geometry_dimensions(bool knife) {
+std::vector<Dimension> geometry_dimensions(bool knife, ContourKind contour) {
+    if constexpr (is_contour<F>) return contour_dimensions(contour, Layout<F>::roller);
     const Dimension& roller = knife ? no_roller : roller_radius;
     if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>)
         return {prime_radius,
@@ -53,7 +68,7 @@ std::vector<Dimension> geometry_dimensions(bool knife) {
 
 constexpr std::array<Dimension, load_count> load_dimensions{{
     {"spring-rate", DimensionKind::number, false, "force of the spring per length"},
-    {"preload", DimensionKind::force, false, "force of the spring at the lowest position"},
+    {"precompression", DimensionKind::coordinate, false, "of the spring at the lowest position"},
     {"load", DimensionKind::force, false, "any other force on the follower towards the cam"},
     {"weight", DimensionKind::force, false, "of the follower, towards the cam"},
     {"guide-length", DimensionKind::coordinate, false, "length of the guide"},
@@ -69,8 +84,8 @@ constexpr std::array<Setting, 3> load_settings{{
 }};
 
 template <template <class> class F>
-std::vector<Dimension> dimensions_of(bool knife) {
-    std::vector<Dimension> all = geometry_dimensions<F>(knife);
+std::vector<Dimension> dimensions_of(bool knife, ContourKind contour) {
+    std::vector<Dimension> all = geometry_dimensions<F>(knife, contour);
     if constexpr (Layout<F>::geometry > Layout<F>::shape)
         all.insert(all.end(), load_dimensions.begin(), load_dimensions.end());
     const DimensionKind lift = Layout<F>::oscillating ? DimensionKind::angle : DimensionKind::coordinate;
@@ -84,8 +99,19 @@ std::vector<Dimension> dimensions_of(bool knife) {
 }
 
 /// Linear conditions of the geometry, coefficients of the first dimensions.
-template <template <class> class F>
+template <template <class> class F, ContourKind contour>
 std::vector<LinearCondition> conditions() {
+    if constexpr (contour != ContourKind::none) {
+        if (contour == ContourKind::eccentric) return {};
+        std::vector<LinearCondition> all{{"the nose stands out of the base circle", {-1, 1, 1}},
+                                         {"the nose is not inside out", {1, -1, 1}}};
+        if (contour == ContourKind::circular_arc) {
+            all.push_back({"the flanks are flatter than the base circle", {-1, 0, 0, 1}});
+            all.push_back({"the flanks are flatter than the nose", {0, -1, 0, 1}});
+            all.push_back({"the flanks reach the nose", {-1, -1, -1, 2}});
+        }
+        return all;
+    }
     if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>)
         return {{"the guide reaches the cam on one side", {1, -1}},
                 {"the guide reaches the cam on the other side", {1, 1}}};
@@ -99,10 +125,10 @@ std::vector<LinearCondition> conditions() {
         return {};
 }
 
-template <template <class> class F>
+template <template <class> class F, ContourKind contour>
 std::span<const Family> families() {
     static const Quantity margin = existence_margin<F>();
-    static const std::array<Family, 1> all{{{"cam", true, conditions<F>(), &margin}}};
+    static const std::array<Family, 1> all{{{"cam", true, conditions<F, contour>(), &margin}}};
     return all;
 }
 
@@ -127,6 +153,14 @@ At place_of(const Motion& motion, std::span<const double> d, double cam_angle) {
     while (i + 1 < n && left >= d[slots<F>.angle(i)])
         left -= d[slots<F>.angle(i++)];
     const Segment<double> segment = placed_segment<F>(motion, d, i).segment;
+    if (segment.law.form == SegmentLaw::Form::contour) {
+        const auto angles = piece_angles(segment.contour);
+        std::size_t piece = 0;
+        while (piece + 1 < pieces(segment) && cam_angle > angles[piece + 1])
+            ++piece;
+        const double part = std::clamp((cam_angle - angles[piece]) / (angles[piece + 1] - angles[piece]), 0.0, 1.0);
+        return {0, piece, (static_cast<double>(piece) + part) / static_cast<double>(pieces(segment))};
+    }
     double u = std::clamp(left / segment.angle, 0.0, 1.0);
     std::size_t piece = 0;
     if (segment.law.form == SegmentLaw::Form::table && u < break_before(segment, 0)) u += 1;
@@ -202,9 +236,9 @@ std::optional<Objection> objection(std::span<const double> least, std::span<cons
     return std::nullopt;
 }
 
-template <template <class> class F, bool knife>
+template <template <class> class F, bool knife, ContourKind contour = ContourKind::none>
 const Mechanism& entry(std::string_view kind) {
-    static const std::vector<Dimension> dimensions = dimensions_of<F>(knife);
+    static const std::vector<Dimension> dimensions = dimensions_of<F>(knife, contour);
     static const std::vector<Quantity> quantities = cam_quantities<F>();
     static const std::array<Unit, 12> units = column_units<Layout<F>::oscillating>();
     static const std::string name(kind);
@@ -216,7 +250,7 @@ const Mechanism& entry(std::string_view kind) {
         .dimensions = dimensions,
         .assemblies = {},
         .quantities = quantities,
-        .families = families<F>(),
+        .families = families<F, contour>(),
         .settings = loaded ? std::span<const Setting>(load_settings) : std::span<const Setting>(),
         .objection = objection<F, knife>,
         .motion = whole_turn,
@@ -244,11 +278,41 @@ const Mechanism& cam_mechanism(CamFollower follower, bool oscillating) {
     }
 }
 
+const Mechanism* contour_cam_mechanism(CamFollower follower, ContourKind contour) {
+    const bool flat = follower == CamFollower::flat;
+    switch (contour) {
+        case ContourKind::tangent:
+            return flat ? nullptr
+                        : &entry<ContourRoller, false, ContourKind::tangent>("straight flanks and a roller follower");
+        case ContourKind::circular_arc:
+            return flat ? &entry<ContourFlat, false, ContourKind::circular_arc>(
+                              "circular flanks and a flat-faced follower")
+                        : &entry<ContourRoller, false, ContourKind::circular_arc>(
+                              "circular flanks and a roller follower");
+        case ContourKind::eccentric:
+            return flat ? &entry<ContourFlat, false, ContourKind::eccentric>(
+                              "an eccentric circle and a flat-faced follower")
+                        : &entry<ContourRoller, false, ContourKind::eccentric>(
+                              "an eccentric circle and a roller follower");
+        case ContourKind::none: break;
+    }
+    return nullptr;
+}
+
 std::span<const Mechanism* const> cam_mechanisms() {
     using enum CamFollower;
-    static const std::array all{&cam_mechanism(roller, false), &cam_mechanism(roller, true),
-                                &cam_mechanism(knife, false),  &cam_mechanism(knife, true),
-                                &cam_mechanism(flat, false),   &cam_mechanism(flat, true)};
+    using enum ContourKind;
+    static const std::array all{&cam_mechanism(roller, false),
+                                &cam_mechanism(roller, true),
+                                &cam_mechanism(knife, false),
+                                &cam_mechanism(knife, true),
+                                &cam_mechanism(flat, false),
+                                &cam_mechanism(flat, true),
+                                contour_cam_mechanism(roller, tangent),
+                                contour_cam_mechanism(roller, circular_arc),
+                                contour_cam_mechanism(flat, circular_arc),
+                                contour_cam_mechanism(roller, eccentric),
+                                contour_cam_mechanism(flat, eccentric)};
     return all;
 }
 
@@ -261,6 +325,9 @@ CamKind cam_kind(const Mechanism& mechanism) {
     for (const CamFollower follower : {CamFollower::knife, CamFollower::roller, CamFollower::flat})
         for (const bool oscillating : {false, true})
             if (&cam_mechanism(follower, oscillating) == &mechanism) return {follower, oscillating};
+    for (const CamFollower follower : {CamFollower::roller, CamFollower::flat})
+        for (const ContourKind contour : {ContourKind::tangent, ContourKind::circular_arc, ContourKind::eccentric})
+            if (contour_cam_mechanism(follower, contour) == &mechanism) return {follower, false, contour};
     return {CamFollower::roller, false};
 }
 

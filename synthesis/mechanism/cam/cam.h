@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "analysis/cam/contour.h"
 #include "synthesis/mechanism/mechanism.h"
 
 namespace mechwright {
@@ -15,12 +16,19 @@ inline constexpr std::array<std::string_view, 3> cam_follower_names{"knife", "ro
 inline constexpr std::array<std::string_view, 2> cam_motion_names{"translating", "oscillating"};
 inline constexpr std::array<std::string_view, 2> cam_rotation_names{"ccw", "cw"};
 
+inline constexpr std::array<std::string_view, 3> cam_contour_names{"tangent", "circular-arc", "eccentric"};
+
 const Mechanism& cam_mechanism(CamFollower follower, bool oscillating);
+
+/// Cams of a specified contour with a translating follower; a knife edge has the entry of a roller. A tangent cam with
+/// a flat follower has none: a straight flank cannot move a flat face.
+const Mechanism* contour_cam_mechanism(CamFollower follower, cam::ContourKind contour);
 
 /// What kind of follower an entry is of. Precondition: it is one of the entries above.
 struct CamKind {
     CamFollower follower;
     bool oscillating;
+    cam::ContourKind contour = cam::ContourKind::none;
 };
 CamKind cam_kind(const Mechanism& mechanism);
 

@@ -55,7 +55,7 @@ struct Here {
     R u;
 
     R lift(const R& cam_angle) const {
-        return lift_at(*segment, piece, R(u + cam_angle / segment->angle), start_lift).s;
+        return lift_at(*segment, piece, R(u + cam_angle / angle_per_part(*segment, piece)), start_lift).s;
     }
 };
 
@@ -82,6 +82,11 @@ Centre<R> centre(const TranslatingRoller<R>& f, const R& lift) {
 }
 
 template <class R>
+Centre<R> centre(const ContourRoller<R>& f, const R& lift) {
+    return {{R(0), f.base_radius + f.roller_radius + lift}, {R(0), R(1)}};
+}
+
+template <class R>
 Centre<R> centre(const OscillatingRoller<R>& f, const R& lift) {
     using std::acos, std::cos, std::sin;
     const R& c = f.pivot_distance;
@@ -100,6 +105,11 @@ struct Face {
 
 template <class R>
 Face<R> face(const TranslatingFlat<R>& f, const R& lift) {
+    return {f.base_radius + lift, pi<R>() / 2, R(0)};
+}
+
+template <class R>
+Face<R> face(const ContourFlat<R>& f, const R& lift) {
     return {f.base_radius + lift, pi<R>() / 2, R(0)};
 }
 
@@ -172,10 +182,12 @@ struct Rebuilt {
         plain_follower = follower_of<Follower, double>(rounded, m.assembly);
         for (std::size_t i = 0; i < m.program->segments.size(); ++i) {
             const auto p = parameters_of<Digits50>(*m.program, slots<Follower>, dimensions, i);
-            segments.push_back(segment_of(*m.program, m.assembly, i, p));
+            segments.push_back(with_contour<Follower>(segment_of(*m.program, m.assembly, i, p), m.program->segments[i],
+                                                      geometry_of<Follower, Digits50>(dimensions)));
             start_lifts.push_back(p.start_lift);
-            plain_segments.push_back(
-                segment_of(*m.program, m.assembly, i, parameters_of<double>(*m.program, slots<Follower>, rounded, i)));
+            plain_segments.push_back(with_contour<Follower>(
+                segment_of(*m.program, m.assembly, i, parameters_of<double>(*m.program, slots<Follower>, rounded, i)),
+                m.program->segments[i], geometry_of<Follower, double>(rounded)));
         }
     }
 

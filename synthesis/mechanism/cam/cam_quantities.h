@@ -79,13 +79,13 @@ Digits50 over(const Motion& motion, std::span<const Digits50> d) {
 template <class R>
 R axial(const FollowerLoad<Digits50>& l, const Here<R>& here) {
     const auto lift = derivatives<R>([&](const R& t) { return here.lift(t); });
-    return R(l.weight + l.load + l.preload) + R(l.spring_rate) * lift.value +
+    return R(l.weight + l.load + l.spring_rate * l.precompression) + R(l.spring_rate) * lift.value +
            R(l.mass * l.speed * l.speed) * lift.second;
 }
 
 template <class R>
 R closing(const FollowerLoad<Digits50>& l, const Here<R>& here) {
-    return R(l.weight + l.load + l.preload) + R(l.spring_rate) * here.lift(R(0));
+    return R(l.weight + l.load + l.spring_rate * l.precompression) + R(l.spring_rate) * here.lift(R(0));
 }
 
 template <class R, template <class> class F>
@@ -176,6 +176,56 @@ Digits50 start_angle(const Motion& motion, std::span<const Digits50> d) {
             (2 * f.pivot_distance * f.arm_length));
     else
         return asin((f.base_radius + f.face_offset) / f.pivot_distance);
+}
+
+/// The contour rebuilt as the definition has it: the lift by the distances along the nose, the angles by the triangle
+/// of the circles' centres and the common normal.
+template <template <class> class F>
+struct ContourAgain {
+    Contour<Digits50> c;
+    Digits50 rise, flank;
+
+    ContourAgain(const Motion& motion, std::span<const Digits50> d)
+        : c(Layout<F>::contour(motion.program->segments[0].contour, geometry_of<F, Digits50>(d))) {
+        const Digits50& distance = c.centre_distance;
+        if (c.kind == ContourKind::tangent) {
+            // The flank is the common tangent of base and nose circles.
+            rise = asin(sqrt(distance * distance - (c.base_radius - c.nose_radius) * (c.base_radius - c.nose_radius)) /
+                        distance);
+            if (c.nose_radius > c.base_radius) rise = pi<Digits50>() - rise;
+            flank = atan(distance * sin(rise) / (c.base_radius + c.roller_radius));
+            return;
+        }
+        if (c.kind != ContourKind::circular_arc) return;
+        const Digits50 a = c.flank_radius - c.base_radius, b = c.flank_radius - c.nose_radius;
+        // Half-angle formula of the triangle with sides a, distance, b; the rise is what its angle lacks of pi.
+        const Digits50 s = (a + distance + b) / 2;
+        rise = pi<Digits50>() - 2 * atan2(sqrt((s - a) * (s - distance)), sqrt(s * (s - b)));
+        const Digits50 at_flank = asin(distance * sin(rise) / b);
+        if (!c.roller) {
+            flank = at_flank;
+            return;
+        }
+        const Digits50 reach = c.flank_radius + c.roller_radius;
+        flank = atan2(reach * sin(at_flank), reach * cos(at_flank) - a);
+    }
+};
+
+template <template <class> class F>
+Digits50 whole_lift(const Motion& motion, std::span<const Digits50> d) {
+    const auto c = ContourAgain<F>(motion, d).c;
+    return c.kind == ContourKind::eccentric ? Digits50(2 * c.centre_distance)
+                                            : Digits50(c.nose_radius + c.centre_distance - c.base_radius);
+}
+
+template <template <class> class F>
+Digits50 action_angle(const Motion& motion, std::span<const Digits50> d) {
+    return 2 * ContourAgain<F>(motion, d).rise;
+}
+
+template <template <class> class F>
+Digits50 angle_of_flank(const Motion& motion, std::span<const Digits50> d) {
+    return ContourAgain<F>(motion, d).flank;
 }
 
 template <template <class> class F>
@@ -273,7 +323,11 @@ std::vector<Quantity> force_quantities() {
     using Contact = Extremes<F, ContactForce, anywhere, false>;
     using Torque = Extremes<F, DriveTorque, anywhere, true>;
     using Jump = Extremes<F, JumpSpeed, anywhere, false>;
-    return {{"contact-force-min", Unit::force,
+    constexpr std::size_t spring = Layout<F>::shape;
+    return {dimension_itself<F, spring>("spring-rate", Unit::none, "force of the spring per length"),
+            dimension_itself<F, spring + 1>("precompression", Unit::length,
+                                            "of the spring at the follower's lowest position"),
+            {"contact-force-min", Unit::force,
              "least force along the guide that holds the follower to the cam; negative where it leaves the cam",
              Reduce::least, reads, has_dynamics, Least::components, Least::measure, again::least_axial<F>},
             {"contact-force-max", Unit::force, "greatest force between cam and follower, with friction in the guide",
@@ -291,7 +345,18 @@ std::vector<Quantity> cam_quantities() {
     const Unit lift = Layout<F>::oscillating ? Unit::angle : Unit::length;
     const Unit angle = Unit::angle, length = Unit::length;
     std::vector<Quantity> all;
-    if constexpr (Layout<F>::roller) {
+    constexpr bool contour = is_contour<F>;
+    if constexpr (contour) {
+        all.push_back(dimension_itself<F, 0>("base-radius", length, "least radius of the cam"));
+        all.push_back({"lift", length, "way of the follower", Reduce::only, dimension_count<F>, has_contour,
+                       one_component, measure_contour<F, WholeLift>, again::whole_lift<F>});
+        all.push_back({"action-angle", angle, "cam angle between the ends of the base circle", Reduce::only,
+                       dimension_count<F>, has_flanks, one_component, measure_contour<F, ActionAngle>,
+                       again::action_angle<F>});
+        all.push_back({"flank-angle", angle, "cam angle at which the contact passes from flank to nose", Reduce::only,
+                       dimension_count<F>, has_flanks, one_component, measure_contour<F, FlankAngle>,
+                       again::angle_of_flank<F>});
+    } else if constexpr (Layout<F>::roller) {
         all.push_back(dimension_itself<F, 0>("prime-radius", length, "least radius of the pitch curve"));
         if constexpr (Layout<F>::oscillating)
             all.push_back(

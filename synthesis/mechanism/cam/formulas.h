@@ -35,8 +35,8 @@ struct PitchRadius {
     }
     template <template <class> class Follower, class T>
     static T value(const Follower<T>& f, const Lift<T>& lift) {
-        const T k = search(f, lift);
-        const T flattest = T(1e-6) / f.prime_radius;
+        const auto p = pitch_point(f, lift);
+        const T k = curvature(p), flattest = T(1e-6) / p.across;
         return T(1) / (k > flattest ? k : flattest);
     }
 };

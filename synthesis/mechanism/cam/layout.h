@@ -13,10 +13,10 @@
 namespace mechwright::cam {
 
 /// Of every follower; those with fewer leave the last ones alone.
-inline constexpr std::size_t most_geometry = 10;
+inline constexpr std::size_t most_geometry = 12;
 
-/// Dimensions of a loaded follower, after those that shape the cam: spring rate, preload, load, weight, guide length,
-/// overhang, stem diameter.
+/// Dimensions of a loaded follower, after those that shape the cam: spring rate, precompression, load, weight, guide
+/// length, overhang, stem diameter.
 inline constexpr std::size_t load_count = 7;
 
 /// Settings of a cam's mechanism.
@@ -74,6 +74,54 @@ struct Layout<OscillatingFlat> {
         return {g[0], g[1], g[2], sense};
     }
 };
+
+template <>
+struct Layout<ContourRoller> {
+    static constexpr std::size_t shape = 5;
+    static constexpr std::size_t geometry = shape + load_count;
+    static constexpr bool roller = true;
+    static constexpr bool oscillating = false;
+    template <class T>
+    static ContourRoller<T> make(const std::array<T, most_geometry>& g, int sense) {
+        return {g[0], g[1], g[2], g[3], g[4], sense};
+    }
+    template <class T>
+    static Contour<T> contour(ContourKind kind, const std::array<T, most_geometry>& g) {
+        return completed<T>({kind, g[0], g[1], g[2], g[3], g[4], true});
+    }
+};
+
+template <>
+struct Layout<ContourFlat> {
+    static constexpr std::size_t shape = 4;
+    static constexpr std::size_t geometry = shape + load_count;
+    static constexpr bool roller = false;
+    static constexpr bool oscillating = false;
+    template <class T>
+    static ContourFlat<T> make(const std::array<T, most_geometry>& g, int sense) {
+        return {g[0], g[1], g[2], g[3], sense};
+    }
+    template <class T>
+    static Contour<T> contour(ContourKind kind, const std::array<T, most_geometry>& g) {
+        return completed<T>({kind, g[0], g[1], g[2], g[3], T(), false});
+    }
+};
+
+/// Whether a follower's cam is one of a specified contour.
+template <template <class> class Follower>
+constexpr bool is_contour = requires(const std::array<double, most_geometry>& g) {
+    Layout<Follower>::contour(ContourKind::none, g);
+};
+
+/// Gives a segment the contour that its lift follows from, if the follower's cam has one.
+template <template <class> class Follower, class T>
+Segment<T> with_contour(Segment<T> segment, const SegmentPlan& plan, const std::array<T, most_geometry>& geometry) {
+    if constexpr (is_contour<Follower>) {
+        segment.law.form = SegmentLaw::Form::contour;
+        segment.contour = Layout<Follower>::contour(plan.contour, geometry);
+    }
+    return segment;
+}
 
 template <template <class> class Follower>
 constexpr ProgramSlots slots{Layout<Follower>::geometry};

@@ -72,7 +72,9 @@ Local<Follower, T> local_of(const Motion& motion, std::size_t index, const std::
     std::copy_n(from + p.start.size(), p.end.size(), p.end.begin());
     std::copy_n(from + p.start.size() + p.end.size(), p.shape.size(), p.shape.begin());
     return {Layout<Follower>::make(geometry, sense_of(motion.assembly)), load_of<Follower>(geometry, motion),
-            segment_of(*motion.program, motion.assembly, index, p), p.start_lift};
+            with_contour<Follower>(segment_of(*motion.program, motion.assembly, index, p),
+                                   motion.program->segments[index], geometry),
+            p.start_lift};
 }
 
 /// The values of the local parameters.
@@ -90,7 +92,8 @@ struct Term {
     double factor;
 };
 
-/// Adds factor * value(follower, lift), or value(follower, lift, load), at a place to a component of a measurement.
+/// Adds factor * value(follower, lift), value(follower, lift, load) or value(contour), at a place to a component of a
+/// measurement.
 template <template <class> class Follower, class Value>
 void add_term(const Motion& motion, std::span<const double> dimensions, const Term& term, const Value& value,
               std::size_t component, const Measurement& out) {
@@ -100,7 +103,9 @@ void add_term(const Motion& motion, std::span<const double> dimensions, const Te
     const auto at = [&]<class T>(const std::array<T, local_count>& x, const T& u) {
         const auto local = local_of<Follower, T>(motion, place.segment, x);
         const auto lift = lift_at(local.segment, place.piece, u, local.start_lift);
-        if constexpr (requires { value(local.follower, lift, local.load); })
+        if constexpr (requires { value(local.segment.contour); })
+            return value(local.segment.contour);
+        else if constexpr (requires { value(local.follower, lift, local.load); })
             return value(local.follower, lift, local.load);
         else
             return value(local.follower, lift);
@@ -149,7 +154,9 @@ struct PlacedSegment {
 template <template <class> class Follower>
 PlacedSegment placed_segment(const Motion& motion, std::span<const double> dimensions, std::size_t index) {
     const auto p = parameters_of<double>(*motion.program, slots<Follower>, dimensions, index);
-    return {segment_of(*motion.program, motion.assembly, index, p), p.start_lift};
+    return {with_contour<Follower>(segment_of(*motion.program, motion.assembly, index, p),
+                                   motion.program->segments[index], geometry_of<Follower, double>(dimensions)),
+            p.start_lift};
 }
 
 }  // namespace mechwright::cam

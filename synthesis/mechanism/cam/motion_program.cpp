@@ -79,6 +79,14 @@ std::shared_ptr<const LiftTable> lift_table(std::vector<double> angle, std::vect
     return std::make_shared<const LiftTable>(std::move(table));
 }
 
+std::shared_ptr<const MotionProgram> contour_program(cam::ContourKind kind) {
+    MotionProgram program;
+    program.segments.emplace_back();
+    program.segments.back().kind = cam::SegmentKind::cycle;
+    program.segments.back().contour = kind;
+    return std::make_shared<const MotionProgram>(std::move(program));
+}
+
 std::size_t law_choices(const MotionProgram& program) {
     std::size_t choices = 1;
     for (const SegmentPlan& segment : program.segments)

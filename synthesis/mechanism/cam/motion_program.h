@@ -52,6 +52,7 @@ struct SegmentPlan {
     std::size_t shape_count = 0;
     std::size_t first_coefficient = 0;
     std::shared_ptr<const LiftTable> table{};
+    cam::ContourKind contour = cam::ContourKind::none;  ///< of a cycle that follows from the cam's contour
 };
 
 struct MotionProgram {
@@ -62,6 +63,9 @@ struct MotionProgram {
     static constexpr std::size_t most_ends = 3;   ///< derivatives given at an end of a polynomial
     static constexpr std::size_t most_shape = 4;  ///< further terms of a polynomial
 };
+
+/// The motion of a follower on a cam of a specified contour: one cycle.
+std::shared_ptr<const MotionProgram> contour_program(cam::ContourKind kind);
 
 /// How many choices of laws there are. The assembly of a cam numbers them, times two: even with the cam turning
 /// counter-clockwise, odd clockwise.
@@ -110,7 +114,7 @@ Segment<T> segment_of(const MotionProgram& program, std::size_t assembly, std::s
             segment.table = &plan.table->spline;
         else
             segment.table = &plan.table->spline_again;
-    } else if (plan.kind != SegmentKind::dwell) {
+    } else if (!plan.laws.empty()) {
         segment.law = cam_laws()[law_of(program, assembly, index)].law;
     }
     BoundaryPolynomial<T>& boundary = segment.boundary;

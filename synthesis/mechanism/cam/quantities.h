@@ -152,6 +152,40 @@ void measure_at_start(const Motion& motion, std::span<const double> dimensions, 
     add_term<Follower>(motion, dimensions, {{0, 0, begin, false}, 1}, value, 0, out);
 }
 
+/// Measures of a contour itself.
+struct WholeLift {
+    template <class T>
+    static T value(const Contour<T>& c) {
+        return total_lift(c);
+    }
+};
+struct ActionAngle {
+    template <class T>
+    static T value(const Contour<T>& c) {
+        return T(2) * c.rise;
+    }
+};
+struct FlankAngle {
+    template <class T>
+    static T value(const Contour<T>& c) {
+        return c.flank;
+    }
+};
+
+inline bool has_contour(const Motion& motion) {
+    return has_program(motion) && motion.program->segments[0].contour != ContourKind::none;
+}
+inline bool has_flanks(const Motion& motion) {
+    return has_contour(motion) && motion.program->segments[0].contour != ContourKind::eccentric;
+}
+
+template <template <class> class Follower, class Formula>
+void measure_contour(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+    clear(out, 1, dimension_count<Follower>);
+    const auto value = []<class T>(const Contour<T>& c) { return Formula::value(c); };
+    add_term<Follower>(motion, dimensions, {{0, 0, 0, false}, 1}, value, 0, out);
+}
+
 /// The sum of some dimensions, each with a factor of its own.
 inline void measure_linear(std::span<const double> dimensions, std::span<const std::pair<std::size_t, double>> terms,
                            std::size_t count, const Measurement& out) {
