@@ -169,15 +169,31 @@ At place_of(const Motion& motion, std::span<const double> d, double cam_angle) {
     return {i, piece, u};
 }
 
-constexpr std::array<std::string_view, 12> columns{"cam-angle", "lift",           "velocity",       "acceleration",
-                                                   "jerk",      "pressure-angle", "pitch-x",        "pitch-y",
-                                                   "profile-x", "profile-y",      "profile-radius", "face-contact"};
+template <template <class> class F>
+void add_corners(const Motion& motion, std::span<const double> d, std::vector<double>& angles) {
+    double begin = 0;
+    for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+        const Segment<double> segment = placed_segment<F>(motion, d, i).segment;
+        if (segment.law.form == SegmentLaw::Form::contour) {
+            const auto ends = piece_angles(segment.contour);
+            angles.insert(angles.end(), ends.begin(), ends.end());
+            return;
+        }
+        for (std::size_t piece = 0; piece <= pieces(segment); ++piece)
+            angles.push_back(begin + std::min(break_before(segment, piece), 1.0) * segment.angle);
+        begin += segment.angle;
+    }
+}
+
+constexpr std::array<std::string_view, 14> columns{
+    "cam-angle", "lift",      "velocity",  "acceleration",   "jerk",         "pressure-angle", "pitch-x",
+    "pitch-y",   "profile-x", "profile-y", "profile-radius", "face-contact", "normal-x",       "normal-y"};
 
 template <bool oscillating>
-constexpr std::array<Unit, 12> column_units() {
+constexpr std::array<Unit, 14> column_units() {
     constexpr Unit lift = oscillating ? Unit::angle : Unit::length;
-    return {Unit::angle,  lift,         lift,         lift,         lift,         Unit::angle,
-            Unit::length, Unit::length, Unit::length, Unit::length, Unit::length, Unit::length};
+    return {Unit::angle,  lift,         lift,         lift,         lift,         Unit::angle, Unit::length,
+            Unit::length, Unit::length, Unit::length, Unit::length, Unit::length, Unit::none,  Unit::none};
 }
 
 /// Points are those of the cam as it lies at cam angle 0. The pitch curve of a flat follower is the cam itself.
@@ -190,24 +206,27 @@ bool motion_row(const Motion& motion, std::span<const double> d, double cam_angl
     const double back = -f.sense * cam_angle;
     const Vector<double> turn{std::cos(back), std::sin(back)};
     double angle, radius, along = 0;
-    Vector<double> pitch, profile;
+    Vector<double> pitch, profile, outward;
     if constexpr (Layout<F>::roller) {
         const auto p = pitch_point(f, lift);
         angle = pressure_angle(p);
         pitch = p.position;
+        outward = normal(p);
         profile = contact_point(p, f.roller_radius);
         radius = 1 / curvature(p) - f.roller_radius;
     } else {
         const auto p = face_contact(f, lift);
         angle = p.pressure_angle;
         pitch = profile = p.position;
+        outward = p.normal;
         radius = p.radius;
         along = p.along;
     }
     pitch = turned(pitch, turn);
     profile = turned(profile, turn);
-    const std::array<double, 12> values{cam_angle, lift.s,  lift.v,    lift.a,    lift.j, angle,
-                                        pitch.x,   pitch.y, profile.x, profile.y, radius, along};
+    outward = turned(outward, turn);
+    const std::array<double, 14> values{cam_angle, lift.s,    lift.v,    lift.a, lift.j, angle,     pitch.x,
+                                        pitch.y,   profile.x, profile.y, radius, along,  outward.x, outward.y};
     std::copy(values.begin(), values.end(), row.begin());
     return true;
 }
@@ -240,7 +259,7 @@ template <template <class> class F, bool knife, ContourKind contour = ContourKin
 const Mechanism& entry(std::string_view kind) {
     static const std::vector<Dimension> dimensions = dimensions_of<F>(knife, contour);
     static const std::vector<Quantity> quantities = cam_quantities<F>();
-    static const std::array<Unit, 12> units = column_units<Layout<F>::oscillating>();
+    static const std::array<Unit, 14> units = column_units<Layout<F>::oscillating>();
     static const std::string name(kind);
     constexpr bool loaded = Layout<F>::geometry > Layout<F>::shape;
     static const std::string meaning = "disc cam with " + name;
@@ -337,6 +356,20 @@ namespace {
 std::size_t geometry_count(const Mechanism& mechanism) { return mechanism.dimensions.size() - ProgramSlots{0}.end(); }
 
 }  // namespace
+
+void cam_corners(const Mechanism& mechanism, const Motion& motion, std::span<const double> dimensions,
+                 std::vector<double>& angles) {
+    const CamKind kind = cam_kind(mechanism);
+    const bool flat = kind.follower == CamFollower::flat;
+    if (kind.contour != ContourKind::none)
+        return flat ? add_corners<ContourFlat>(motion, dimensions, angles)
+                    : add_corners<ContourRoller>(motion, dimensions, angles);
+    if (flat)
+        return kind.oscillating ? add_corners<OscillatingFlat>(motion, dimensions, angles)
+                                : add_corners<TranslatingFlat>(motion, dimensions, angles);
+    return kind.oscillating ? add_corners<OscillatingRoller>(motion, dimensions, angles)
+                            : add_corners<TranslatingRoller>(motion, dimensions, angles);
+}
 
 std::size_t cam_angle_dimension(const Mechanism& mechanism, std::size_t segment) {
     return ProgramSlots{geometry_count(mechanism)}.angle(segment);

@@ -40,6 +40,10 @@ std::size_t cam_angle_dimension(const Mechanism& mechanism, std::size_t segment)
 std::size_t cam_lift_dimension(const Mechanism& mechanism, std::size_t segment);
 std::size_t cam_coefficient_dimension(const Mechanism& mechanism, std::size_t index);
 
+/// Adds the cam angles at which segments and their analytic pieces end.
+void cam_corners(const Mechanism& mechanism, const Motion& motion, std::span<const double> dimensions,
+                 std::vector<double>& angles);
+
 /// All entries, rollers first.
 std::span<const Mechanism* const> cam_mechanisms();
 
