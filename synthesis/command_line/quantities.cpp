@@ -36,8 +36,11 @@ std::string list_of(const Mechanism& mechanism, bool colour) {
 int list_quantities(const std::string& name, Console& console) {
     const bool colour = colour_wanted(console);
     if (!name.empty()) {
-        if (const Mechanism* mechanism = find_mechanism(name)) {
-            print(console, list_of(*mechanism, colour));
+        std::string text;
+        for (const Mechanism* mechanism : mechanisms())
+            if (mechanism->name == name) text += (text.empty() ? "" : "\n") + list_of(*mechanism, colour);
+        if (!text.empty()) {
+            print(console, text);
             return exit_code::solved;
         }
         std::vector<std::string_view> known;

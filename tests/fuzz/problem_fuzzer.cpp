@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/problem/points.h"
 #include "synthesis/problem/reader.h"
 
@@ -53,6 +54,12 @@ void check_order(const std::vector<Message>& messages) {
     }
 }
 
+/// Of a cam: laws and senses of rotation.
+std::size_t assembly_count(const Problem& problem) {
+    if (problem.program) return 2 * law_choices(*problem.program);
+    return std::max<std::size_t>(problem.mechanism->assemblies.size(), 1);
+}
+
 void check_dimensions(const Problem& problem) {
     const Mechanism& mechanism = *problem.mechanism;
     require(problem.dimensions.size() == mechanism.dimensions.size(), "there is every dimension");
@@ -67,11 +74,11 @@ void check_dimensions(const Problem& problem) {
     }
     require(!problem.assemblies.empty(), "there is an assembly");
     for (const std::size_t assembly : problem.assemblies)
-        require(assembly < std::max<std::size_t>(mechanism.assemblies.size(), 1),
-                "an assembly is one of the mechanism");
+        require(assembly < assembly_count(problem), "an assembly is one of the mechanism");
     for (std::size_t i = 0; i < mechanism.settings.size(); ++i)
-        require(problem.settings[i] > mechanism.settings[i].above && problem.settings[i] < mechanism.settings[i].below,
-                "a setting is in its range");
+        require(
+            problem.settings[i] == mechanism.settings[i].preset || mechanism.settings[i].allows(problem.settings[i]),
+            "a setting is in its range");
 }
 
 void check_quantity(const Problem& problem, std::size_t quantity) {

@@ -38,6 +38,22 @@ Check closes(std::span<const Digits50> d, std::size_t assembly) {
     return {"cam and follower can be assembled", margin >= 0, what + " " + short_number(margin)};
 }
 
+/// Whether every part of the cam is there after the roller or face has passed over it.
+template <template <class> class F>
+Check not_undercut(const Motion& motion, std::span<const Digits50> d, double rounding) {
+    const auto f = follower_of<F, Digits50>(d, motion.assembly);
+    const Digits50 margin = again::undercut_margin<F>(motion, d);
+    Check check{"the cam is not undercut", margin >= -rounding, "margin " + short_number(margin)};
+    if (check.passed) return check;
+    if constexpr (Layout<F>::roller)
+        check.detail += ": the roller radius " + short_number(f.roller_radius) + " is larger than " +
+                        short_number(f.roller_radius / (1 - margin)) + ", the least radius of the pitch curve";
+    else
+        check.detail += ": the cam would be hollow by " + short_number(-margin * f.base_radius) +
+                        ", which a flat face cannot follow";
+    return check;
+}
+
 }  // namespace detail
 
 template <template <class> class F>
@@ -64,8 +80,7 @@ std::vector<Check> check_cam(const Motion& motion, std::span<const Digits50> d) 
                       Layout<F>::roller ? "least cosine of the pressure angle " + short_number(-released)
                                         : "least turning of the face against the cam " + short_number(-released)});
     if (!checks.back().passed) return checks;
-    const Digits50 margin = again::undercut_margin<F>(motion, d);
-    checks.push_back({"the cam is not undercut", margin >= -rounding, "margin " + short_number(margin)});
+    checks.push_back(detail::not_undercut<F>(motion, d, rounding));
     return checks;
 }
 
