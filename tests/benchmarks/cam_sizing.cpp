@@ -73,7 +73,8 @@ void sampled(benchmark::State& state) {
             q = std::max(q, -down.v - down.s);
         }
         const double offset = (p - q) / (std::sqrt(3.0) + 1);
-        benchmark::DoNotOptimize(size = std::hypot(offset, p - std::sqrt(3.0) * offset));
+        size = std::hypot(offset, p - std::sqrt(3.0) * offset);
+        benchmark::DoNotOptimize(size);
     }
     state.counters["error"] = size - exact_size();
 }
@@ -82,8 +83,10 @@ BENCHMARK(sampled)->Name("cam size: sampled")->Arg(36)->Arg(90)->Arg(360)->Arg(7
 void exact(benchmark::State& state) {
     const Problem problem = parse_problem(text, "size.toml").problem;
     double size = 0;
-    for (auto _ : state)
-        benchmark::DoNotOptimize(size = solve_in_closed_form(problem)->best->objective);
+    for (auto _ : state) {
+        size = solve_in_closed_form(problem)->best->objective;
+        benchmark::DoNotOptimize(size);
+    }
     state.counters["error"] = size - exact_size();
 }
 BENCHMARK(exact)->Name("cam size: exact, with its certificate and every requirement evaluated");
