@@ -10,6 +10,7 @@
 #include "analysis/cam/contour.h"
 #include "analysis/cam/law.h"
 #include "analysis/cam/periodic_spline.h"
+#include "analysis/cam/rise_spline.h"
 
 namespace mechwright::cam {
 
@@ -22,7 +23,7 @@ enum class SegmentKind {
 
 /// How a segment moves, but for its size.
 struct SegmentLaw {
-    enum class Form { law, polynomial, table, contour };
+    enum class Form { law, polynomial, spline, table, contour };
     Form form = Form::law;
     Law law = Law::cycloidal;
     bool to_rest = false;  ///< of a half law: it comes to rest at its end; else it starts from rest
@@ -33,8 +34,9 @@ struct Segment {
     SegmentKind kind = SegmentKind::dwell;
     SegmentLaw law{};
     T angle{};
-    T lift{};                                            ///< > 0 for a rise and for a return; 0 for a dwell
-    BoundaryPolynomial<T> boundary{};                    ///< derivatives with respect to the cam angle
+    T lift{};  ///< > 0 for a rise and for a return; 0 for a dwell
+    /// Derivatives with respect to the cam angle. Of a spline the shape alone counts: coefficients over its lowest end.
+    BoundaryPolynomial<T> boundary{};
     const PeriodicSpline<Constant<T>>* table = nullptr;  ///< of a cycle
     Contour<T> contour{};
 };
@@ -74,6 +76,7 @@ std::size_t pieces(const Segment<T>& segment) {
     if (segment.kind == SegmentKind::dwell) return 1;
     if (segment.law.form == SegmentLaw::Form::table) return segment.table->pieces();
     if (segment.law.form == SegmentLaw::Form::contour) return pieces(segment.contour.kind);
+    if (segment.law.form == SegmentLaw::Form::spline) return spline_pieces(segment.boundary.shape_count);
     return segment.law.form == SegmentLaw::Form::law ? pieces(segment.law.law) : 1;
 }
 
@@ -83,6 +86,8 @@ double break_before(const Segment<T>& segment, std::size_t piece) {
     if (segment.law.form == SegmentLaw::Form::table) return static_cast<double>(segment.table->begin(piece));
     if (segment.law.form == SegmentLaw::Form::contour)
         return static_cast<double>(piece) / static_cast<double>(pieces(segment.contour.kind));
+    if (segment.law.form == SegmentLaw::Form::spline)
+        return static_cast<double>(piece) / static_cast<double>(pieces(segment));
     if (segment.kind == SegmentKind::dwell || segment.law.form == SegmentLaw::Form::polynomial)
         return piece == 0 ? 0 : 1;
     const Law law = segment.law.law;
@@ -137,6 +142,14 @@ Lift<T> lift_at(const Segment<T>& segment, std::size_t piece, const T& u, const 
         return Lift<T>{start + by * f.s, v * f.v, a * f.a, a * per_angle * f.j};
     };
     if (segment.law.form == SegmentLaw::Form::table) return scaled(lift_at(*segment.table, piece, u), segment.lift);
+    if (segment.law.form == SegmentLaw::Form::spline) {
+        const bool rises = segment.kind == SegmentKind::rise;
+        const T low = rises ? start : start - segment.lift;
+        const Lift<T> f = spline_lift<T>(rises ? T() : segment.lift, rises ? segment.lift : T(),
+                                         {segment.boundary.shape.data(), segment.boundary.shape_count}, piece, u);
+        const T square = per_angle * per_angle;
+        return {low + f.s, per_angle * f.v, square * f.a, square * per_angle * f.j};
+    }
     const T rise = segment.kind == SegmentKind::rise ? segment.lift : -segment.lift;
     if (segment.law.form == SegmentLaw::Form::polynomial)
         return scaled(lift_at(detail::in_parts(segment.boundary, segment.angle), rise, u), T(Constant<T>(1)));

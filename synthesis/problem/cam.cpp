@@ -96,10 +96,9 @@ struct SegmentReader {
                 plan.laws.push_back(*law);
     }
 
-    bool is_polynomial() const {
-        return std::any_of(plan.laws.begin(), plan.laws.end(), [](std::size_t law) {
-            return cam_laws()[law].law.form == cam::SegmentLaw::Form::polynomial;
-        });
+    bool has_form(cam::SegmentLaw::Form form) const {
+        return std::any_of(plan.laws.begin(), plan.laws.end(),
+                           [&](std::size_t law) { return cam_laws()[law].law.form == form; });
     }
 
     /// Numbers or ranges of a list that become coefficients of the mechanism.
@@ -138,11 +137,12 @@ struct SegmentReader {
         plan.start_count = read_coefficients("start", MotionProgram::most_ends);
         plan.end_count = read_coefficients("end", MotionProgram::most_ends);
         plan.shape_count = read_coefficients("shape", MotionProgram::most_shape);
-        if (is_polynomial()) return;
+        const bool polynomial = has_form(cam::SegmentLaw::Form::polynomial);
         for (const std::string_view key : {"start", "end", "shape"})
-            if (has(section, key))
+            if (has(section, key) && !polynomial && (key != "shape" || !has_form(cam::SegmentLaw::Form::spline)))
                 add_error(messages, key_place(section, key),
-                          fmt::format("{} needs law = \"polynomial\"", name_of(section, key)));
+                          fmt::format("{} needs law = \"polynomial\"{}", name_of(section, key),
+                                      key == "shape" ? " or \"spline\"" : ""));
     }
 
     /// Angles must rise within one turn, and the lift come back to where it began.

@@ -195,6 +195,34 @@ TEST(BoundaryPolynomials, MeetTheirEnds) {
     EXPECT_NEAR(end.a, 0.7, 1e-10);
 }
 
+TEST(RiseSplines, AreAtRestAtBothEndsAndSmoothBetween) {
+    const std::vector<double> free{1, 6, 12, 19};
+    for (const SegmentKind kind : {SegmentKind::rise, SegmentKind::fall}) {
+        Segment<double> s{kind, {SegmentLaw::Form::spline, Law::polynomial_345, false}, 1.5, 20};
+        std::copy(free.begin(), free.end(), s.boundary.shape.begin());
+        if (kind == SegmentKind::fall) std::reverse(s.boundary.shape.begin(), s.boundary.shape.begin() + 4);
+        s.boundary.shape_count = 4;
+        const double from = kind == SegmentKind::rise ? 5 : 25;
+        ASSERT_EQ(pieces(s), 5u);
+        const auto begin = lift_at(s, 0, 0.0, from), end = lift_at(s, 4, 1.0, from);
+        EXPECT_NEAR(begin.s, from, 1e-14);
+        EXPECT_NEAR(end.s, 30 - from, 1e-14);
+        for (const double rest : {begin.v, begin.a, end.v, end.a})
+            EXPECT_NEAR(rest, 0, 1e-12);
+        for (std::size_t piece = 1; piece < 5; ++piece) {
+            const double u = break_before(s, piece);
+            const auto before = lift_at(s, piece - 1, u, from), after = lift_at(s, piece, u, from);
+            EXPECT_NEAR(before.s, after.s, 1e-13);
+            EXPECT_NEAR(before.v, after.v, 1e-12);
+            EXPECT_NEAR(before.a, after.a, 1e-11);
+            EXPECT_NEAR(before.j, after.j, 1e-10);
+        }
+    }
+    // Without free coefficients it is the polynomial of fifth degree.
+    const Segment<double> plain{SegmentKind::rise, {SegmentLaw::Form::spline, Law::polynomial_345, false}, 1, 1};
+    EXPECT_NEAR(lift_at(plain, 0, 0.3, 0.0).s, lift_at(Law::polynomial_345, 0, 0.3).s, 1e-15);
+}
+
 // A sine wave, which the spline follows to the fourth order of its steps.
 TEST(PeriodicSplines, FollowASineWave) {
     double before = 0;

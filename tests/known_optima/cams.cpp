@@ -244,4 +244,82 @@ TEST(CamSize, ALawIsChosen) {
     EXPECT_LE(s.dimension("prime-radius"), best * (1 + 1e-12));
 }
 
+// The least prime radius for a least radius of curvature of the pitch curve: known to four decimals. For harmonic
+// motion the rise alone would need 13.1174, but the dwell is an arc of the prime circle itself.
+TEST(CamSize, UnderALimitOnCurvatureAlone) {
+    const std::string task = "[[require]]\nquantity = \"pitch-radius-min\"\nmin = 15\n" + smallest_prime;
+    for (const auto& [law, known] : {std::pair{"cycloidal", 16.0120}, {"harmonic", 15.0}, {"3-4-5", 15.0289}})
+        for (const char* method : {"slsqp", "ipopt"}) {
+            const Solved s =
+                solved(cam(knife, {law, 20, 90, 90, 90}, "prime-radius = { min = 5, max = 200 }\n", task), method);
+            ASSERT_EQ(s.result.status, Status::solved) << law;
+            EXPECT_NEAR(s.dimension("prime-radius"), known, 5.1e-5) << law << " " << method;
+        }
+}
+
+TEST(CamSize, RadiiOfCurvatureAndInLineSizes) {
+    const auto at = [](double radius) {
+        return solved(cam(knife, {"cycloidal", 20, 90, 90, 90}, "prime-radius = " + std::to_string(radius) + "\n", ""))
+            .value("pitch-radius-min");
+    };
+    EXPECT_NEAR(at(24.512289), 20.4625, 5.1e-5);
+    EXPECT_NEAR(at(35.018891), 27.8822, 5.1e-5);
+    for (const auto& [law, known] : {std::pair{"3-4-5", 32.4013},
+                                     {"4-5-6-7", 39.0632},
+                                     {"modified-sine", 30.0010},
+                                     {"modified-trapezoid", 34.6984}})
+        EXPECT_NEAR(solved(cam(knife, {law, 20, 90, 90, 90}, in_line, rise_and_return(30, 30) + smallest_prime))
+                        .dimension("prime-radius"),
+                    known, 5.1e-5)
+            << law;
+}
+
+// The least s + s'' of a rise of 20 in 90 deg, by the base radius that makes the radius of curvature zero.
+TEST(CamSize, LeastSumsUnderFlatFaces) {
+    for (const auto& [law, known] : {std::pair{"parabolic", 22.4228},
+                                     {"modified-trapezoid", 25.0593},
+                                     {"modified-sine", 25.2649},
+                                     {"3-4-5", 28.2277},
+                                     {"cycloidal", 32.8526},
+                                     {"4-5-6-7", 42.9365},
+                                     {"modified-constant-velocity", 45.0978}})
+        EXPECT_NEAR(
+            solved(cam("follower = \"flat\"", {law, 20, 90, 90, 90}, "base-radius = { min = 0.01, max = 300 }\n",
+                       "[objective]\nminimize = \"base-radius\"\n"))
+                .dimension("base-radius"),
+            known, 5.1e-5)
+            << law;
+}
+
+// Size and curvature and envelope together: the certified size where it is enough, else the general program.
+TEST(CamSize, WithCurvatureAndEnvelope) {
+    const std::string limits = rise_and_return(30, 45) + "[[require]]\nquantity = \"profile-radius-min\"\nmin = ";
+    const std::string dimensions = with_offset + "roller-radius = 5\n";
+    const Turn turn{"cycloidal", 20, 90, 90, 90};
+    const Solved loose = solved(cam("follower = \"roller\"", turn, dimensions, limits + "10\n" + smallest_prime));
+    EXPECT_TRUE(loose.result.search.complete);
+    const Solved tight = solved(cam("follower = \"roller\"", turn, dimensions, limits + "25\n" + smallest_prime));
+    ASSERT_EQ(tight.result.status, Status::solved);
+    EXPECT_FALSE(tight.result.search.complete);
+    EXPECT_NEAR(tight.value("profile-radius-min"), 25, 1e-7);
+    EXPECT_GT(tight.dimension("prime-radius"), loose.dimension("prime-radius"));
+    const Solved other =
+        solved(cam("follower = \"roller\"", turn, dimensions, limits + "25\n" + smallest_prime), "ipopt");
+    EXPECT_NEAR(other.dimension("prime-radius"), tight.dimension("prime-radius"), 1e-8 * 40);
+    const Solved narrow = solved(cam("follower = \"roller\"", turn, dimensions,
+                                     limits + "25\n[[require]]\nquantity = \"cam-size\"\nmax = 40\n" + smallest_prime));
+    EXPECT_EQ(narrow.result.status, Status::infeasible);
+}
+
+// Between the parabola's 4, which no motion undercuts, and the 3-4-5's 5.774 h / beta^2.
+TEST(CamMotion, ASplineHasALowerPeakOfAcceleration) {
+    const double unit = 20 / std::pow(pi / 2, 2);
+    const Solved a = solved(shipped("spline-peak.toml", "cam"), "slsqp"),
+                 b = solved(shipped("spline-peak.toml", "cam"), "ipopt");
+    ASSERT_EQ(a.result.status, Status::solved);
+    EXPECT_GT(a.value("acceleration-max"), 4 * unit);
+    EXPECT_LT(a.value("acceleration-max"), 5.2 * unit);
+    EXPECT_NEAR(a.value("acceleration-max"), b.value("acceleration-max"), 1e-5 * unit);
+}
+
 }  // namespace mechwright

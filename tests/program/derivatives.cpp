@@ -284,7 +284,8 @@ shape = [{ min = -0.4, max = 0.4 }]
 kind = "return"
 angle = { min = 120, max = 130 }
 lift = { min = 14, max = 17 }
-law = "4-5-6-7"
+law = "spline"
+shape = [{ min = 13, max = 14 }, 8, { min = 1, max = 2 }]
 )";
 
 std::string at_most(const std::vector<std::string>& quantities) {

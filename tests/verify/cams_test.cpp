@@ -46,7 +46,11 @@ std::string random_cam(Random& random, const char* follower, bool oscillating) {
     const double a = random.between(70, 120), b = random.between(10, 60), c = random.between(70, 120);
     const std::string lift = number(oscillating ? random.between(5, 15) : random.between(5, 20));
     const auto moving = [&](const char* kind, double angle) {
-        const bool polynomial = random.between(0, 1) < 0.2;
+        const bool polynomial = random.between(0, 1) < 0.2, spline = !polynomial && random.between(0, 1) < 0.15;
+        if (spline)
+            return std::string("[[segment]]\nkind = \"") + kind + "\"\nangle = " + number(angle) + "\nlift = " + lift +
+                   "\nlaw = \"spline\"\nshape = [" + number((kind[1] == 'i' ? 0.2 : 0.8) * std::stod(lift)) + ", " +
+                   number((kind[1] == 'i' ? 0.8 : 0.2) * std::stod(lift)) + "]\n";
         return std::string("[[segment]]\nkind = \"") + kind + "\"\nangle = " + number(angle) + "\nlift = " + lift +
                "\nlaw = \"" + (polynomial ? "polynomial" : random.one_of(laws)) + "\"\n" +
                (polynomial ? "start = [0, 0]\nend = [0, 0, 0]\nshape = [" + number(random.between(-0.5, 0.5)) + "]\n"

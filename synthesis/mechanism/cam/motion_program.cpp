@@ -13,7 +13,7 @@ using cam::SegmentLaw;
 constexpr SegmentLaw full(Law law) { return {SegmentLaw::Form::law, law, false}; }
 constexpr SegmentLaw to_rest(Law law) { return {SegmentLaw::Form::law, law, true}; }
 
-constexpr std::array<NamedLaw, 18> laws{{
+constexpr std::array<NamedLaw, 19> laws{{
     {"constant-velocity", full(Law::constant_velocity)},
     {"parabolic", full(Law::parabolic)},
     {"harmonic", full(Law::harmonic)},
@@ -32,6 +32,7 @@ constexpr std::array<NamedLaw, 18> laws{{
     {"half-cycloidal", full(Law::half_cycloidal)},
     {"half-cycloidal-to-rest", to_rest(Law::half_cycloidal)},
     {"polynomial", {SegmentLaw::Form::polynomial, Law::polynomial_345, false}},
+    {"spline", {SegmentLaw::Form::spline, Law::polynomial_345, false}},
 }};
 
 constexpr std::array<NamedLaw, 15> aliases{{

@@ -61,7 +61,7 @@ struct MotionProgram {
     static constexpr std::size_t most_segments = 12;
     static constexpr std::size_t most_coefficients = 16;
     static constexpr std::size_t most_ends = 3;   ///< derivatives given at an end of a polynomial
-    static constexpr std::size_t most_shape = 4;  ///< further terms of a polynomial
+    static constexpr std::size_t most_shape = 6;  ///< further terms of a polynomial, or coefficients of a spline
 };
 
 /// The motion of a follower on a cam of a specified contour: one cycle.

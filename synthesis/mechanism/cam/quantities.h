@@ -46,14 +46,15 @@ T searched(const Motion& motion, std::span<const double> dimensions, const Lift<
         return Formula::search(follower, lift, load_of<Follower>(geometry, motion));
 }
 
-/// The places where a formula is greatest, or least too (`both` signs), in the segments of some kinds: two in each
-/// segment if there is room for them. A component is the value there, of a least one the negative value.
+/// The places where a formula is greatest, or least too (`both` signs), in the segments of some kinds: up to four
+/// in each segment, as there is room for them. A component is the value there, of a least one the negative value.
 template <template <class> class Follower, class Formula, Kinds kinds, bool both>
 struct Extremes {
     static constexpr std::size_t signs = both ? 2 : 1;
+    static constexpr std::size_t most_each = 4;
 
     static std::size_t each(const Motion& motion) {
-        return 2 * signs * segments_of(motion, kinds) <= Quantity::most_components ? 2 : 1;
+        return std::clamp<std::size_t>(Quantity::most_components / (signs * segments_of(motion, kinds)), 1, most_each);
     }
     static std::size_t components(const Motion& motion) { return each(motion) * signs * segments_of(motion, kinds); }
 
@@ -68,7 +69,7 @@ struct Extremes {
             for (std::size_t s = 0; s < signs; ++s) {
                 const double sign = s == 0 ? 1 : -1;
                 const auto places =
-                    greatest_places<2>(placed.segment, i, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
+                    greatest_places<most_each>(placed.segment, i, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
                         return T(sign) * searched<Follower, Formula, T>(motion, dimensions, lift);
                     });
                 for (std::size_t k = 0; k < kept; ++k)
