@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "synthesis/exact/closed_form.h"
+#include "synthesis/exact/smallest_design.h"
 #include "synthesis/mechanism/cam/quantities.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/program/variant.h"
 
 namespace mechwright {
 
@@ -40,13 +42,8 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem) {
     const double radius = least_radius(problem);
     std::optional<ClosedFormOutcome> best;
     for (const std::size_t assembly : problem.assemblies) {
-        Motion motion;
-        motion.assembly = assembly;
-        motion.program = problem.program.get();
-        Design design;
-        design.assembly = assembly;
-        for (const DimensionRange& d : problem.dimensions)
-            design.dimensions.push_back(d.min);
+        const Motion motion = motion_of(problem, 0, assembly);
+        Design design = smallest_design(problem, assembly);
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < problem.program->segments.size(); ++i) {
             const PlacedSegment placed = placed_segment<TranslatingFlat>(motion, design.dimensions, i);
@@ -65,9 +62,7 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem) {
             least, outcome.infeasible ? fmt::format("; the least base radius is {:.9g}", base) : "");
         outcome.best = assess(problem, std::move(design));
         if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;  // something else is asked too
-        const bool better = !best || (best->infeasible && !outcome.infeasible) ||
-                            (best->infeasible == outcome.infeasible && outcome.best->objective < best->best->objective);
-        if (better) best = std::move(outcome);
+        keep_smaller(best, std::move(outcome));
     }
     return best;
 }
@@ -106,13 +101,8 @@ std::optional<ClosedFormOutcome> solve_swing(const Problem& problem) {
     const SwingTask task = *swing_task(problem);
     std::optional<ClosedFormOutcome> best;
     for (const std::size_t assembly : problem.assemblies) {
-        Motion motion;
-        motion.assembly = assembly;
-        motion.program = problem.program.get();
-        Design design;
-        design.assembly = assembly;
-        for (const DimensionRange& d : problem.dimensions)
-            design.dimensions.push_back(d.min);
+        const Motion motion = motion_of(problem, 0, assembly);
+        Design design = smallest_design(problem, assembly);
         std::vector<double>& d = design.dimensions;
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < problem.program->segments.size(); ++i) {
@@ -142,9 +132,7 @@ std::optional<ClosedFormOutcome> solve_swing(const Problem& problem) {
                           problem.dimensions[0].max);
         outcome.best = assess(problem, std::move(design));
         if (!none && !outcome.best->feasible) return std::nullopt;
-        const bool better = !best || (best->infeasible && !outcome.infeasible) ||
-                            (best->infeasible == outcome.infeasible && outcome.best->objective < best->best->objective);
-        if (better) best = std::move(outcome);
+        keep_smaller(best, std::move(outcome));
     }
     return best;
 }

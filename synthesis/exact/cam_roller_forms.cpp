@@ -6,8 +6,10 @@
 
 #include "synthesis/exact/closed_form.h"
 #include "synthesis/exact/half_planes.h"
+#include "synthesis/exact/smallest_design.h"
 #include "synthesis/mechanism/cam/quantities.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/program/variant.h"
 
 namespace mechwright {
 
@@ -178,13 +180,8 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem) {
     std::optional<ClosedFormOutcome> best;
     bool undecided = false;
     for (const std::size_t assembly : problem.assemblies) {
-        Motion motion;
-        motion.assembly = assembly;
-        motion.program = problem.program.get();
-        Design design;
-        design.assembly = assembly;
-        for (const DimensionRange& range : problem.dimensions)
-            design.dimensions.push_back(range.min);
+        const Motion motion = motion_of(problem, 0, assembly);
+        Design design = smallest_design(problem, assembly);
         std::vector<double>& d = design.dimensions;
         const auto follower = follower_of<F, double>(std::span<const double>(d), assembly);
         Vector<double> target{};
@@ -219,9 +216,7 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem) {
                 continue;
             }
         }
-        const bool better = !best || (best->infeasible && !outcome.infeasible) ||
-                            (best->infeasible == outcome.infeasible && outcome.best->objective < best->best->objective);
-        if (better) best = std::move(outcome);
+        keep_smaller(best, std::move(outcome));
     }
     return undecided ? std::nullopt : best;
 }

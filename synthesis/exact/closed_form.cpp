@@ -16,6 +16,12 @@ const std::array<ClosedForm, 8>& closed_forms() {
 
 }  // namespace
 
+void keep_smaller(std::optional<ClosedFormOutcome>& best, ClosedFormOutcome outcome) {
+    const bool better = !best || (best->infeasible && !outcome.infeasible) ||
+                        (best->infeasible == outcome.infeasible && outcome.best->objective < best->best->objective);
+    if (better) best = std::move(outcome);
+}
+
 std::string why_no_closed_form(const Problem& problem) {
     std::string known;
     for (const ClosedForm& form : closed_forms()) {

@@ -22,6 +22,9 @@ std::string why_no_closed_form(const Problem& problem);
 /// The answer in closed form, if there is one. Precondition: why_no_closed_form is empty.
 std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem);
 
+/// Keeps the better of two answers to one problem: one that is feasible, then the smaller objective.
+void keep_smaller(std::optional<ClosedFormOutcome>& best, ClosedFormOutcome outcome);
+
 /// One closed form: whether it covers a problem, its answer if so, and what it is good for in half a sentence.
 struct ClosedForm {
     bool (*covers)(const Problem&);

@@ -137,6 +137,25 @@ TEST(CamTable, IsPeriodic) {
         says(read(cam(table("[0, 0], [90, 5], [180, 9], [270, 4]") + dwell("90"))), "p.toml:8:1", {"the only one"}));
 }
 
+TEST(CamContour, HasCirclesThatMeet) {
+    const auto contour = [](const std::string& kind, const std::string& follower, const std::string& dimensions) {
+        return read("schema = 1\nmechanism = \"cam\"\n[cam]\nfollower = \"" + follower + "\"\ncontour = \"" + kind +
+                    "\"\n[dimensions]\nbase-radius = 25\n" + dimensions);
+    };
+    EXPECT_TRUE(accepted(contour("tangent", "roller", "nose-radius = 10\ncentre-distance = 30\nroller-radius = 20\n")));
+    EXPECT_TRUE(
+        accepted(contour("circular-arc", "flat", "nose-radius = 2.5\ncentre-distance = 32.5\nflank-radius = 69\n")));
+    EXPECT_TRUE(accepted(contour("eccentric", "roller", "centre-distance = 10\nroller-radius = 20\n")));
+    EXPECT_TRUE(only_says(contour("tangent", "flat", ""), "p.toml:4:12", {"straight flanks", "\"roller\""}));
+    EXPECT_TRUE(only_says(contour("tangent", "roller", "nose-radius = 10\ncentre-distance = 12\nroller-radius = 20\n"),
+                          "p.toml:9:19", {"does not stand out", "by 3"}));
+    EXPECT_TRUE(
+        only_says(contour("circular-arc", "flat", "nose-radius = 10\ncentre-distance = 30\nflank-radius = 30\n"),
+                  "p.toml:10:16", {"do not reach the nose", "by 5"}));
+    EXPECT_TRUE(says(contour("eccentric", "flat", "centre-distance = 10\n[[segment]]\nkind = \"dwell\"\nangle = 360\n"),
+                     "p.toml:9:3", {"follows from the contour"}));
+}
+
 TEST(CamDynamics, AreSettingsOfTranslatingFollowers) {
     EXPECT_TRUE(accepted(read(cam(closed + "[dynamics]\nmass = 0.5\nspeed = 200\nfriction = 0\n"))));
     EXPECT_TRUE(says(read(cam(closed + "[dynamics]\nmass = -0.5\n")), "p.toml:22:8",

@@ -247,12 +247,31 @@ std::optional<Objection> offset_too_large(std::span<const double> least, std::sp
                        offset - greatest[0], greatest[0])};
 }
 
-template <template <class> class F, bool knife>
+/// Circles of a contour that cannot meet, however the ranges are used.
+std::optional<Objection> circles_apart(ContourKind contour, std::span<const double> least,
+                                       std::span<const double> greatest) {
+    if (contour == ContourKind::none || contour == ContourKind::eccentric) return std::nullopt;
+    constexpr std::size_t base = 0, nose = 1, distance = 2, flank = 3;
+    if (const double lift = greatest[distance] + greatest[nose] - least[base]; !(lift > 0))
+        return Objection{distance,
+                         fmt::format("the nose does not stand out of the base circle: centre-distance and nose-radius "
+                                     "together must exceed base-radius, and fall short of it by {:.6g}",
+                                     -lift)};
+    if (contour == ContourKind::circular_arc)
+        if (const double room = 2 * greatest[flank] - least[base] - least[nose] - least[distance]; !(room > 0))
+            return Objection{
+                flank, fmt::format("the flanks do not reach the nose: twice the flank-radius must exceed base-radius, "
+                                   "nose-radius and centre-distance together, and falls short of them by {:.6g}",
+                                   -room)};
+    return std::nullopt;
+}
+
+template <template <class> class F, bool knife, ContourKind contour>
 std::optional<Objection> objection(std::span<const double> least, std::span<const double> greatest) {
     if constexpr (Layout<F>::roller && knife)
         if (const auto no = knife_has_no_roller(Layout<F>::shape - 1, least, greatest)) return no;
     if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>) return offset_too_large(least, greatest);
-    return std::nullopt;
+    return circles_apart(contour, least, greatest);
 }
 
 template <template <class> class F, bool knife, ContourKind contour = ContourKind::none>
@@ -271,7 +290,7 @@ const Mechanism& entry(std::string_view kind) {
         .quantities = quantities,
         .families = families<F, contour>(),
         .settings = loaded ? std::span<const Setting>(load_settings) : std::span<const Setting>(),
-        .objection = objection<F, knife>,
+        .objection = objection<F, knife, contour>,
         .motion = whole_turn,
         .describe = [](std::span<const double>) { return "cam with " + name; },
         .check_motion = check_cam<F>,

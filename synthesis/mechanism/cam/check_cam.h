@@ -31,6 +31,14 @@ Check closes(std::span<const Digits50> d, std::size_t assembly) {
     } else if constexpr (std::is_same_v<F<double>, OscillatingFlat<double>>) {
         margin = std::min<Digits50>(f.pivot_distance - f.base_radius - f.face_offset, f.base_radius + f.face_offset);
         what = "pivot distance less base radius and face offset";
+    } else if constexpr (is_contour<F>) {
+        const bool nose = f.nose_radius > 0, arc = f.flank_radius > 0;
+        margin = nose ? Digits50(f.centre_distance + f.nose_radius - f.base_radius) : f.base_radius;
+        if (nose) margin = std::min<Digits50>(margin, f.centre_distance + f.base_radius - f.nose_radius);
+        if (arc)
+            margin = std::min<Digits50>({margin, f.flank_radius - f.base_radius, f.flank_radius - f.nose_radius,
+                                         2 * f.flank_radius - f.base_radius - f.nose_radius - f.centre_distance});
+        what = "margin by which the circles of the contour meet";
     } else {
         margin = f.base_radius;
         what = "base radius";

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The quantities of cams as measures at a place: `search` is what is to be greatest there, `value` what it amounts to.
-/// A quantity looks in the segments of the kinds it names, for the greatest values of sign * search.
+/// The quantities of cams as measures at a place: `value` is what counts, `search` what is to be greatest there if that
+/// is something else. A quantity looks in the segments of the kinds it names, for the greatest values of sign * search.
 
 #include <cmath>
 
@@ -15,15 +15,11 @@ inline bool anywhere(SegmentKind) { return true; }
 
 struct PressureAngle {
     template <template <class> class Follower, class T>
-    static T search(const Follower<T>& f, const Lift<T>& lift) {
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
         if constexpr (Layout<Follower>::roller)
             return pressure_angle(pitch_point(f, lift));
         else
             return face_contact(f, lift).pressure_angle;
-    }
-    template <template <class> class Follower, class T>
-    static T value(const Follower<T>& f, const Lift<T>& lift) {
-        return search(f, lift);
     }
 };
 
@@ -77,7 +73,7 @@ struct UndercutMargin {
 /// Distance of the contact from the cam centre.
 struct ContactDistance {
     template <template <class> class Follower, class T>
-    static T search(const Follower<T>& f, const Lift<T>& lift) {
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
         using std::hypot;
         if constexpr (Layout<Follower>::roller) {
             const auto p = contact_point(pitch_point(f, lift), f.roller_radius);
@@ -87,21 +83,13 @@ struct ContactDistance {
             return hypot(p.x, p.y);
         }
     }
-    template <template <class> class Follower, class T>
-    static T value(const Follower<T>& f, const Lift<T>& lift) {
-        return search(f, lift);
-    }
 };
 
 /// Where along the face the contact is.
 struct ContactAlongFace {
     template <template <class> class Follower, class T>
-    static T search(const Follower<T>& f, const Lift<T>& lift) {
-        return face_contact(f, lift).along;
-    }
-    template <template <class> class Follower, class T>
     static T value(const Follower<T>& f, const Lift<T>& lift) {
-        return search(f, lift);
+        return face_contact(f, lift).along;
     }
 };
 
@@ -157,10 +145,6 @@ struct ContactForce {
             return axial_force(load, lift);
         }
     }
-    template <template <class> class Follower, class T>
-    static T search(const Follower<T>& f, const Lift<T>& lift, const FollowerLoad<T>& load) {
-        return value(f, lift, load);
-    }
 };
 
 /// Of the contact force about the cam's axis: the normal passes the axis at the distance v cos(pressure angle).
@@ -175,10 +159,6 @@ struct DriveTorque {
         } else {
             return force * lift.v;
         }
-    }
-    template <template <class> class Follower, class T>
-    static T search(const Follower<T>& f, const Lift<T>& lift, const FollowerLoad<T>& load) {
-        return value(f, lift, load);
     }
 };
 
@@ -203,37 +183,16 @@ struct JammingAngle {
     }
 };
 
-struct Velocity {
-    template <template <class> class Follower, class T>
-    static T search(const Follower<T>&, const Lift<T>& lift) {
-        return lift.v;
-    }
+/// A derivative of the lift.
+template <int order>
+struct LiftDerivative {
     template <template <class> class Follower, class T>
     static T value(const Follower<T>&, const Lift<T>& lift) {
-        return lift.v;
+        return order == 1 ? lift.v : order == 2 ? lift.a : lift.j;
     }
 };
-
-struct Acceleration {
-    template <template <class> class Follower, class T>
-    static T search(const Follower<T>&, const Lift<T>& lift) {
-        return lift.a;
-    }
-    template <template <class> class Follower, class T>
-    static T value(const Follower<T>&, const Lift<T>& lift) {
-        return lift.a;
-    }
-};
-
-struct Jerk {
-    template <template <class> class Follower, class T>
-    static T search(const Follower<T>&, const Lift<T>& lift) {
-        return lift.j;
-    }
-    template <template <class> class Follower, class T>
-    static T value(const Follower<T>&, const Lift<T>& lift) {
-        return lift.j;
-    }
-};
+using Velocity = LiftDerivative<1>;
+using Acceleration = LiftDerivative<2>;
+using Jerk = LiftDerivative<3>;
 
 }  // namespace mechwright::cam

@@ -40,10 +40,15 @@ template <template <class> class Follower, class Formula, class T>
 T searched(const Motion& motion, std::span<const double> dimensions, const Lift<T>& lift) {
     const auto geometry = geometry_of<Follower, T>(dimensions);
     const auto follower = Layout<Follower>::make(geometry, sense_of(motion.assembly));
+    const auto load = [&] { return load_of<Follower>(geometry, motion); };
     if constexpr (requires { Formula::search(follower, lift); })
         return Formula::search(follower, lift);
+    else if constexpr (requires { Formula::search(follower, lift, load()); })
+        return Formula::search(follower, lift, load());
+    else if constexpr (requires { Formula::value(follower, lift); })
+        return Formula::value(follower, lift);
     else
-        return Formula::search(follower, lift, load_of<Follower>(geometry, motion));
+        return Formula::value(follower, lift, load());
 }
 
 /// The places where a formula is greatest, or least too (`both` signs), in the segments of some kinds: up to four
@@ -131,7 +136,7 @@ private:
         for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
             const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
             const auto along = [&]<class T>(const Lift<T>& lift) {
-                return T(sign) * ContactAlongFace::search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
+                return T(sign) * ContactAlongFace::value(follower_of<Follower, T>(dimensions, motion.assembly), lift);
             };
             const Place place = greatest_places<1>(placed.segment, i, placed.start_lift, along)[0];
             all.emplace_back(along(lift_at(placed.segment, place.piece, place.u, placed.start_lift)), place);
