@@ -101,43 +101,88 @@ struct SegmentReader {
                            [&](std::size_t law) { return cam_laws()[law].law.form == form; });
     }
 
-    /// Numbers or ranges of a list that become coefficients of the mechanism.
-    std::size_t read_coefficients(std::string_view key, std::size_t most) {
-        const toml::node* node = find(section, key);
-        if (node == nullptr) return 0;
-        const toml::array* list = node->as_array();
-        if (list == nullptr) {
-            report_kind(*node, name_of(section, key), "a list of numbers or ranges", messages);
-            return 0;
-        }
-        if (list->size() > most) {
-            add_error(
-                messages, place_of(*node),
-                fmt::format("{} has {} entries; it can have {} at most", name_of(section, key), list->size(), most));
-            return 0;
+    /// The next coefficient of the mechanism; false where there is none left.
+    bool add_coefficient(std::string_view key, const toml::node* node) {
+        if (coefficients == MotionProgram::most_coefficients) {
+            add_error(messages, node != nullptr ? place_of(*node) : section.place,
+                      fmt::format("polynomials and splines have more than {} numbers together", coefficients));
+            return false;
         }
         const bool angular = cam_kind(mechanism()).oscillating;
         const std::string name = fmt::format("{} of {}", key, section.title);
         const Dimension as{name, angular ? DimensionKind::angle : DimensionKind::coordinate, false, ""};
-        for (const toml::node& entry : *list) {
-            if (coefficients == MotionProgram::most_coefficients) {
-                add_error(messages, place_of(entry),
-                          fmt::format("polynomials have more than {} numbers together", coefficients));
-                return 0;
-            }
-            const auto range = to_dimension(entry, as, problem.units, messages);
-            if (range) dimension(cam_coefficient_dimension(mechanism(), coefficients)) = *range;
-            ++coefficients;
+        const auto range = node != nullptr ? to_dimension(*node, as, problem.units, messages) : std::nullopt;
+        if (range) dimension(cam_coefficient_dimension(mechanism(), coefficients)) = *range;
+        ++coefficients;
+        return true;
+    }
+
+    /// Numbers or ranges of a list.
+    std::size_t read_list(std::string_view key, const toml::array& list, std::size_t most) {
+        if (list.size() > most) {
+            add_error(
+                messages, place_of(*section.table->get(key)),
+                fmt::format("{} has {} entries; it can have {} at most", name_of(section, key), list.size(), most));
+            return 0;
         }
-        return list->size();
+        for (const toml::node& entry : list)
+            if (!add_coefficient(key, &entry)) return 0;
+        return list.size();
+    }
+
+    /// The ends of a polynomial in the words of VDI 2143: R (rest) has neither velocity nor acceleration, G (constant
+    /// velocity) no acceleration, U (turning point) no velocity, B (motion) both.
+    std::size_t read_named_end(std::string_view key, const toml::node& node) {
+        constexpr std::array<std::string_view, 3> names{"velocity", "acceleration", "jerk"};
+        if (node.is_string()) {
+            constexpr std::array<std::string_view, 4> kinds{"R", "G", "U", "B"};
+            const auto kind = to_choice(node, name_of(section, key), "kind of end", kinds, messages);
+            if (kind && *kind > 0)
+                add_error(messages, place_of(node),
+                          fmt::format("an end of kind {} needs its {}: write {} = {{ {}{}{} }}", kinds[*kind],
+                                      *kind == 1   ? "velocity"
+                                      : *kind == 2 ? "acceleration"
+                                                   : "velocity and acceleration",
+                                      key, *kind != 2 ? "velocity = ..." : "", *kind == 3 ? ", " : "",
+                                      *kind != 1 ? "acceleration = ..." : ""));
+            add_coefficient(key, nullptr);
+            add_coefficient(key, nullptr);
+            return 2;
+        }
+        Section end{node.as_table(), fmt::format("{} of {}", key, section.title), place_of(node)};
+        const std::size_t count = find(end, names[2]) != nullptr ? 3 : 2;
+        for (std::size_t i = 0; i < count; ++i)
+            add_coefficient(key, find(end, names[i]));
+        report_unknown_keys(end, messages);
+        return count;
+    }
+
+    /// Derivatives of the lift at an end of a polynomial, from the first on; at rest if nothing is said.
+    std::size_t read_end(std::string_view key, bool polynomial) {
+        const toml::node* node = find(section, key);
+        if (node == nullptr)
+            return polynomial && add_coefficient(key, nullptr) && add_coefficient(key, nullptr) ? 2 : 0;
+        if (const toml::array* list = node->as_array()) return read_list(key, *list, MotionProgram::most_ends);
+        if (node->is_string() || node->is_table()) return read_named_end(key, *node);
+        report_kind(*node, name_of(section, key),
+                    "a list of numbers or ranges, or { velocity = ..., acceleration = ... }", messages);
+        return 0;
+    }
+
+    std::size_t read_shape() {
+        const toml::node* node = find(section, "shape");
+        if (node == nullptr) return 0;
+        if (const toml::array* list = node->as_array()) return read_list("shape", *list, MotionProgram::most_shape);
+        report_kind(*node, name_of(section, "shape"), "a list of numbers or ranges", messages);
+        return 0;
     }
 
     void read_polynomial() {
         plan.first_coefficient = coefficients;
-        plan.start_count = read_coefficients("start", MotionProgram::most_ends);
-        plan.end_count = read_coefficients("end", MotionProgram::most_ends);
-        plan.shape_count = read_coefficients("shape", MotionProgram::most_shape);
         const bool polynomial = has_form(cam::SegmentLaw::Form::polynomial);
+        plan.start_count = read_end("start", polynomial);
+        plan.end_count = read_end("end", polynomial);
+        plan.shape_count = read_shape();
         for (const std::string_view key : {"start", "end", "shape"})
             if (has(section, key) && !polynomial && (key != "shape" || !has_form(cam::SegmentLaw::Form::spline)))
                 add_error(messages, key_place(section, key),

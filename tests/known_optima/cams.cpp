@@ -207,6 +207,24 @@ TEST(CamSize, OscillatingRollers) {
     EXPECT_NEAR(60 * (1 + 2 * 30 / 140.0) * std::cos(45 * pi / 180), 60.609153, 5e-7);
 }
 
+// Everything scales with the arm: the shortest one makes the smallest cam.
+TEST(CamSize, AnArmOfFreeLengthIsTheShortest) {
+    const auto text = [](const char* arm) {
+        return cam(
+            "follower = \"roller\"\nmotion = \"oscillating\"", {"cycloidal", 25, 120, 30, 120},
+            std::string(
+                "prime-radius = { min = 5, max = 200 }\npivot-distance = { min = 20, max = 200 }\narm-length = ") +
+                arm + "\nroller-radius = 3\n",
+            at_most("pressure-angle-max", 35) + smallest_prime);
+    };
+    const Solved exact = solved(text("{ min = 60, max = 100 }"));
+    EXPECT_TRUE(exact.result.search.complete);
+    EXPECT_EQ(exact.dimension("arm-length"), 60);
+    EXPECT_NEAR(exact.dimension("prime-radius"), solved(text("80")).dimension("prime-radius") * 0.75, 1e-12 * 30);
+    EXPECT_NEAR(solved(text("{ min = 60, max = 100 }"), "slsqp").dimension("prime-radius"),
+                exact.dimension("prime-radius"), 1e-8 * 30);
+}
+
 // 5 over the least of sin(p)(1 + 2v)/(1 + v)^2 + cos(p) a/(1 + v)^3 over the motion, found in thirty digits elsewhere.
 TEST(CamSize, OscillatingFlatFace) {
     const Solved s = solved(shipped("oscillating-flat.toml", "cam"));

@@ -125,6 +125,24 @@ TEST(CamLaw, OnlyPolynomialsHaveEnds) {
         "p.toml:13:9", {"4 entries", "3 at most"}));
 }
 
+TEST(CamLaw, EndsOfPolynomialsHaveTheKindsOfVdi) {
+    const auto polynomial = [](const std::string& ends) {
+        return read(cam(moving("rise", "180", "20", "\"polynomial\"\n" + ends) + moving("return", "180", "20")));
+    };
+    EXPECT_TRUE(accepted(polynomial("start = \"R\"")));
+    EXPECT_EQ(polynomial("start = \"R\"").problem.program->segments[0].start_count, 2u);
+    EXPECT_EQ(polynomial("").problem.program->segments[0].end_count, 2u);
+    const ReadProblem moved = polynomial("end = { velocity = 3, jerk = { min = -1, max = 1 } }");
+    EXPECT_TRUE(accepted(moved));
+    EXPECT_EQ(moved.problem.program->segments[0].end_count, 3u);
+    EXPECT_EQ(moved.problem.dimensions[cam_coefficient_dimension(*moved.problem.mechanism, 2)].min, 3);
+    EXPECT_EQ(moved.problem.dimensions[cam_coefficient_dimension(*moved.problem.mechanism, 4)].max, 1);
+    EXPECT_TRUE(only_says(polynomial("start = \"G\""), "p.toml:13:9", {"kind G", "start = { velocity = ... }"}));
+    EXPECT_TRUE(only_says(polynomial("start = \"X\""), "p.toml:13:9", {"unknown kind of end 'X'"}));
+    EXPECT_TRUE(only_says(polynomial("end = { speed = 3 }"), "p.toml:13:9", {"'speed'", "end of segment 1"}));
+    EXPECT_TRUE(only_says(polynomial("end = 3"), "p.toml:13:7", {"list of numbers"}));
+}
+
 TEST(CamTable, IsPeriodic) {
     EXPECT_TRUE(accepted(read(cam(table("[0, 0], [90, 5], [180, 9], [270, 4], [360, 0]")))));
     EXPECT_TRUE(accepted(read(cam(table("[0, 0], [90, 5], [180, 9], [270, 4]")))));
