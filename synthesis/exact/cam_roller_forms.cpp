@@ -100,12 +100,6 @@ bool covers(const Problem& problem) {
     return !Layout<F>::oscillating || !problem.dimensions[1].fixed();
 }
 
-/// Greatest least-squares certificate of one rotation and choice of laws.
-struct Sized {
-    ClosestPoint centre;
-    double size;
-};
-
 std::vector<HalfPlane> fixed_rows(const Problem& problem, const TranslatingRoller<double>&) {
     const DimensionRange& offset = problem.dimensions[1];
     return {{{0, 1}, 0}, {{1, 0}, offset.min}, {{-1, 0}, -offset.max}};

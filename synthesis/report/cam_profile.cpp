@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -71,12 +72,26 @@ std::vector<CutPath> cut_paths(const FinishedCam& cam, double cutter_radius) {
 }
 
 double least_hollow_radius(const FinishedCam& cam) {
-    constexpr int steps = 14400;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < steps; ++i)
-        if (const double radius = Row(cam, turn * i / steps).at("profile-radius"); radius < 0)
-            least = std::min(least, -radius);
-    return least;
+    // The curvature of the profile, continued through straight places, where the radius is not.
+    const auto bend = [&](double cam_angle) { return 1 / Row(cam, cam_angle).at("profile-radius"); };
+    const std::vector<double> ends = corners(cam);
+    constexpr int steps = 64;
+    double least = 0;
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        // Within the piece: at its ends the table has the values of a neighbour.
+        const double inset = 1e-9 * (ends[i] - ends[i - 1]);
+        const double from = ends[i - 1] + inset, step = (ends[i] - ends[i - 1] - 2 * inset) / steps;
+        for (int k = 0; k <= steps; ++k) {
+            const double at = bend(from + k * step);
+            least = std::min(least, at);
+            if (k == 0 || k == steps || at > bend(from + (k - 1) * step) || at > bend(from + (k + 1) * step)) continue;
+            constexpr int bits = 24;  // of the place; the curvature there has twice as many
+            least = std::min(
+                least,
+                boost::math::tools::brent_find_minima(bend, from + (k - 1) * step, from + (k + 1) * step, bits).second);
+        }
+    }
+    return least < 0 ? -1 / least : std::numeric_limits<double>::infinity();
 }
 
 std::string profile_csv(const FinishedCam& cam, double cutter_radius, int steps) {

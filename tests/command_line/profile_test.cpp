@@ -163,6 +163,36 @@ TEST(Profile, ReadsResultsToo) {
         EXPECT_LE(std::hypot(stated[i].x - known[i].x, stated[i].y - known[i].y), 1e-12);
 }
 
+// Textbook example 6-2: the pitch curve has a hollow radius of 28.11367 mm at least, the profile a roller radius more.
+TEST(Profile, NamesTheLeastHollowRadius) {
+    const TemporaryFolder folder;
+    const std::string text = R"(schema = 1
+mechanism = "cam"
+[cam]
+follower = "roller"
+[[segment]]
+kind = "rise"
+angle = 30
+lift = 60
+law = "cycloidal"
+[[segment]]
+kind = "dwell"
+angle = 45
+[[segment]]
+kind = "return"
+angle = 70
+lift = 60
+law = "cycloidal"
+[[segment]]
+kind = "dwell"
+angle = 215
+[dimensions]
+prime-radius = 150
+roller-radius = 25
+)";
+    expect_has(run({"profile", "--cutter", "100", folder.write("a.toml", text)}).err, "must be at most 53.1137");
+}
+
 TEST(Profile, RefusesWhatHasNone) {
     const TemporaryFolder folder;
     const Outcome four_bar = run({"profile", folder.write("a.toml", given())});
@@ -180,6 +210,13 @@ TEST(Profile, RefusesWhatHasNone) {
     const Outcome cutter = run({"profile", "--cutter", "1000", folder.write("hollow.toml", hollow)});
     EXPECT_EQ(cutter.exit_code, 4);
     expect_has(cutter.err, "the cutter is too large by");
+    // The least hollow radius that the message names is allowed, a little more is not.
+    const std::size_t at = cutter.err.find("at most ") + 8;
+    const double limit = std::stod(cutter.err.substr(at));
+    EXPECT_EQ(
+        run({"profile", "--cutter", std::to_string(limit * (1 - 1e-4)), folder.write("h.toml", hollow)}).exit_code, 0);
+    EXPECT_EQ(
+        run({"profile", "--cutter", std::to_string(limit * (1 + 1e-4)), folder.write("h.toml", hollow)}).exit_code, 4);
 }
 
 }  // namespace
