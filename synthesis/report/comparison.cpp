@@ -25,11 +25,13 @@ struct Column {
     std::string_view more;
 };
 
-constexpr std::array<Column, 5> columns{{{"total-length", "size", ""},
+constexpr std::array<Column, 7> columns{{{"total-length", "size", ""},
                                          {"transmission-angle-worst", "worst", "angle"},
                                          {"time-ratio", "time", "ratio"},
                                          {"stroke", "stroke", ""},
-                                         {"speed-variation", "speed", "variation"}}};
+                                         {"speed-variation", "speed", "variation"},
+                                         {"cam-size", "cam", "size"},
+                                         {"pressure-angle-max", "pressure", "angle"}}};
 
 /// Rows above the designs in the table.
 constexpr std::size_t heading_rows = 3;

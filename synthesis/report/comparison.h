@@ -21,8 +21,8 @@ struct Compared {
 std::vector<Compared> ranked(std::vector<Compared> all);
 
 /// One row for each design: its file, mechanism, objective (or what became of it instead), size, transmission angle,
-/// time ratio, stroke and speed variation; columns in which no design has a value are left out. Below it, which design
-/// is the best by the common objective.
+/// time ratio, stroke and speed variation, of cams their size and pressure angle; columns in which no design has a
+/// value are left out. Below it, which design is the best by the common objective.
 std::string comparison_table(const std::vector<Compared>& all, bool colour);
 
 /// The same as comma-separated values with all digits, in which missing values are empty.

@@ -102,7 +102,7 @@ TEST(Compare, CsvHasARowForEachFile) {
     std::getline(lines, second);
     EXPECT_EQ(heading,
               "file,mechanism,status,objective,total-length,transmission-angle-worst,time-ratio,stroke,"
-              "speed-variation");
+              "speed-variation,cam-size,pressure-angle-max");
     EXPECT_EQ(first.rfind(files.b + ",crank-shaper,solved,0.1617", 0), 0u) << first;
     EXPECT_EQ(second.rfind(files.a + ",whitworth,solved,", 0), 0u) << second;
     EXPECT_FALSE(std::getline(lines, more)) << more;
