@@ -9,6 +9,7 @@
 /// them, so that no digit is lost near a toggle or a change point.
 
 #include <cmath>
+#include <type_traits>
 
 #include "analysis/four_bar/four_bar.h"
 #include "analysis/geometry/half_angle.h"
@@ -37,39 +38,36 @@ struct AssemblyMargins {
     T stretch;  ///< coupler + rocker - diagonal: zero where coupler and rocker are stretched out
     T fold;     ///< diagonal - |coupler - rocker|: zero where they are folded
 
-    bool closed() const { return stretch >= T(0) && fold >= T(0); }
+    auto closed() const { return both(stretch >= T(0), fold >= T(0)); }
 };
 
 template <class T>
 AssemblyMargins<T> assembly_margins(const FourBar<T>& m, const HalfTurn<T>& half) {
-    using std::hypot;
-    const bool ground_longer = m.ground >= m.crank;
-    const bool coupler_longer = m.coupler >= m.rocker;
+    const auto ground_longer = m.ground >= m.crank;
+    const auto coupler_longer = m.coupler >= m.rocker;
     const T outer = select(ground_longer, m.ground, m.crank);
     const T inner = select(ground_longer, m.crank, m.ground);
     const T greater = select(coupler_longer, m.coupler, m.rocker);
     const T lesser = select(coupler_longer, m.rocker, m.coupler);
     const T difference = outer - inner;
     const T sum = outer + inner;
-    const T d = hypot(difference * half.cosine, sum * half.sine);
+    const T d = hypotenuse(difference * half.cosine, sum * half.sine);
     // Both margins are counted from the nearer of the two positions on the ground line, where the diagonal is
     // outer -+ inner and they are compensated sums of four lengths; `grown` is how much longer the diagonal is here.
-    const bool near_zero = half.cosine * half.cosine >= half.sine * half.sine;
+    const auto near_zero = half.cosine * half.cosine >= half.sine * half.sine;
     const T signed_inner = select(near_zero, T(-inner), inner);
     const T off_line = select(near_zero, half.sine, half.cosine);
     const T both = d + select(near_zero, difference, sum);
-    T grown(0);
-    if (both > T(0))
-        grown = T(-4) * outer * signed_inner * off_line * off_line / both;  // else a kite, its pins together
-    T stretch = sum_difference(greater, lesser, outer, signed_inner) - grown;
-    T fold = sum_difference(outer, lesser, greater, T(-signed_inner)) + grown;
+    const auto apart = both > T(0);  // else a kite, its pins together
+    const T grown =
+        select(apart, T(T(-4) * outer * signed_inner * off_line * off_line / select(apart, both, T(1))), T(0));
+    const T stretch = sum_difference(greater, lesser, outer, signed_inner) - grown;
+    const T fold = sum_difference(outer, lesser, greater, T(-signed_inner)) + grown;
     // Together they are twice the lesser link. With the greater margin taken from that, the two are rounded alike and
     // the direction of a very short link keeps its unit length.
-    if (stretch > fold)
-        stretch = T(2) * lesser - fold;
-    else
-        fold = T(2) * lesser - stretch;
-    return {d, stretch, fold};
+    const auto fold_least = stretch > fold;
+    return {d, select(fold_least, T(T(2) * lesser - fold), stretch),
+            select(fold_least, fold, T(T(2) * lesser - stretch))};
 }
 
 /// The whole pose. All directions are unit vectors in the frame of the linkage.
@@ -85,7 +83,7 @@ struct FourBarPose {
     AssemblyMargins<T> margins;
 
     /// Whether the loop closes. If not, the pose shown is that of the nearest toggle.
-    bool assembled() const { return margins.closed(); }
+    auto assembled() const { return margins.closed(); }
 };
 
 namespace detail {
@@ -105,7 +103,7 @@ Dyad<T> dyad(const FourBar<T>& m, const AssemblyMargins<T>& margins) {
     using std::abs;
     const T sum = m.coupler + m.rocker + margins.diagonal;
     const T other = margins.diagonal + abs(m.coupler - m.rocker);
-    const bool coupler_longer = m.coupler >= m.rocker;
+    const auto coupler_longer = m.coupler >= m.rocker;
     return {sum, select(coupler_longer, other, margins.fold), select(coupler_longer, margins.fold, other),
             margins.stretch * sum, margins.fold * other};
 }
@@ -113,7 +111,7 @@ Dyad<T> dyad(const FourBar<T>& m, const AssemblyMargins<T>& margins) {
 /// The directions of coupler and rocker at the toggle nearest to a position that does not assemble.
 template <class T>
 void lay_in_line(FourBarPose<T>& p, const FourBar<T>& m, const Vector<T>& along) {
-    const bool stretched = p.margins.stretch < T(0);
+    const auto stretched = p.margins.stretch < T(0);
     p.coupler = stretched || m.coupler >= m.rocker ? along : -along;
     p.rocker = stretched ? -along : p.coupler;
     p.transmission_sine = T(0);
@@ -133,15 +131,17 @@ FourBarPose<T> pose(const FourBar<T>& m, const HalfTurn<T>& half, Assembly assem
     const T ss = half.sine * half.sine;
     p.crank = {cc - ss, T(2) * half.sine * half.cosine};
     // From crank pin to rocker pivot; where the two coincide, its limit as the crank turns on.
-    Vector<T> along{T(0), T(-1)};
-    T inverse(0);
-    if (d > T(0)) {
-        inverse = T(1) / d;
-        along = {((m.ground - m.crank) * cc + (m.ground + m.crank) * ss) * inverse, -m.crank * p.crank.y * inverse};
-    }
-    if (!p.assembled()) {
-        detail::lay_in_line(p, m, along);
-        return p;
+    const auto apart = d > T(0);
+    const T inverse = select(apart, T(T(1) / select(apart, d, T(1))), T(0));
+    const Vector<T> along{select(apart, T(((m.ground - m.crank) * cc + (m.ground + m.crank) * ss) * inverse), T(0)),
+                          select(apart, T(-m.crank * p.crank.y * inverse), T(-1))};
+    // One number takes these ways out early; in lanes all go through the formulas below, and a lane that does not
+    // assemble is known by its margins.
+    if constexpr (std::is_same_v<decltype(p.assembled()), bool>) {
+        if (!p.assembled()) {
+            detail::lay_in_line(p, m, along);
+            return p;
+        }
     }
     const detail::Dyad<T> k = detail::dyad(m, p.margins);
     const T side(side_of(assembly));
@@ -150,17 +150,15 @@ FourBarPose<T> pose(const FourBar<T>& m, const HalfTurn<T>& half, Assembly assem
     const T per_both = T(1) / (T(4) * m.coupler * m.rocker);
     p.transmission_sine = side * double_root * per_both;
     p.transmission_cosine = (k.stretched - k.folded) * per_both;
-    if (!(d > T(0))) {  // coupler and rocker lie on each other, square to the line their end leaves
-        p.coupler = across;
-        p.rocker = across;
-        return p;
-    }
     const T per_coupler = inverse / (T(4) * m.coupler);
     const T per_rocker = inverse / (T(4) * m.rocker);
     const T coupler_cosine = (k.sum * k.coupler_side - p.margins.stretch * k.rocker_side) * per_coupler;
     const T rocker_cosine = (k.sum * k.rocker_side - p.margins.stretch * k.coupler_side) * per_rocker;
     p.coupler = coupler_cosine * along + (double_root * per_coupler) * across;
     p.rocker = (double_root * per_rocker) * across - rocker_cosine * along;
+    // Else coupler and rocker lie on each other, square to the line their end leaves.
+    p.coupler = select(apart, p.coupler, across);
+    p.rocker = select(apart, p.rocker, across);
     return p;
 }
 

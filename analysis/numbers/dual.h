@@ -132,8 +132,7 @@ Dual<T, N> abs(const Dual<T, N>& a) {
 // hypot(a, b)' = (a a' + b b') / hypot(a, b)
 template <class T, std::size_t N>
 Dual<T, N> hypot(const Dual<T, N>& a, const Dual<T, N>& b) {
-    using std::hypot;
-    const T h = hypot(a.value, b.value);
+    const T h = hypotenuse(a.value, b.value);
     if (!(h > T(0))) return Dual<T, N>(h);
     return Dual<T, N>::linear(h, a, b, a.value / h, b.value / h);
 }

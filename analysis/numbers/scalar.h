@@ -42,30 +42,54 @@ T pi() {
     }
 }
 
+/// Whether both hold.
+constexpr bool both(bool a, bool b) { return a && b; }
+
+/// sqrt(a^2 + b^2). The plain formula is right to a unit of the last place where no square leaves the range of double.
+template <class T>
+T hypotenuse(const T& a, const T& b) {
+    using std::hypot;
+    if constexpr (std::is_same_v<T, double>) {
+        const double square = a * a + b * b;
+        const bool plain = square > 1e-280 && square < 1e280;
+        return plain ? std::sqrt(square) : std::hypot(a, b);
+    } else {
+        return hypot(a, b);
+    }
+}
+
 namespace detail {
 
+template <class T>
 struct TwoSum {
-    double sum;
-    double error;
+    T sum;
+    T error;
 };
 
 /// Knuth's error-free sum: sum + error == a + b exactly.
-inline TwoSum two_sum(double a, double b) {
-    const double sum = a + b;
-    const double b_part = sum - a;
+template <class T>
+TwoSum<T> two_sum(const T& a, const T& b) {
+    const T sum = a + b;
+    const T b_part = sum - a;
     return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
 }  // namespace detail
 
+/// Whether T is double or lanes of doubles (lanes.h): arithmetic of 53 bits and nothing else.
+template <class T>
+inline constexpr bool plain_doubles = std::is_same_v<T, double> || requires(const T& x) {
+    x.lane[0];
+};
+
 /// (a + b) - (c + d) with one compensation pass. This is the shape of every Grashof margin; written out plainly it
 /// loses all digits where the margin is small against the lengths.
 template <class T>
 T sum_difference(const T& a, const T& b, const T& c, const T& d) {
-    if constexpr (std::is_same_v<T, double>) {
+    if constexpr (plain_doubles<T>) {
         const auto [left, left_error] = detail::two_sum(a, b);
         const auto [right, right_error] = detail::two_sum(c, d);
-        const auto [difference, error] = detail::two_sum(left, -right);
+        const auto [difference, error] = detail::two_sum(left, T(-right));
         return difference + (error + (left_error - right_error));
     } else {
         return (a + b) - (c + d);

@@ -143,8 +143,7 @@ SecondDual<T, N> abs(const SecondDual<T, N>& a) {
 // With u = a / h, v = b / h: f_a = u, f_b = v, f_aa = v^2 / h, f_ab = -u v / h, f_bb = u^2 / h
 template <class T, std::size_t N>
 SecondDual<T, N> hypot(const SecondDual<T, N>& a, const SecondDual<T, N>& b) {
-    using std::hypot;
-    const T h = hypot(a.value, b.value);
+    const T h = hypotenuse(a.value, b.value);
     if (!(h > T(0))) return SecondDual<T, N>(h);
     const T u = a.value / h;
     const T v = b.value / h;

@@ -44,6 +44,11 @@ LocalOutcome slsqp(const Program& program, const Eigen::VectorXd& start, const L
 /// Interior point by Ipopt 3.11.9 with MUMPS and the exact Hessian. Runs one at a time: calls from other threads wait.
 LocalOutcome ipopt(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
 
+/// Levenberg and Marquardt's method on the sum of squared distances from a path, within the bounds of the variables;
+/// rows are not looked at. Each step is a linear least-squares problem solved by orthogonal transformations, out of
+/// which the crank angles of an untimed path are eliminated point by point. Thread-safe.
+LocalOutcome levenberg_marquardt(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
+
 /// Newton's method on the optimality conditions of the constraints active at `from`, with exact Hessians: from a point
 /// that a solver ended at to the nearby optimum at full precision. Never returns a worse point.
 LocalOutcome polish(const Program& program, const LocalOutcome& from, const LocalLimits& limits);

@@ -21,7 +21,9 @@ struct MissAndMargin {
 
 /// The path_miss of a formula with `static constexpr std::size_t reads` and
 /// `template <class T> static MissAndMargin<T> miss(std::size_t assembly, const std::array<T, reads + 1>& x,
-/// const Vector<double>& target)`, where x are the dimensions that are read and the crank angle.
+/// const Vector<double>& target)`, where x are the dimensions that are read and the crank angle. A formula can have a
+/// quicker way to its value, the same bits, and first derivatives: `static bool miss_and_gradient(assembly, x, target,
+/// PathMiss& out)`, which returns false where it does not hold.
 template <class Formula>
 void path_miss_by(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
                   const Vector<double>& target, PathMiss& out) {
@@ -42,6 +44,8 @@ void path_miss_by(std::size_t assembly, std::span<const double> dimensions, doub
         std::copy(miss.x.second.begin(), miss.x.second.end(), out.hessian_x.begin());
         std::copy(miss.y.second.begin(), miss.y.second.end(), out.hessian_y.begin());
     } else if (!out.gradient_x.empty()) {
+        if constexpr (requires { Formula::miss_and_gradient(assembly, at, target, out); })
+            if (Formula::miss_and_gradient(assembly, at, target, out)) return;
         const auto miss = evaluate(seeded<Dual<double, n>, n>(at));
         std::copy(miss.x.partial.begin(), miss.x.partial.end(), out.gradient_x.begin());
         std::copy(miss.y.partial.begin(), miss.y.partial.end(), out.gradient_y.begin());

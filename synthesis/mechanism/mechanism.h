@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analysis/geometry/vector.h"
+#include "synthesis/mechanism/path_screening.h"
 
 namespace mechwright {
 
@@ -183,6 +184,8 @@ struct Mechanism {
     PathRoles path_roles{};
     void (*path_miss)(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
                       const Vector<double>& target, PathMiss& out) = nullptr;
+    /// Ranks candidates for a path, many at once; null: they are evaluated one by one.
+    PathScreening path_screening = nullptr;
     Vector<Digits50> (*path_point)(std::size_t assembly, std::span<const Digits50> dimensions,
                                    const Digits50& crank_angle) = nullptr;
 

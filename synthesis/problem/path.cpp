@@ -72,7 +72,7 @@ std::vector<double> read_crank_angles(Section& path, const Units& units, const P
 void check_free_timing(Section& path, const PointList& list, Messages& messages) {
     if (const toml::node* angles = find(path, "crank_angles"); angles != nullptr)
         add_error(messages, place_of(*angles),
-                  "'crank_angles' in [path] need timing = \"prescribed\"; with free timing leave them out");
+                  "'crank_angles' in [path] need timing = \"prescribed\"; with any other leave them out");
     if (list.points.size() > most_free_points)
         add_error(messages, list.named_at,
                   fmt::format("{} points are too many for free timing: thin the list to at most {}, or prescribe the "
@@ -88,11 +88,12 @@ void read_path(Section& file, Problem& problem, Messages& messages) {
     if (problem.mechanism != nullptr && problem.mechanism->path_reads == 0)
         return add_error(messages, path->place,
                          fmt::format("a {} guides no point along a path: leave [path] out", problem.mechanism->name));
-    constexpr std::array<std::string_view, 2> timings{"free", "prescribed"};
+    constexpr std::array<std::string_view, 3> timings{"free", "prescribed", "none"};
     PointList list = read_points(*path, problem, messages);
     PathTarget target;
     const auto timing = read_choice(*path, "timing", "timing", timings, messages);
     target.prescribed_timing = timing == 1u;
+    target.any_order = timing == 2u;
     target.closed = read_bool(*path, "closed", messages).value_or(false);
     target.weights = read_weights(*path, list, messages);
     if (target.prescribed_timing)

@@ -56,8 +56,9 @@ struct Objective {
 struct PathTarget {
     std::vector<Vector<double>> points;
     bool prescribed_timing = false;
+    bool any_order = false;  ///< each point counts by the nearest point of the curve, whatever their order
     std::vector<double> crank_angles;  ///< for prescribed timing: one per point, counted from crank-start; radians
-    bool closed = false;
+    bool closed = false;                ///< the crank turns fully
     std::vector<double> weights;  ///< one per point, all 1 unless given
 };
 

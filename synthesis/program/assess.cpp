@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "synthesis/problem/units.h"
+#include "synthesis/program/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
 
@@ -28,9 +29,12 @@ double range_violation(const Problem& problem, const Design& design) {
     return worst;
 }
 
-/// Points that the mechanism cannot reach assembled, and untimed points out of order.
+/// Points that the mechanism cannot reach assembled, untimed points out of order, and a crank that does not go round a
+/// closed path.
 double path_violation(const Problem& problem, const Design& design) {
     if (!problem.path) return 0;
+    const Motion whole = problem.mechanism->motion(design.dimensions, design.assembly, nullptr);
+    if (problem.path->closed && !whole.full_turn) return without_limit;
     double worst = 0;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
         PathMiss miss{};
@@ -38,7 +42,7 @@ double path_violation(const Problem& problem, const Design& design) {
                                      miss);
         if (!(miss.margin >= 0)) return without_limit;
     }
-    if (problem.path->prescribed_timing || design.path_angles.size() < 3) return worst;
+    if (problem.path->prescribed_timing || problem.path->any_order || design.path_angles.size() < 3) return worst;
     const double direction = design.path_angles.back() > design.path_angles.front() ? 1 : -1;
     for (std::size_t i = 1; i < design.path_angles.size(); ++i)
         worst = std::max(worst, -direction * (design.path_angles[i] - design.path_angles[i - 1]));
@@ -72,6 +76,7 @@ double objective_of(const Problem& problem, const Design& design) {
 
 Solution assess(const Problem& problem, Design design) {
     Solution s;
+    if (problem.path && problem.path->any_order) meet_nearest_points(problem, design);
     s.objective = objective_of(problem, design);
     s.violation = std::max(range_violation(problem, design), path_violation(problem, design));
     double on_equalities = s.violation;

@@ -98,6 +98,7 @@ struct Builder {
     }
 
     void add_path() {
+        program.dimension_variables = program.variables.size();
         if (!problem.path) return;
         const PathTarget& path = *problem.path;
         program.path.emplace();
@@ -110,8 +111,13 @@ struct Builder {
         program.first_path_angle = program.variables.size();
         for (std::size_t i = 0; i < n; ++i)
             program.variables.push_back({"crank angle at point " + std::to_string(i + 1),
-                                         i == 0 ? -pi : (direction > 0 ? -pi : -3 * pi),
-                                         i == 0 ? pi : (direction > 0 ? 3 * pi : pi)});
+                                         path.any_order            ? -3 * pi
+                                         : i == 0 || direction > 0 ? -pi
+                                                                   : -3 * pi,
+                                         path.any_order            ? 3 * pi
+                                         : i == 0 || direction < 0 ? pi
+                                                                   : 3 * pi});
+        if (path.any_order) return;
         const double sign = direction;
         for (std::size_t i = 0; i + 1 < n; ++i)
             add_row("order of points " + std::to_string(i + 1) + " and " + std::to_string(i + 2),

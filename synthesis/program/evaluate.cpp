@@ -297,6 +297,37 @@ void add_path_hessian(const Program& program, std::span<const double> dimensions
 
 }  // namespace
 
+bool path_residuals(const Program& program, const VectorXd& x, bool derivatives, PathResiduals& out) {
+    const std::vector<double> dimensions = dimensions_at(program, x);
+    const auto rows = static_cast<Index>(2 * program.targets.size());
+    const auto columns = static_cast<Index>(program.dimension_variables);
+    const bool untimed = program.untimed_path();
+    const std::size_t arguments = program.problem->mechanism->path_reads + 1;
+    out.value.resize(rows);
+    if (derivatives) {
+        out.jacobian.setZero(rows, columns);
+        out.by_angle.setZero(untimed ? rows : 0);
+    }
+    PointTerms t;
+    for (std::size_t i = 0; i < program.targets.size(); ++i) {
+        evaluate_point(program, dimensions, x, i, derivatives ? 1 : 0, t);
+        if (!(t.miss.margin >= 0)) return false;
+        const auto row = static_cast<Index>(2 * i);
+        const double w = std::sqrt(program.problem->path->weights[i]);
+        out.value[row] = w * t.miss.miss.x;
+        out.value[row + 1] = w * t.miss.miss.y;
+        if (!derivatives) continue;
+        for (std::size_t k = 0; k < arguments; ++k) {
+            const std::ptrdiff_t v = t.variable[k];
+            if (v < 0) continue;
+            const bool own = v >= columns;
+            (own ? out.by_angle[row] : out.jacobian(row, v)) += w * t.gradient_x[k];
+            (own ? out.by_angle[row + 1] : out.jacobian(row + 1, v)) += w * t.gradient_y[k];
+        }
+    }
+    return out.value.allFinite() && (!derivatives || out.jacobian.allFinite());
+}
+
 MatrixXd lagrangian_hessian(const Program& program, const VectorXd& x, double weight, const VectorXd& multipliers) {
     VectorXd on_output = VectorXd::Zero(static_cast<Index>(program.outputs));
     const auto add = [&](const LinearForm& form, double factor) {

@@ -82,6 +82,7 @@ struct Program {
     std::vector<double> dimensions;           ///< scaled; those that are variables are overwritten at evaluation
     std::vector<std::ptrdiff_t> variable_of;  ///< by dimension: its variable, or -1
     std::vector<Variable> variables;          ///< dimensions, then path angles, then epigraphs
+    std::size_t dimension_variables = 0;      ///< the first of them
     std::size_t first_path_angle = 0;         ///< of as many as there are points, for an untimed path
     std::vector<Vector<double>> targets;      ///< scaled
     std::vector<QuantityBlock> blocks;
@@ -117,6 +118,17 @@ struct ProgramValues {
 /// Evaluates the program at x. Derivatives cost several times the values and are computed only if asked for; values are
 /// the same bits either way.
 void evaluate(const Program& program, const Eigen::VectorXd& x, bool derivatives, ProgramValues& out);
+
+/// The path as a least-squares problem: for each point two residuals, the weighted miss in x and y. They depend on the
+/// dimensions, which are the first variables of the program, and in an untimed path on the point's own crank angle.
+struct PathResiduals {
+    Eigen::VectorXd value;     ///< [2 point + coordinate]
+    Eigen::MatrixXd jacobian;  ///< [2 point + coordinate][dimension variable]
+    Eigen::VectorXd by_angle;  ///< derivative by the point's own crank angle; only in an untimed path
+};
+
+/// The residuals at x; derivatives only where asked for. False where the mechanism does not assemble.
+bool path_residuals(const Program& program, const Eigen::VectorXd& x, bool derivatives, PathResiduals& out);
 
 /// The Hessian of weight f(x) + sum multipliers[i] c_i(x), full symmetric.
 Eigen::MatrixXd lagrangian_hessian(const Program& program, const Eigen::VectorXd& x, double weight,

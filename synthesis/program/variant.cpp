@@ -84,6 +84,7 @@ std::vector<std::size_t> families_of(const Problem& problem) {
     for (std::size_t f = 0; f < families.size(); ++f) {
         const Motion motion = motion_of(problem, f, 0);
         const bool range_known = families[f].full_turn || problem.crank_range || problem.path;
+        if (problem.path && problem.path->closed && !families[f].full_turn) continue;
         if (range_known && all_defined(problem, motion)) usable.push_back(f);
     }
     // Over a given range the family of limited motions contains all others.

@@ -123,7 +123,7 @@ Json quantities_of(const Problem& problem, const Design& design) {
 Json path_of(const Problem& problem, const Solution* best) {
     const PathTarget& target = *problem.path;
     Json json{{"points", pairs(target.points)},
-              {"timing", target.prescribed_timing ? "prescribed" : "free"},
+              {"timing", target.prescribed_timing ? "prescribed" : target.any_order ? "none" : "free"},
               {"closed", target.closed}};
     if (std::any_of(target.weights.begin(), target.weights.end(), [](double w) { return w != 1; }))
         json["weights"] = target.weights;

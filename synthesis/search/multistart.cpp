@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "synthesis/program/assess.h"
+#include "synthesis/search/optima.h"
 #include "synthesis/search/starts.h"
 #include "synthesis/search/work_sharing.h"
 
@@ -19,61 +20,11 @@ constexpr int candidates_without_path = 16;
 constexpr int candidates_with_path = 400;
 /// Every variant gets at least this many starts, however many variants there are.
 constexpr int least_starts_of_variant = 4;
-/// Designs whose dimensions agree to this are one optimum.
-constexpr double same_within = 1e-5;
-/// Objectives that agree to this (or to this part of the problem's scale) are equally good.
-constexpr double same_objective_within = 1e-7;
-
 struct Slot {
     std::optional<Solution> solution;
     long evaluations = 0;
     bool done = false;
 };
-
-bool same_design(const Problem& problem, const Design& a, const Design& b) {
-    if (a.assembly != b.assembly) return false;
-    double size = 0;
-    for (std::size_t i = 0; i < a.dimensions.size(); ++i)
-        if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
-            size = std::max({size, a.dimensions[i], b.dimensions[i]});
-    for (std::size_t i = 0; i < a.dimensions.size(); ++i) {
-        const bool is_angle = problem.mechanism->dimensions[i].kind == DimensionKind::angle;
-        const double difference = a.dimensions[i] - b.dimensions[i];
-        if (is_angle ? std::abs(std::sin(difference / 2)) > same_within : std::abs(difference) > same_within * size)
-            return false;
-    }
-    return true;
-}
-
-/// Distinct optima in order of preference; equal ones keep the order of their starts.
-std::vector<Solution> distinct(const Problem& problem, const std::vector<Slot>& slots, SearchReport& report) {
-    std::vector<const Solution*> all;
-    for (const Slot& slot : slots)
-        if (slot.solution) all.push_back(&*slot.solution);
-    std::stable_sort(all.begin(), all.end(),
-                     [&](const Solution* a, const Solution* b) { return preferred(problem, *a, *b); });
-    std::vector<Solution> optima;
-    for (const Solution* s : all) {
-        const bool known = std::any_of(optima.begin(), optima.end(),
-                                       [&](const Solution& o) { return same_design(problem, o.design, s->design); });
-        if (!known) optima.push_back(*s);
-        const bool as_good = s->feasible && std::abs(s->objective - optima.front().objective) <=
-                                                same_objective_within * std::abs(optima.front().objective);
-        if (as_good) ++report.hits;
-    }
-    report.local_optima =
-        static_cast<int>(std::count_if(optima.begin(), optima.end(), [](const Solution& s) { return s.feasible; }));
-    return optima;
-}
-
-/// Expected share of starts that lead to optima not yet seen, from the number of searches and of distinct optima
-/// (Boender and Rinnooy Kan 1987).
-double unseen_share(int searches, int optima) {
-    const double n = searches;
-    const double w = optima;
-    if (searches < 2) return 1;
-    return std::min(1.0, w * (w + 1) / (n * (n - 1)));
-}
 
 LocalOutcome search(const Program& program, const Eigen::VectorXd& start, LocalMethod method,
                     const LocalLimits& limits) {
@@ -154,8 +105,10 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
         result.report.evaluations += slot.evaluations;
         result.stopped = result.stopped || !slot.done;
     }
-    result.optima = distinct(problem, slots, result.report);
-    result.report.missed_chance = unseen_share(result.report.starts, result.report.local_optima);
+    std::vector<const Solution*> found;
+    for (const Slot& slot : slots)
+        if (slot.solution) found.push_back(&*slot.solution);
+    result.optima = distinct_optima(problem, found, result.report);
     return result;
 }
 

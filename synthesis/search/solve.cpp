@@ -9,6 +9,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/report/document.h"
 #include "synthesis/search/multistart.h"
+#include "synthesis/search/path_search.h"
 #include "synthesis/verify/verify.h"
 
 namespace mechwright {
@@ -83,21 +84,39 @@ Found with_ipopt(const Problem& problem, const RunOptions& options, Clock::time_
     return search("ipopt", ipopt, problem, options, deadline);
 }
 
+Found with_least_squares(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    Multistart m = path_search(problem, options, deadline);
+    Found found{std::move(m.optima), m.report, false, m.stopped,
+                "no kind of motion of this mechanism has all the quantities that the problem names"};
+    found.report.method = "least-squares";
+    return found;
+}
+
+std::string why_no_least_squares(const Problem& problem) {
+    const std::string why = why_no_path_search(problem);
+    return why.empty() ? why_no_search(problem) : why;
+}
+
 Found automatic(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     if (why_no_closed_form(problem).empty()) {
         Found found = closed_form(problem, options, deadline);
         if (found.report.complete) return found;
     }
+    if (why_no_path_search(problem).empty()) return with_least_squares(problem, options, deadline);
     return with_slsqp(problem, options, deadline);
 }
 
-constexpr std::array<Method, 4> methods{{
-    {"auto", "a closed form where one covers the problem, else slsqp", why_no_search, automatic},
+constexpr std::array<Method, 5> methods{{
+    {"auto", "a closed form where one covers the problem, least-squares for a path, else slsqp", why_no_search,
+     automatic},
     {"closed-form",
      "crank-rockers of given swing and time ratio, slider-cranks, crank shapers and Whitworth drives of given time "
      "ratio "
      "and stroke, with the best transmission angle; the smallest cams: the global optimum",
      why_no_closed_form, closed_form},
+    {"least-squares",
+     "paths: candidates screened many at a time, Levenberg-Marquardt from the best; slsqp where limits are active",
+     why_no_least_squares, with_least_squares},
     {"slsqp", "sequential quadratic programming (NLopt) from many starts, exact gradients, Newton polish",
      why_no_search, with_slsqp},
     {"ipopt", "interior point (Ipopt) from many starts, exact Hessians, Newton polish; one thread", why_no_search,

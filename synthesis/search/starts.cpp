@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "synthesis/search/low_discrepancy.h"
+#include "synthesis/search/path_timing.h"
 
 namespace mechwright {
 
@@ -30,28 +31,10 @@ double sampled(const Variable& v, DimensionKind kind, double u) {
     return low * std::pow(v.upper / low, u);
 }
 
-/// Crank angles along an untimed path: a start, a span, and steps that follow the distances between the points.
-void sample_path_angles(const Program& program, double start, double span, VectorXd& x) {
-    const std::size_t n = program.targets.size();
-    std::vector<double> along(n, 0.0);
-    for (std::size_t i = 1; i < n; ++i)
-        along[i] = along[i - 1] + std::hypot(program.targets[i].x - program.targets[i - 1].x,
-                                             program.targets[i].y - program.targets[i - 1].y);
-    const PathTarget& path = *program.problem->path;
-    constexpr double turn = 2 * std::numbers::pi;
-    double whole = (0.1 + 0.85 * span) * turn;
-    const bool meets = along[n - 1] > 0 && program.targets.front().x == program.targets.back().x &&
-                       program.targets.front().y == program.targets.back().y;
-    if (meets)
-        whole = turn;
-    else if (path.closed)
-        whole = turn * static_cast<double>(n - 1) / static_cast<double>(n);
-    const double first = (start - 0.5) * turn;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double even = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0;
-        const double part = along[n - 1] > 0 ? 0.5 * (along[i] / along[n - 1] + even) : even;
-        x[static_cast<Index>(program.first_path_angle + i)] = first + program.variant.direction * whole * part;
-    }
+void set_path_angles(const Program& program, const PathTiming& timing, VectorXd& x) {
+    const std::vector<double> angles = path_angles(program, timing);
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        x[static_cast<Index>(program.first_path_angle + i)] = angles[i];
 }
 
 /// Sum of violations of the rows that are linear in the variables alone: conditions of motion, order.
@@ -186,7 +169,7 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
 
     if (index == 0) {
         VectorXd x = program.reference;
-        if (program.untimed_path()) sample_path_angles(program, 0.5, 0.5, x);
+        if (program.untimed_path()) set_path_angles(program, {0.5, 0.5, 0.5, 0, 0}, x);
         consider(std::move(x));
     }
     // Candidates that miss the conditions of motion are used only where none meets them.
@@ -201,7 +184,8 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
                 x[program.variable_of[i]] = sampled(program.variables[static_cast<std::size_t>(program.variable_of[i])],
                                                     kind_of(program, i), sequence(k, i));
         if (program.untimed_path())
-            sample_path_angles(program, sequence(k, sampled_dimensions - 2), sequence(k, sampled_dimensions - 1), x);
+            set_path_angles(program,
+                            {sequence(k, sampled_dimensions - 2), sequence(k, sampled_dimensions - 1), 0.5, 0, 0}, x);
         const double missed = linear_violation(program, x);
         if (missed == 0) {
             ++accepted;

@@ -204,8 +204,11 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
     if (const Json* timing = member(*json, "timing")) {
         const std::string name = in.text(timing, "path.timing");
         path.prescribed_timing = name == "prescribed";
-        if (name != "prescribed" && name != "free") in.fail("path.timing is neither free nor prescribed");
+        path.any_order = name == "none";
+        if (name != "prescribed" && name != "free" && name != "none")
+            in.fail("path.timing is not one of free, prescribed and none");
     }
+    if (const Json* closed = member(*json, "closed")) path.closed = in.flag(closed, "path.closed");
     path.weights.assign(count, 1.0);
     if (const Json* weights = member(*json, "weights"))
         path.weights = in.numbers(weights, "path.weights", most_points, false);

@@ -46,6 +46,8 @@ struct ClaimedObjective {
 struct ClaimedPath {
     std::vector<Vector<double>> points;
     bool prescribed_timing = false;
+    bool any_order = false;
+    bool closed = false;
     std::vector<double> weights;
     std::vector<double> prescribed_angles;
     std::vector<Vector<double>> reached;

@@ -45,6 +45,12 @@ std::string Reader::text(const Json* json, const std::string& place) {
     return {};
 }
 
+bool Reader::flag(const Json* json, const std::string& place) {
+    if (json && json->is_boolean()) return json->get<bool>();
+    fail(place + " is not true or false");
+    return false;
+}
+
 double Reader::number(const Json* json, const std::string& place) {
     if (!json) {
         fail(place + " is missing");

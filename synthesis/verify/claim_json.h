@@ -29,6 +29,7 @@ struct Reader {
     /// Whether it is an array of at most so many entries.
     bool array(const Json* json, const std::string& place, std::size_t most);
     std::string text(const Json* json, const std::string& place);
+    bool flag(const Json* json, const std::string& place);
     /// A finite number.
     double number(const Json* json, const std::string& place);
     std::optional<double> optional_number(const Json* json, const std::string& place);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <vector>
 
 namespace mechwright {
 
@@ -11,6 +13,8 @@ namespace {
 
 constexpr double angular = 1e-9;      // radians, of stated crank angles
 constexpr double least_step = 1e-12;  // radians from point to point
+
+double plain(const Digits50& value) { return value.convert_to<double>(); }
 
 std::string nth(std::size_t index) { return fmt::format("point {}", index + 1); }
 
@@ -105,6 +109,12 @@ std::vector<Range> sweeps(const Rebuilt& design) {
         return {{start + from_document(*least, Unit::angle, design.claim->units),
                  start + from_document(*greatest, Unit::angle, design.claim->units)}};
     }
+    if (path.any_order) {
+        if (design.motion.full_turn) return {{0, full_turn()}};
+        const auto [least, greatest] =
+            std::minmax_element(design.path->crank_angles.begin(), design.path->crank_angles.end());
+        return {{*least, *greatest}};
+    }
     const Vector<double>&first = path.points.front(), &last = path.points.back();
     const bool ends_meet = path.points.size() > 2 && first.x == last.x && first.y == last.y;
     std::vector<Range> possible;
@@ -116,6 +126,44 @@ std::vector<Range> sweeps(const Rebuilt& design) {
 std::string shown_range(const Rebuilt& design, const Range& range) {
     return fmt::format("crank angles {} to {}", shown(range.from, Unit::angle, design.claim->units),
                        shown(range.to, Unit::angle, design.claim->units));
+}
+
+/// Samples of the curve, refined where they come closest, find no point nearer to a target than is stated.
+Check check_nearest(const Rebuilt& design) {
+    const Claim& claim = *design.claim;
+    Check check{"every point counts by the nearest point of the curve", true, {}};
+    const Motion& motion = design.motion;
+    const double from = motion.full_turn ? 0 : motion.from;
+    const double to = motion.full_turn ? plain(full_turn()) : motion.to;
+    const auto reached = [&](double angle) {
+        return claim.mechanism->path_point(claim.assembly, design.dimensions, Digits50(angle));
+    };
+    constexpr int steps = 720;
+    std::vector<Vector<double>> curve;
+    for (int i = 0; i <= steps; ++i) {
+        const Vector<Digits50> p = reached(from + i * (to - from) / steps);
+        curve.push_back({plain(p.x), plain(p.y)});
+    }
+    for (std::size_t i = 0; i < claim.path->points.size(); ++i) {
+        const Vector<double>& target = claim.path->points[i];
+        const auto away = [&](const Vector<double>& p) { return std::hypot(p.x - target.x, p.y - target.y); };
+        const auto nearest = std::min_element(curve.begin(), curve.end(), [&](const auto& a, const auto& b) {
+            return away(a) < away(b);  // a sample that does not assemble is never the nearest
+        });
+        const double stated = plain(design.path->distances[i]);
+        if (stated <= away(*nearest) + angular * plain(design.path->size)) continue;
+        check.passed = false;
+        check.detail =
+            fmt::format("{} is {:.15g} away, a point of the curve only {:.15g}", nth(i), stated, away(*nearest));
+        return check;
+    }
+    check.detail = fmt::format("{} points of the curve are not closer", steps + 1);
+    return check;
+}
+
+Check check_closed(const Rebuilt& design) {
+    const bool passed = design.claim->mechanism->motion(design.rounded, design.claim->assembly, nullptr).full_turn;
+    return {"the crank goes round the closed path", passed, passed ? "it turns fully" : "it does not turn fully"};
 }
 
 Check check_order(const Rebuilt& design, const std::vector<Range>& possible) {
@@ -154,7 +202,10 @@ std::vector<Check> check_path(const Rebuilt& design) {
                              path.crank_angles.size(), path.reached.size(), path.distances.size())}};
     std::vector<Check> checks{check_reached(path, *design.path), check_distances(path, *design.path)};
     const auto possible = sweeps(design);
-    checks.push_back(path.prescribed_timing ? check_prescribed(design) : check_order(design, possible));
+    checks.push_back(path.prescribed_timing ? check_prescribed(design)
+                     : path.any_order       ? check_nearest(design)
+                                            : check_order(design, possible));
+    if (path.closed) checks.push_back(check_closed(design));
     checks.push_back(check_sweep(design, possible));
     return checks;
 }

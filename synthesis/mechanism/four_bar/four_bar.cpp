@@ -7,6 +7,7 @@
 #include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/mechanism/four_bar/measure_again.h"
+#include "synthesis/mechanism/four_bar/screening.h"
 
 namespace mechwright {
 
@@ -176,6 +177,7 @@ const Mechanism& four_bar_mechanism() {
                                      .path_reads = CouplerPath::reads,
                                      .path_roles = {4, 5, 6, 7, 8, 9},
                                      .path_miss = path_miss_by<CouplerPath>,
+                                     .path_screening = four_bar_screening,
                                      .path_point = four_bar_path_point,
                                      .motion_columns = motion_columns,
                                      .motion_units = motion_units,

@@ -1,0 +1,195 @@
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "synthesis/local/local.h"
+
+namespace mechwright {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// A sum of squares below this part of its start, or a gain below that part of the sum, is rounding.
+constexpr double rounding = 1e-30;
+constexpr double least_gain = 1e-13;
+constexpr int most_small_gains = 3;
+
+/// The point reached, with what the next step needs.
+struct Place {
+    VectorXd x;
+    PathResiduals residuals;
+    double sum = unlimited;
+};
+
+/// Variables that a step may change: not those at a bound that descent would leave.
+struct Free {
+    std::vector<Index> dimensions;
+    std::vector<bool> angle;  ///< by point
+};
+
+struct Fit {
+    const Program& program;
+    Index points;
+    Index dimensions;
+    bool untimed;
+    VectorXd scale;        ///< of the dimension variables: the greatest norms of their columns so far
+    VectorXd angle_scale;  ///< of the crank angles
+    MatrixXd stacked;      ///< rows of the linear problem, right-hand side last
+    Eigen::HouseholderQR<MatrixXd> qr;
+
+    explicit Fit(const Program& p)
+        : program(p),
+          points(static_cast<Index>(p.targets.size())),
+          dimensions(static_cast<Index>(p.dimension_variables)),
+          untimed(p.untimed_path()),
+          scale(VectorXd::Zero(dimensions)),
+          angle_scale(VectorXd::Zero(untimed ? points : 0)) {}
+
+    Index angle_variable(Index point) const { return static_cast<Index>(program.first_path_angle) + point; }
+
+    void update_scales(const PathResiduals& r) {
+        for (Index k = 0; k < dimensions; ++k)
+            scale[k] = std::max(scale[k], r.jacobian.col(k).norm());
+        for (Index i = 0; i < angle_scale.size(); ++i)
+            angle_scale[i] = std::max(angle_scale[i], r.by_angle.segment<2>(2 * i).norm());
+    }
+
+    bool held(Index variable, double x, double slope) const {
+        const Variable& v = program.variables[static_cast<std::size_t>(variable)];
+        return (x <= v.lower && slope > 0) || (x >= v.upper && slope < 0);
+    }
+
+    Free free_variables(const Place& at) const {
+        Free free;
+        const VectorXd slope = at.residuals.jacobian.transpose() * at.residuals.value;
+        for (Index k = 0; k < dimensions; ++k)
+            if (!held(k, at.x[k], slope[k]) && scale[k] > 0) free.dimensions.push_back(k);
+        for (Index i = 0; i < angle_scale.size(); ++i) {
+            const double s = at.residuals.by_angle.segment<2>(2 * i).dot(at.residuals.value.segment<2>(2 * i));
+            free.angle.push_back(!held(angle_variable(i), at.x[angle_variable(i)], s) && angle_scale[i] > 0);
+        }
+        return free;
+    }
+
+    /// The step that makes the linearised residuals least, with steps in scaled variables weighed by root(damping).
+    VectorXd step(const Place& at, const Free& free, double damping) {
+        const auto n = static_cast<Index>(free.dimensions.size());
+        const double root = std::sqrt(damping);
+        const Index per_point = untimed ? 3 : 2;
+        stacked.setZero(per_point * points + n, n + 1);
+        // Rows that give each free angle once the dimensions are known, and what multiplies it there.
+        MatrixXd angle_rows(angle_scale.size(), n + 1);
+        VectorXd angle_pivots(angle_scale.size());
+        for (Index i = 0; i < points; ++i) {
+            auto rows = stacked.middleRows(per_point * i, per_point);
+            for (Index c = 0; c < 2; ++c) {
+                for (Index k = 0; k < n; ++k)
+                    rows(c, k) = at.residuals.jacobian(2 * i + c, free.dimensions[static_cast<std::size_t>(k)]);
+                rows(c, n) = -at.residuals.value[2 * i + c];
+            }
+            if (!untimed || !free.angle[static_cast<std::size_t>(i)]) continue;
+            // A reflection that turns the column of the angle into its first component; the other rows are rid of it.
+            const Vector3d column(at.residuals.by_angle[2 * i], at.residuals.by_angle[2 * i + 1],
+                                  root * angle_scale[i]);
+            const double size = column.norm();
+            Vector3d axis = column;
+            axis[0] += std::copysign(size, column[0]);
+            const double per = 2 / axis.squaredNorm();
+            for (Index k = 0; k <= n; ++k) {
+                const double part = per * axis.dot(rows.col(k));
+                rows.col(k) -= part * axis;
+            }
+            angle_pivots[i] = -std::copysign(size, column[0]);
+            angle_rows.row(i) = rows.row(0);
+            rows.row(0).setZero();
+        }
+        for (Index k = 0; k < n; ++k)
+            stacked(per_point * points + k, k) = root * scale[free.dimensions[static_cast<std::size_t>(k)]];
+
+        qr.compute(stacked.leftCols(n));
+        VectorXd right = stacked.col(n);
+        right.applyOnTheLeft(qr.householderQ().adjoint());
+        const VectorXd solved = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>().solve(right.head(n));
+
+        VectorXd change = VectorXd::Zero(at.x.size());
+        for (Index k = 0; k < n; ++k)
+            change[free.dimensions[static_cast<std::size_t>(k)]] = solved[k];
+        for (Index i = 0; i < angle_scale.size(); ++i)
+            if (free.angle[static_cast<std::size_t>(i)])
+                change[angle_variable(i)] =
+                    (angle_rows(i, n) - angle_rows.row(i).head(n).dot(solved)) / angle_pivots[i];
+        return change;
+    }
+
+    VectorXd within_bounds(VectorXd x) const {
+        for (Index i = 0; i < x.size(); ++i) {
+            const Variable& v = program.variables[static_cast<std::size_t>(i)];
+            x[i] = std::clamp(x[i], v.lower, v.upper);
+        }
+        return x;
+    }
+
+    /// The sum of squares that the linearised residuals promise after a change.
+    double promised(const Place& at, const VectorXd& change) const {
+        VectorXd r = at.residuals.value + at.residuals.jacobian * change.head(dimensions);
+        for (Index i = 0; i < angle_scale.size(); ++i)
+            r.segment<2>(2 * i) += change[angle_variable(i)] * at.residuals.by_angle.segment<2>(2 * i);
+        return r.squaredNorm();
+    }
+};
+
+}  // namespace
+
+LocalOutcome levenberg_marquardt(const Program& program, const VectorXd& start, const LocalLimits& limits) {
+    LocalOutcome outcome;
+    Fit fit(program);
+    Place at{fit.within_bounds(start), {}, unlimited};
+    Place next;
+    double damping = 1e-2;
+    double growth = 2;
+    int small_gains = 0;
+    bool known = path_residuals(program, at.x, true, at.residuals);
+    outcome.evaluations = 1;
+    if (known) at.sum = at.residuals.value.squaredNorm();
+    const double negligible = known ? rounding * at.sum : 0;
+    while (known && !limits.reached() && outcome.evaluations < limits.most_evaluations && at.sum > negligible &&
+           small_gains < most_small_gains && damping < 1e20) {
+        fit.update_scales(at.residuals);
+        const Free free = fit.free_variables(at);
+        while (outcome.evaluations < limits.most_evaluations && damping < 1e20) {
+            next.x = fit.within_bounds(at.x + fit.step(at, free, damping));
+            const double promised = fit.promised(at, next.x - at.x);
+            known = next.x.allFinite() && path_residuals(program, next.x, true, next.residuals);
+            ++outcome.evaluations;
+            next.sum = known ? next.residuals.value.squaredNorm() : unlimited;
+            if (next.sum < at.sum) break;
+            damping *= growth;
+            growth *= 2;
+            if (at.sum - promised <= least_gain * at.sum) damping = unlimited;
+            if (limits.reached()) break;
+        }
+        known = true;
+        if (!(next.sum < at.sum)) break;
+        const double gain = (at.sum - next.sum) / (at.sum - fit.promised(at, next.x - at.x));
+        damping *= std::clamp(1 - std::pow(2 * gain - 1, 3), 1.0 / 9, 2.0);
+        damping = std::max(damping, 1e-14);
+        growth = 2;
+        small_gains = at.sum - next.sum <= least_gain * at.sum ? small_gains + 1 : 0;
+        std::swap(at, next);
+    }
+    if (!(at.sum < unlimited)) return outcome;
+    settle_epigraphs(program, at.x);
+    ProgramValues values;
+    evaluate(program, at.x, false, values);
+    outcome.x = at.x;
+    outcome.objective = at.sum;
+    outcome.violation = violation(program, at.x, values);
+    return outcome;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// The points of a guided curve nearest to the targets of a path without timing.
+
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+/// Sets the crank angle of each target to that of the nearest point of the whole curve: the best of all local minima of
+/// the distance, each bracketed between samples and located to rounding. Angles stay as they are where the mechanism
+/// assembles nowhere.
+void meet_nearest_points(const Problem& problem, Design& design);
+
+}  // namespace mechwright

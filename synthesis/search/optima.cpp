@@ -1,0 +1,61 @@
+#include "synthesis/search/optima.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/program/assess.h"
+
+namespace mechwright {
+
+namespace {
+
+/// Designs whose dimensions agree to this are one optimum.
+constexpr double same_within = 1e-5;
+/// Objectives that agree to this (or to this part of the problem's scale) are equally good.
+constexpr double same_objective_within = 1e-7;
+
+bool same_design(const Problem& problem, const Design& a, const Design& b) {
+    if (a.assembly != b.assembly) return false;
+    double size = 0;
+    for (std::size_t i = 0; i < a.dimensions.size(); ++i)
+        if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
+            size = std::max({size, a.dimensions[i], b.dimensions[i]});
+    for (std::size_t i = 0; i < a.dimensions.size(); ++i) {
+        const bool is_angle = problem.mechanism->dimensions[i].kind == DimensionKind::angle;
+        const double difference = a.dimensions[i] - b.dimensions[i];
+        if (is_angle ? std::abs(std::sin(difference / 2)) > same_within : std::abs(difference) > same_within * size)
+            return false;
+    }
+    return true;
+}
+
+/// Expected share of starts that lead to optima not yet seen, from the number of searches and of distinct optima
+/// (Boender and Rinnooy Kan 1987).
+double unseen_share(int searches, int optima) {
+    const double n = searches;
+    const double w = optima;
+    if (searches < 2) return 1;
+    return std::min(1.0, w * (w + 1) / (n * (n - 1)));
+}
+
+}  // namespace
+
+std::vector<Solution> distinct_optima(const Problem& problem, std::vector<const Solution*> all, SearchReport& report) {
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const Solution* a, const Solution* b) { return preferred(problem, *a, *b); });
+    std::vector<Solution> optima;
+    for (const Solution* s : all) {
+        const bool known = std::any_of(optima.begin(), optima.end(),
+                                       [&](const Solution& o) { return same_design(problem, o.design, s->design); });
+        if (!known) optima.push_back(*s);
+        const bool as_good = s->feasible && std::abs(s->objective - optima.front().objective) <=
+                                                same_objective_within * std::abs(optima.front().objective);
+        if (as_good) ++report.hits;
+    }
+    report.local_optima =
+        static_cast<int>(std::count_if(optima.begin(), optima.end(), [](const Solution& s) { return s.feasible; }));
+    report.missed_chance = unseen_share(report.starts, report.local_optima);
+    return optima;
+}
+
+}  // namespace mechwright

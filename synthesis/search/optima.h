@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// What many local searches ended at: the distinct optima among it, and what that says of those not seen.
+
+#include <vector>
+
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+/// Distinct optima in order of preference; equal ones keep the order in which they are given. Fills in the report how
+/// many there are, how often the best was hit and, from `report.starts`, the estimated chance that a better one was
+/// missed.
+std::vector<Solution> distinct_optima(const Problem& problem, std::vector<const Solution*> all, SearchReport& report);
+
+}  // namespace mechwright

@@ -1,0 +1,237 @@
+#include "synthesis/search/path_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <optional>
+
+#include "synthesis/program/assess.h"
+#include "synthesis/program/nearest_point.h"
+#include "synthesis/search/optima.h"
+#include "synthesis/search/starts.h"
+#include "synthesis/search/work_sharing.h"
+
+namespace mechwright {
+
+namespace {
+
+using Eigen::VectorXd;
+
+/// Groups of eight candidates screened for each short search, and the short searches for each one that is run to its
+/// end.
+constexpr int groups_per_short_search = 24;
+constexpr int short_searches_per_start = 6;
+constexpr int evaluations_of_short_search = 25;
+constexpr int evaluations_of_whole_search = 600;
+/// Sums of squares that agree to this part are taken for the same optimum before it is looked at closely.
+constexpr double same_sum_within = 1e-3;
+/// Times that the points of a path in any order are matched anew with the nearest points of the curve.
+constexpr int most_passes = 4;
+/// Optima of a round that are polished; and the greatest program for which the polish is quick.
+constexpr int most_polished = 8;
+constexpr std::size_t most_polished_variables = 60;
+/// The search ends once the best design was hit this often, and not before this many rounds.
+constexpr int enough_hits = 8;
+constexpr int least_rounds = 1;
+constexpr int most_rounds = 12;
+/// Points met to this part of the path's size are met exactly.
+constexpr double exact_within = 1e-13;
+
+struct Trial {
+    std::size_t program = 0;
+    VectorXd start;
+    LocalOutcome outcome;
+};
+
+bool only_the_path_counts(const Problem& problem) {
+    return problem.requirements.empty() && problem.objective && problem.objective->terms.size() == 1 &&
+           !problem.objective->terms.front().maximize &&
+           (problem.mechanism->quantities[problem.objective->terms.front().quantity].path ==
+                PathMeasure::sum_of_squares ||
+            problem.mechanism->quantities[problem.objective->terms.front().quantity].path ==
+                PathMeasure::root_mean_square);
+}
+
+double path_size(const Program& program) {
+    double size = 0;
+    for (const Vector<double>& p : program.targets)
+        size = std::max(size, std::hypot(p.x - program.targets.front().x, p.y - program.targets.front().y));
+    return size;
+}
+
+/// All the state of one run.
+struct Search {
+    const Problem& problem;
+    const RunOptions& options;
+    std::vector<Program> programs;
+    LocalLimits limits;
+    bool least_squares;  ///< the sum of squares is all that counts
+    std::vector<Solution> found;
+    SearchReport report;
+    bool exact = false;
+
+    Search(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline)
+        : problem(p), options(o), least_squares(only_the_path_counts(p)) {
+        for (const Variant& variant : variants(p))
+            programs.push_back(build_program(p, variant));
+        limits.deadline = deadline;
+        limits.stop = o.stop;
+    }
+
+    /// The best starts of every variant, each taken a little way.
+    std::vector<Trial> short_searches(int round) {
+        const auto variants_count = static_cast<int>(programs.size());
+        const int each = std::max(1, short_searches_per_start * problem.solver.starts / variants_count);
+        // Tasks of a few starts each, so that the work can be shared evenly.
+        constexpr int per_task = 4;
+        const int tasks_per_variant = (each + per_task - 1) / per_task;
+        std::vector<std::vector<Trial>> tried(static_cast<std::size_t>(tasks_per_variant * variants_count));
+        LocalLimits few = limits;
+        few.most_evaluations = evaluations_of_short_search;
+        share_work(static_cast<int>(tried.size()), options.jobs, [&](int task) {
+            if (limits.reached()) return;
+            const auto p = static_cast<std::size_t>(task % variants_count);
+            const int number = round * tasks_per_variant + task / variants_count;
+            for (VectorXd& start : screened_starts(programs[p], problem.solver.seed, number,
+                                                   per_task * groups_per_short_search, per_task)) {
+                Trial trial{p, std::move(start), {}};
+                trial.outcome = levenberg_marquardt(programs[p], trial.start, few);
+                if (trial.outcome.x.size() > 0) tried[static_cast<std::size_t>(task)].push_back(std::move(trial));
+            }
+        });
+        std::vector<Trial> all;
+        for (auto& some : tried)
+            std::move(some.begin(), some.end(), std::back_inserter(all));
+        std::stable_sort(all.begin(), all.end(),
+                         [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
+        for (const Trial& trial : all)
+            report.evaluations += trial.outcome.evaluations;
+        return all;
+    }
+
+    /// The most promising ones run to their end, best first.
+    void run_to_end(std::vector<Trial>& trials) {
+        trials.resize(std::min(trials.size(), static_cast<std::size_t>(problem.solver.starts)));
+        LocalLimits whole = limits;
+        whole.most_evaluations = evaluations_of_whole_search;
+        share_work(static_cast<int>(trials.size()), options.jobs, [&](int i) {
+            Trial& trial = trials[static_cast<std::size_t>(i)];
+            if (limits.reached()) return;
+            const Program& program = programs[trial.program];
+            for (int pass = 0; pass < (problem.path->any_order ? most_passes : 1); ++pass) {
+                LocalOutcome outcome = levenberg_marquardt(program, trial.outcome.x, whole);
+                outcome.evaluations += trial.outcome.evaluations;
+                if (outcome.x.size() == 0) break;
+                const bool settled = pass > 0 && outcome.objective > (1 - same_sum_within) * trial.outcome.objective;
+                trial.outcome = std::move(outcome);
+                if (!problem.path->any_order || settled) break;
+                Design design = design_at(program, trial.outcome.x);
+                meet_nearest_points(problem, design);
+                trial.outcome.x = point_of(program, design);
+            }
+        });
+        for (const Trial& trial : trials)
+            report.evaluations += trial.outcome.evaluations;
+        report.starts += static_cast<int>(trials.size());
+        std::stable_sort(trials.begin(), trials.end(),
+                         [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
+    }
+
+    /// The program that has a design among its own: least squares do not look at the kind of motion.
+    const Program& program_of(const Trial& trial, const Design& design) const {
+        const Program& own = programs[trial.program];
+        const Motion motion = problem.mechanism->motion(design.dimensions, design.assembly, nullptr);
+        const auto same = std::find_if(programs.begin(), programs.end(), [&](const Program& p) {
+            return p.variant.assembly == own.variant.assembly && p.variant.direction == own.variant.direction &&
+                   p.variant.family == motion.family;
+        });
+        return same == programs.end() ? own : *same;
+    }
+
+    Solution better(Solution a, Solution b) const { return preferred(problem, b, a) ? std::move(b) : std::move(a); }
+
+    /// The solution near what the method of least squares ended at.
+    Solution finished(const Trial& trial) const {
+        Solution solution = assess(problem, design_at(programs[trial.program], trial.outcome.x));
+        const Program& program = program_of(trial, solution.design);
+        if (least_squares && solution.feasible && program.size() > most_polished_variables) return solution;
+        const VectorXd x = point_of(program, solution.design);
+        const LocalOutcome outcome = polish(program, slsqp(program, x, limits), limits);
+        if (outcome.x.size() == 0) return solution;
+        return better(std::move(solution), assess(problem, design_at(program, outcome.x)));
+    }
+
+    void finish(const std::vector<Trial>& trials) {
+        // Of searches that ended at one sum of squares the first few are looked at closely; the others are counted.
+        std::vector<const Trial*> chosen;
+        std::vector<double> sums;
+        for (const Trial& trial : trials) {
+            const double sum = trial.outcome.objective;
+            const bool known = std::any_of(sums.begin(), sums.end(),
+                                           [&](double s) { return std::abs(sum - s) <= same_sum_within * s; });
+            if (known && least_squares) continue;
+            sums.push_back(sum);
+            chosen.push_back(&trial);
+            if (least_squares && static_cast<int>(chosen.size()) >= most_polished) break;
+        }
+        std::vector<std::optional<Solution>> solutions(chosen.size());
+        share_work(static_cast<int>(chosen.size()), options.jobs, [&](int i) {
+            const auto k = static_cast<std::size_t>(i);
+            if (!limits.reached() || k == 0) solutions[k] = finished(*chosen[k]);
+        });
+        for (auto& solution : solutions)
+            if (solution) found.push_back(std::move(*solution));
+    }
+};
+
+}  // namespace
+
+std::string why_no_path_search(const Problem& problem) {
+    if (!problem.path) return "the problem has no [path]";
+    return {};
+}
+
+Multistart path_search(const Problem& problem, const RunOptions& options,
+                       std::chrono::steady_clock::time_point deadline) {
+    Multistart result;
+    Search search(problem, options, deadline);
+    if (search.programs.empty()) return result;
+    int hits = 0;
+    double least = unlimited;
+    for (int round = 0; round < most_rounds && !search.limits.reached(); ++round) {
+        std::vector<Trial> trials = search.short_searches(round);
+        search.run_to_end(trials);
+        search.finish(trials);
+        for (const Trial& trial : trials) {
+            if (trial.outcome.objective < (1 - same_sum_within) * least) hits = 0;
+            least = std::min(least, trial.outcome.objective);
+            if (trial.outcome.objective <= (1 + same_sum_within) * least) ++hits;
+        }
+        const auto best =
+            std::min_element(search.found.begin(), search.found.end(),
+                             [&](const Solution& a, const Solution& b) { return preferred(problem, a, b); });
+        if (best == search.found.end()) continue;
+        if (options.progress) options.progress(round + 1, most_rounds, best->feasible ? best->objective : NAN);
+        const double size = path_size(search.programs.front());
+        search.exact =
+            search.least_squares && best->feasible &&
+            least <= exact_within * exact_within * size * size * static_cast<double>(problem.path->points.size());
+        if (search.exact || (round + 1 >= least_rounds && hits >= enough_hits && best->feasible)) break;
+    }
+    std::vector<const Solution*> all;
+    for (const Solution& s : search.found)
+        all.push_back(&s);
+    result.report = search.report;
+    result.optima = distinct_optima(problem, all, result.report);
+    if (search.least_squares) result.report.hits = std::max(result.report.hits, hits);
+    result.stopped = search.limits.reached();
+    if (search.exact) {
+        result.report.complete = true;
+        result.report.argument = "the points are met exactly, and no distance is less than zero";
+        result.report.missed_chance = 0;
+    }
+    return result;
+}
+
+}  // namespace mechwright

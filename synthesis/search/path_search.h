@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// The search for coupler paths: candidates screened in lanes, Levenberg and Marquardt's method from the best of them,
+/// and where a limit is active or something besides the path counts, sequential quadratic programming from there.
+
+#include "synthesis/search/multistart.h"
+
+namespace mechwright {
+
+/// Why a problem is not one for this search; empty if it is.
+std::string why_no_path_search(const Problem& problem);
+
+/// Searches in rounds until the points are met exactly, or the best design has been hit often enough, or the rounds are
+/// used up. `problem.solver.starts` searches are run to their end in each round. The result is the same for any number
+/// of jobs.
+Multistart path_search(const Problem& problem, const RunOptions& options,
+                       std::chrono::steady_clock::time_point deadline);
+
+}  // namespace mechwright
