@@ -1,4 +1,4 @@
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -26,6 +26,32 @@ struct Place {
     double sum = unlimited;
 };
 
+/// Reflections (Householder's) that make all columns but the last upper triangular, carried out on the last too. For so
+/// few columns plain loops are several times quicker than a general factorisation.
+void triangularise(MatrixXd& a) {
+    const Index rows = a.rows();
+    for (Index k = 0; k + 1 < a.cols(); ++k) {
+        double* column = a.data() + k * rows;
+        double square = 0;
+        for (Index r = k; r < rows; ++r)
+            square += column[r] * column[r];
+        if (!(square > 0)) continue;
+        const double size = std::copysign(std::sqrt(square), column[k]);
+        column[k] += size;
+        const double per = 1 / (size * column[k]);
+        for (Index c = k + 1; c < a.cols(); ++c) {
+            double* other = a.data() + c * rows;
+            double product = 0;
+            for (Index r = k; r < rows; ++r)
+                product += column[r] * other[r];
+            product *= per;
+            for (Index r = k; r < rows; ++r)
+                other[r] -= product * column[r];
+        }
+        column[k] = -size;
+    }
+}
+
 /// Variables that a step may change: not those at a bound that descent would leave.
 struct Free {
     std::vector<Index> dimensions;
@@ -40,7 +66,6 @@ struct Fit {
     VectorXd scale;        ///< of the dimension variables: the greatest norms of their columns so far
     VectorXd angle_scale;  ///< of the crank angles
     MatrixXd stacked;      ///< rows of the linear problem, right-hand side last
-    Eigen::HouseholderQR<MatrixXd> qr;
 
     explicit Fit(const Program& p)
         : program(p),
@@ -111,10 +136,9 @@ struct Fit {
         for (Index k = 0; k < n; ++k)
             stacked(per_point * points + k, k) = root * scale[free.dimensions[static_cast<std::size_t>(k)]];
 
-        qr.compute(stacked.leftCols(n));
-        VectorXd right = stacked.col(n);
-        right.applyOnTheLeft(qr.householderQ().adjoint());
-        const VectorXd solved = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>().solve(right.head(n));
+        triangularise(stacked);
+        const VectorXd solved =
+            stacked.topLeftCorner(n, n).triangularView<Eigen::Upper>().solve(stacked.col(n).head(n));
 
         VectorXd change = VectorXd::Zero(at.x.size());
         for (Index k = 0; k < n; ++k)

@@ -9,7 +9,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/nearest_point.h"
 #include "synthesis/search/optima.h"
-#include "synthesis/search/starts.h"
+#include "synthesis/search/screened_starts.h"
 #include "synthesis/search/work_sharing.h"
 
 namespace mechwright {
@@ -23,18 +23,27 @@ using Eigen::VectorXd;
 constexpr int groups_per_short_search = 24;
 constexpr int short_searches_per_start = 6;
 constexpr int evaluations_of_short_search = 25;
+constexpr int evaluations_of_long_search = 100;
 constexpr int evaluations_of_whole_search = 600;
+/// Of the searches of a round so many are the best that are run to the very end.
+constexpr std::size_t most_whole_searches = 12;
 /// Sums of squares that agree to this part are taken for the same optimum before it is looked at closely.
 constexpr double same_sum_within = 1e-3;
+/// Of short searches whose sums agree to this part no more than so many are run to their end.
+constexpr double same_basin_within = 1e-2;
+constexpr int most_alike = 4;
 /// Times that the points of a path in any order are matched anew with the nearest points of the curve.
 constexpr int most_passes = 4;
 /// Optima of a round that are polished; and the greatest program for which the polish is quick.
-constexpr int most_polished = 8;
+constexpr int most_polished = 4;
 constexpr std::size_t most_polished_variables = 60;
+constexpr int evaluations_of_great_program = 60;
 /// The search ends once the best design was hit this often, and not before this many rounds.
-constexpr int enough_hits = 8;
-constexpr int least_rounds = 1;
-constexpr int most_rounds = 12;
+constexpr int enough_hits = 10;
+constexpr int least_rounds = 2;
+/// A round has as many starts as the problem asks for, but no more than this; and with them come so many rounds.
+constexpr int most_starts_of_round = 32;
+constexpr int rounds_for_starts = 12;
 /// Points met to this part of the path's size are met exactly.
 constexpr double exact_within = 1e-13;
 
@@ -65,16 +74,26 @@ struct Search {
     const Problem& problem;
     const RunOptions& options;
     std::vector<Program> programs;
+    std::vector<ScreenedStarts> starts;  ///< by program
     LocalLimits limits;
     bool least_squares;  ///< the sum of squares is all that counts
     std::vector<Solution> found;
+    std::optional<Solution> best;
     SearchReport report;
     bool exact = false;
+    int starts_of_round;
+    int most_rounds;
 
     Search(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline)
-        : problem(p), options(o), least_squares(only_the_path_counts(p)) {
+        : problem(p),
+          options(o),
+          least_squares(only_the_path_counts(p)),
+          starts_of_round(std::min(p.solver.starts, most_starts_of_round)),
+          most_rounds(rounds_for_starts * ((p.solver.starts + most_starts_of_round - 1) / most_starts_of_round)) {
         for (const Variant& variant : variants(p))
             programs.push_back(build_program(p, variant));
+        for (const Program& program : programs)
+            starts.emplace_back(program, p.solver.seed);
         limits.deadline = deadline;
         limits.stop = o.stop;
     }
@@ -82,7 +101,7 @@ struct Search {
     /// The best starts of every variant, each taken a little way.
     std::vector<Trial> short_searches(int round) {
         const auto variants_count = static_cast<int>(programs.size());
-        const int each = std::max(1, short_searches_per_start * problem.solver.starts / variants_count);
+        const int each = std::max(1, short_searches_per_start * starts_of_round / variants_count);
         // Tasks of a few starts each, so that the work can be shared evenly.
         constexpr int per_task = 4;
         const int tasks_per_variant = (each + per_task - 1) / per_task;
@@ -93,8 +112,7 @@ struct Search {
             if (limits.reached()) return;
             const auto p = static_cast<std::size_t>(task % variants_count);
             const int number = round * tasks_per_variant + task / variants_count;
-            for (VectorXd& start : screened_starts(programs[p], problem.solver.seed, number,
-                                                   per_task * groups_per_short_search, per_task)) {
+            for (VectorXd& start : starts[p].of_round(number, per_task * groups_per_short_search, per_task)) {
                 Trial trial{p, std::move(start), {}};
                 trial.outcome = levenberg_marquardt(programs[p], trial.start, few);
                 if (trial.outcome.x.size() > 0) tried[static_cast<std::size_t>(task)].push_back(std::move(trial));
@@ -110,18 +128,39 @@ struct Search {
         return all;
     }
 
+    /// The most promising ones, of those that have come to about the same sum of squares only the first few.
+    void keep_different(std::vector<Trial>& trials) const {
+        std::vector<Trial> kept;
+        int alike = 0;
+        for (Trial& trial : trials) {
+            if (static_cast<int>(kept.size()) >= starts_of_round) break;
+            const bool same =
+                !kept.empty() && trial.outcome.objective <= (1 + same_basin_within) * kept.back().outcome.objective;
+            alike = same ? alike + 1 : 1;
+            if (alike <= most_alike) kept.push_back(std::move(trial));
+        }
+        trials = std::move(kept);
+    }
+
     /// The most promising ones run to their end, best first.
     void run_to_end(std::vector<Trial>& trials) {
-        trials.resize(std::min(trials.size(), static_cast<std::size_t>(problem.solver.starts)));
+        keep_different(trials);
+        go_on(trials, evaluations_of_long_search);
+        report.starts += static_cast<int>(trials.size());
+        trials.resize(std::min(trials.size(), most_whole_searches));
+        go_on(trials, evaluations_of_whole_search);
+    }
+
+    /// All of them taken farther, best first.
+    void go_on(std::vector<Trial>& trials, int evaluations) {
         LocalLimits whole = limits;
-        whole.most_evaluations = evaluations_of_whole_search;
+        whole.most_evaluations = evaluations;
         share_work(static_cast<int>(trials.size()), options.jobs, [&](int i) {
             Trial& trial = trials[static_cast<std::size_t>(i)];
             if (limits.reached()) return;
             const Program& program = programs[trial.program];
             for (int pass = 0; pass < (problem.path->any_order ? most_passes : 1); ++pass) {
                 LocalOutcome outcome = levenberg_marquardt(program, trial.outcome.x, whole);
-                outcome.evaluations += trial.outcome.evaluations;
                 if (outcome.x.size() == 0) break;
                 const bool settled = pass > 0 && outcome.objective > (1 - same_sum_within) * trial.outcome.objective;
                 trial.outcome = std::move(outcome);
@@ -133,7 +172,10 @@ struct Search {
         });
         for (const Trial& trial : trials)
             report.evaluations += trial.outcome.evaluations;
-        report.starts += static_cast<int>(trials.size());
+        sort_by_sum(trials);
+    }
+
+    static void sort_by_sum(std::vector<Trial>& trials) {
         std::stable_sort(trials.begin(), trials.end(),
                          [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
     }
@@ -157,7 +199,9 @@ struct Search {
         const Program& program = program_of(trial, solution.design);
         if (least_squares && solution.feasible && program.size() > most_polished_variables) return solution;
         const VectorXd x = point_of(program, solution.design);
-        const LocalOutcome outcome = polish(program, slsqp(program, x, limits), limits);
+        LocalLimits some = limits;
+        if (program.size() > most_polished_variables) some.most_evaluations = evaluations_of_great_program;
+        const LocalOutcome outcome = polish(program, slsqp(program, x, some), some);
         if (outcome.x.size() == 0) return solution;
         return better(std::move(solution), assess(problem, design_at(program, outcome.x)));
     }
@@ -176,9 +220,15 @@ struct Search {
             if (least_squares && static_cast<int>(chosen.size()) >= most_polished) break;
         }
         std::vector<std::optional<Solution>> solutions(chosen.size());
+        std::mutex reporting;
         share_work(static_cast<int>(chosen.size()), options.jobs, [&](int i) {
             const auto k = static_cast<std::size_t>(i);
             if (!limits.reached() || k == 0) solutions[k] = finished(*chosen[k]);
+            const std::lock_guard lock(reporting);
+            if (solutions[k] && (!best || preferred(problem, *solutions[k], *best))) best = solutions[k];
+            if (options.progress)
+                options.progress(report.starts, most_rounds * starts_of_round,
+                                 best && best->feasible ? best->objective : std::numeric_limits<double>::quiet_NaN());
         });
         for (auto& solution : solutions)
             if (solution) found.push_back(std::move(*solution));
@@ -199,7 +249,7 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     if (search.programs.empty()) return result;
     int hits = 0;
     double least = unlimited;
-    for (int round = 0; round < most_rounds && !search.limits.reached(); ++round) {
+    for (int round = 0; round < search.most_rounds && !search.limits.reached(); ++round) {
         std::vector<Trial> trials = search.short_searches(round);
         search.run_to_end(trials);
         search.finish(trials);
@@ -208,16 +258,13 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
             least = std::min(least, trial.outcome.objective);
             if (trial.outcome.objective <= (1 + same_sum_within) * least) ++hits;
         }
-        const auto best =
-            std::min_element(search.found.begin(), search.found.end(),
-                             [&](const Solution& a, const Solution& b) { return preferred(problem, a, b); });
-        if (best == search.found.end()) continue;
-        if (options.progress) options.progress(round + 1, most_rounds, best->feasible ? best->objective : NAN);
+        if (!search.best) continue;
+        const bool feasible = search.best->feasible;
         const double size = path_size(search.programs.front());
         search.exact =
-            search.least_squares && best->feasible &&
+            search.least_squares && feasible &&
             least <= exact_within * exact_within * size * size * static_cast<double>(problem.path->points.size());
-        if (search.exact || (round + 1 >= least_rounds && hits >= enough_hits && best->feasible)) break;
+        if (search.exact || (round + 1 >= least_rounds && hits >= enough_hits && feasible)) break;
     }
     std::vector<const Solution*> all;
     for (const Solution& s : search.found)

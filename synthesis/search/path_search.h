@@ -11,7 +11,7 @@ namespace mechwright {
 std::string why_no_path_search(const Problem& problem);
 
 /// Searches in rounds until the points are met exactly, or the best design has been hit often enough, or the rounds are
-/// used up. `problem.solver.starts` searches are run to their end in each round. The result is the same for any number
+/// used up; there are more of them the more starts the problem asks for. The result is the same for any number
 /// of jobs.
 Multistart path_search(const Problem& problem, const RunOptions& options,
                        std::chrono::steady_clock::time_point deadline);

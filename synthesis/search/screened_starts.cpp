@@ -1,7 +1,10 @@
+#include "synthesis/search/screened_starts.h"
+
+#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
+#include <optional>
+#include <span>
 
 #include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/path_timing.h"
@@ -9,160 +12,177 @@
 
 namespace mechwright {
 
-namespace {
-
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr std::size_t most_lengths = 8;
+namespace {
+
 /// Shapes are drawn with lengths over this range, evenly in their logarithm.
 constexpr double widest_ratio = 1e-2;
-/// Draws for one candidate until the conditions of motion hold.
+constexpr std::size_t shape_count = 2048;
+/// Draws for one shape until the conditions of motion hold.
 constexpr int most_draws = 60;
-/// Score is multiplied by this power of the factor by which a length leaves its range.
-constexpr double beyond_range_weight = 2;
 
-struct Candidate {
-    double score = unlimited;
-    std::array<double, most_lengths> lengths{};
-    int group = 0;
-};
-
-/// How a program's candidates are drawn: lengths first, then what the crank angles depend on.
-struct Sampler {
-    const Program& program;
-    std::size_t lengths;
-    PathFreedom free;
-    std::array<double, most_lengths> lower{};
-    std::array<double, most_lengths> upper{};
-
-    explicit Sampler(const Program& p) : program(p), lengths(0), free{} {
-        const Problem& problem = *p.problem;
-        const auto& kinds = problem.mechanism->dimensions;
-        const PathRoles& roles = problem.mechanism->path_roles;
-        const auto is_free = [&](std::size_t i) { return p.variable_of[i] >= 0; };
-        free.size = true;
-        while (lengths < kinds.size() && kinds[lengths].kind == DimensionKind::length) {
-            const auto i = lengths++;
-            free.size = free.size && is_free(i);
-            const double fixed = p.dimensions[i];
-            const auto v = static_cast<std::size_t>(p.variable_of[i]);
-            lower[i] = is_free(i) ? p.variables[v].lower : fixed;
-            upper[i] = is_free(i) ? p.variables[v].upper : fixed;
-        }
-        free.origin = is_free(roles.origin_x) && is_free(roles.origin_y);
-        free.tilt = is_free(roles.tilt);
-        free.tilted = {std::cos(p.dimensions[roles.tilt]), std::sin(p.dimensions[roles.tilt])};
-    }
-
-    bool meets_conditions(const std::array<double, most_lengths>& x) const {
-        const Family& family = program.problem->mechanism->families[program.variant.family];
-        return std::all_of(family.conditions.begin(), family.conditions.end(), [&](const LinearCondition& c) {
-            double sum = 0;
-            for (std::size_t i = 0; i < c.coefficients.size(); ++i)
-                sum += c.coefficients[i] * x[i];
-            return sum > 0;
-        });
-    }
-
-    /// Lengths within their ranges, or any proportions of lengths where the size is fitted.
-    std::array<double, most_lengths> drawn(const LowDiscrepancy& sequence, std::uint64_t k) const {
-        std::array<double, most_lengths> x{};
-        for (std::size_t i = 0; i < lengths; ++i) {
-            const double high = free.size ? 1 : upper[i];
-            const double low = free.size ? widest_ratio : std::max(lower[i], widest_ratio * high);
-            x[i] = low < high ? low * std::pow(high / low, sequence(k, i)) : high;
-        }
-        return x;
-    }
-
-    /// The greatest factor by which a length leaves its range at the fitted size.
-    double beyond_range(const Candidate& c, double size) const {
-        double worst = 1;
-        for (std::size_t i = 0; i < lengths; ++i) {
-            const double length = size * c.lengths[i];
-            worst = std::max({worst, length / upper[i], lower[i] / length});
-        }
-        return worst;
-    }
-};
-
-bool can_be_screened(const Program& program) {
-    const Mechanism& mechanism = *program.problem->mechanism;
-    return mechanism.path_screening && program.variable_of[mechanism.path_roles.along] >= 0 &&
-           program.variable_of[mechanism.path_roles.across] >= 0;
-}
+bool is_free(const Program& program, std::size_t dimension) { return program.variable_of[dimension] >= 0; }
 
 }  // namespace
 
-std::vector<VectorXd> screened_starts(const Program& program, std::uint64_t seed, int round, int groups, int keep) {
+struct ScreenedStarts::Candidate {
+    double score = unlimited;
+    Lengths lengths{};
+    int group = 0;
+};
+
+ScreenedStarts::ScreenedStarts(const Program& program, std::uint64_t seed)
+    : program_(program),
+      seed_(seed),
+      stream_(program.variant.family * 16 + program.variant.assembly * 2 + (program.variant.direction > 0 ? 0 : 1) +
+              1000) {
+    const Mechanism& mechanism = *program.problem->mechanism;
+    const PathRoles& roles = mechanism.path_roles;
+    can_screen_ = mechanism.path_screening && is_free(program, roles.along) && is_free(program, roles.across);
+    if (!can_screen_) return;
+    free_.size = true;
+    for (; mechanism.dimensions[lengths_].kind == DimensionKind::length; ++lengths_) {
+        const std::size_t i = lengths_;
+        const bool free = is_free(program, i);
+        free_.size = free_.size && free;
+        const auto v = static_cast<std::size_t>(program.variable_of[i]);
+        lower_[i] = free ? program.variables[v].lower : program.dimensions[i];
+        upper_[i] = free ? program.variables[v].upper : program.dimensions[i];
+    }
+    free_.origin = is_free(program, roles.origin_x) && is_free(program, roles.origin_y);
+    free_.tilt = is_free(program, roles.tilt);
+    free_.tilted = {std::cos(program.dimensions[roles.tilt]), std::sin(program.dimensions[roles.tilt])};
+    draw_shapes();
+}
+
+bool ScreenedStarts::meets_conditions(const Lengths& x) const {
+    const Family& family = program_.problem->mechanism->families[program_.variant.family];
+    return std::all_of(family.conditions.begin(), family.conditions.end(), [&](const LinearCondition& c) {
+        double sum = 0;
+        for (std::size_t i = 0; i < c.coefficients.size(); ++i)
+            sum += c.coefficients[i] * x[i];
+        return sum > 0;
+    });
+}
+
+/// Lengths within their ranges, or any proportions of lengths where the size is fitted. Of the latter every second
+/// shape is drawn by its margins to the limits of its motion, which reaches the shapes next to them: there many of the
+/// best designs are.
+void ScreenedStarts::draw_shapes() {
+    const LowDiscrepancy sequence(lengths_, seed_, stream_ + 500);
+    const std::optional<Eigen::MatrixXd> of_margins = free_.size ? lengths_of_margins() : std::nullopt;
+    const auto n = static_cast<Index>(lengths_);
+    std::uint64_t k = 0;
+    shapes_.resize(shape_count);
+    for (std::size_t shape = 0; shape < shape_count; ++shape) {
+        Lengths& x = shapes_[shape];
+        for (int tries = 0; tries < most_draws; ++tries) {
+            ++k;
+            for (std::size_t i = 0; i < lengths_; ++i) {
+                const double high = free_.size ? 1 : upper_[i];
+                const double low = free_.size ? widest_ratio : std::max(lower_[i], widest_ratio * high);
+                x[i] = low < high ? low * std::pow(high / low, sequence(k, i)) : high;
+            }
+            if (of_margins && shape % 2 == 1) {
+                const VectorXd lengths = *of_margins * Eigen::Map<const VectorXd>(x.data(), n);
+                std::copy_n(lengths.data(), lengths_, x.begin());
+            }
+            if (meets_conditions(x)) break;
+        }
+    }
+}
+
+/// The lengths as linear functions of one length and the margins of the conditions of motion, where those are as many
+/// as it takes: the length is the one that every condition wants short.
+std::optional<Eigen::MatrixXd> ScreenedStarts::lengths_of_margins() const {
+    const Family& family = program_.problem->mechanism->families[program_.variant.family];
+    if (family.conditions.size() + 1 != lengths_) return std::nullopt;
+    const auto n = static_cast<Index>(lengths_);
+    Eigen::MatrixXd margins = Eigen::MatrixXd::Zero(n, n);
+    for (Index shortest = 0; shortest < n; ++shortest) {
+        const auto wants_short = [&](const LinearCondition& c) {
+            return c.coefficients[static_cast<std::size_t>(shortest)] < 0;
+        };
+        if (!std::all_of(family.conditions.begin(), family.conditions.end(), wants_short)) continue;
+        margins(0, shortest) = 1;
+        for (Index r = 1; r < n; ++r)
+            for (Index i = 0; i < n; ++i)
+                margins(r, i) =
+                    family.conditions[static_cast<std::size_t>(r - 1)].coefficients[static_cast<std::size_t>(i)];
+        return margins.inverse();
+    }
+    return std::nullopt;
+}
+
+/// The greatest factor by which a length leaves its range at the fitted size.
+double ScreenedStarts::beyond_range(const Lengths& x, double size) const {
+    double worst = 1;
+    for (std::size_t i = 0; i < lengths_; ++i)
+        worst = std::max({worst, size * x[i] / upper_[i], lower_[i] / (size * x[i])});
+    return worst;
+}
+
+std::vector<ScreenedPoint> ScreenedStarts::points() const {
+    const PathRoles& roles = program_.problem->mechanism->path_roles;
+    const Vector<double> origin =
+        free_.origin ? Vector<double>{0, 0}
+                     : Vector<double>{program_.dimensions[roles.origin_x], program_.dimensions[roles.origin_y]};
+    std::vector<ScreenedPoint> all;
+    for (std::size_t i = 0; i < program_.targets.size(); ++i)
+        all.push_back({program_.targets[i] - origin, program_.problem->path->weights[i], {1, 0}});
+    return all;
+}
+
+std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) const {
     std::vector<VectorXd> starts;
-    if (!can_be_screened(program)) {
+    if (!can_screen_) {
         for (int i = 0; i < keep; ++i)
-            starts.push_back(start_point(program, seed, round * keep + i, groups));
+            starts.push_back(start_point(program_, seed_, round * keep + i, groups));
         return starts;
     }
-    const Problem& problem = *program.problem;
-    const PathRoles& roles = problem.mechanism->path_roles;
-    const Sampler sampler(program);
-    const std::uint64_t stream =
-        program.variant.family * 16 + program.variant.assembly * 2 + (program.variant.direction > 0 ? 0 : 1) + 1000;
-    const LowDiscrepancy of_timing(path_timing_numbers, seed, stream);
-    const LowDiscrepancy of_lengths(sampler.lengths, seed, stream + 500);
+    const LowDiscrepancy of_timing(path_timing_numbers, seed_, stream_);
     const InstructionSet set = widest_instruction_set();
-
-    std::vector<ScreenedPoint> points(program.targets.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i].target = program.targets[i];
-        if (!sampler.free.origin)
-            points[i].target = points[i].target -
-                               Vector<double>{program.dimensions[roles.origin_x], program.dimensions[roles.origin_y]};
-        points[i].weight = problem.path->weights[i];
-    }
-    std::uint64_t draw = static_cast<std::uint64_t>(round) * static_cast<std::uint64_t>(groups) * 8 * most_draws;
+    const auto first = static_cast<std::uint64_t>(round) * static_cast<std::uint64_t>(groups);
+    const auto group_number = [&](int g) { return first + static_cast<std::uint64_t>(g); };
+    std::vector<ScreenedPoint> targets = points();
     std::vector<Candidate> best(static_cast<std::size_t>(groups));
-    VectorXd x = VectorXd::Zero(static_cast<Index>(program.size()));
+    VectorXd x = VectorXd::Zero(static_cast<Index>(program_.size()));
     for (int g = 0; g < groups; ++g) {
-        const auto number =
-            static_cast<std::uint64_t>(round) * static_cast<std::uint64_t>(groups) + static_cast<std::uint64_t>(g);
-        const std::vector<double> angles = drawn_path_angles(program, of_timing, number, x);
-        for (std::size_t i = 0; i < points.size(); ++i)
-            points[i].half = {std::cos(angles[i] / 2), std::sin(angles[i] / 2)};
-        std::array<Candidate, 8> candidates;
-        std::array<Group, most_lengths> in_lanes{};
-        for (std::size_t lane = 0; lane < candidates.size(); ++lane) {
-            for (int tries = 0; tries < most_draws; ++tries) {
-                candidates[lane].lengths = sampler.drawn(of_lengths, draw++);
-                if (sampler.meets_conditions(candidates[lane].lengths)) break;
-            }
-            for (std::size_t i = 0; i < sampler.lengths; ++i)
-                in_lanes[i][lane] = candidates[lane].lengths[i];
-        }
-        const Screened screened = problem.mechanism->path_screening(
-            set, program.variant.assembly, std::span(in_lanes).first(sampler.lengths), points, sampler.free);
+        const std::vector<double> angles = drawn_path_angles(program_, of_timing, group_number(g), x);
+        for (std::size_t i = 0; i < targets.size(); ++i)
+            targets[i].half = {std::cos(angles[i] / 2), std::sin(angles[i] / 2)};
+        std::array<Group, most_lengths> lengths{};
+        const auto shape = [&](std::size_t lane) -> const Lengths& {
+            return shapes_[mixed(group_number(g) * 8 + lane) % shape_count];
+        };
+        for (std::size_t lane = 0; lane < 8; ++lane)
+            for (std::size_t i = 0; i < lengths_; ++i)
+                lengths[i][lane] = shape(lane)[i];
+        const Screened screened = program_.problem->mechanism->path_screening(
+            set, program_.variant.assembly, std::span(lengths).first(lengths_), targets, free_);
         Candidate& kept = best[static_cast<std::size_t>(g)];
         kept.group = g;
-        for (std::size_t lane = 0; lane < candidates.size(); ++lane) {
-            const double beyond = sampler.beyond_range(candidates[lane], screened.size[lane]);
-            const double score = screened.score[lane] * std::pow(beyond, beyond_range_weight);
+        for (std::size_t lane = 0; lane < 8; ++lane) {
+            const double size = screened.size[lane];
+            const double beyond = beyond_range(shape(lane), size);
+            const double score = screened.score[lane] * beyond * beyond;
             if (!(score < kept.score)) continue;
             kept.score = score;
-            for (std::size_t i = 0; i < sampler.lengths; ++i)
-                kept.lengths[i] = candidates[lane].lengths[i] * screened.size[lane];
+            for (std::size_t i = 0; i < lengths_; ++i)
+                kept.lengths[i] = shape(lane)[i] * size;
         }
     }
     std::stable_sort(best.begin(), best.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
     for (const Candidate& c : best) {
         if (static_cast<int>(starts.size()) >= keep || !(c.score < unlimited)) break;
-        const auto number = static_cast<std::uint64_t>(round) * static_cast<std::uint64_t>(groups) +
-                            static_cast<std::uint64_t>(c.group);
-        x = program.reference;
-        drawn_path_angles(program, of_timing, number, x);
-        for (std::size_t i = 0; i < sampler.lengths; ++i)
-            if (program.variable_of[i] >= 0)
-                x[program.variable_of[i]] = std::clamp(c.lengths[i], sampler.lower[i], sampler.upper[i]);
-        fit_placement(program, x);
+        x = program_.reference;
+        drawn_path_angles(program_, of_timing, group_number(c.group), x);
+        for (std::size_t i = 0; i < lengths_; ++i)
+            if (is_free(program_, i)) x[program_.variable_of[i]] = std::clamp(c.lengths[i], lower_[i], upper_[i]);
+        fit_placement(program_, x);
         starts.push_back(x);
     }
     return starts;

@@ -17,9 +17,10 @@ namespace {
 
 constexpr HalfTurn<double> at_zero{1, 0}, at_pi{0, 1};
 
+/// To four units of the last place; one of them is that of the diagonal, the plain root of a sum of two squares.
 void expect_direction(const Vector<double>& v, double x, double y) {
-    EXPECT_NEAR(v.x, x, 4e-16);
-    EXPECT_NEAR(v.y, y, 4e-16);
+    EXPECT_NEAR(v.x, x, 9e-16);
+    EXPECT_NEAR(v.y, y, 9e-16);
 }
 
 double after(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }

@@ -26,7 +26,7 @@ TEST(Terminal, ShowsProgressAndWipesItOut) {
     const TemporaryFolder folder;
     const Outcome outcome = run(search_on_terminal(folder));
     EXPECT_EQ(outcome.exit_code, 5);
-    expect_has(outcome.err, "/100");
+    expect_has(outcome.err, "/1200000");
     expect_has(outcome.err, " starts  best ");
     expect_has(outcome.err, " mm  ");
     EXPECT_EQ(outcome.err.find('\n'), std::string::npos) << outcome.err;
