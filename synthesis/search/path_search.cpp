@@ -34,6 +34,8 @@ constexpr double same_basin_within = 1e-2;
 constexpr int most_alike = 4;
 /// Times that the points of a path in any order are matched anew with the nearest points of the curve.
 constexpr int most_passes = 4;
+/// Objectives that agree to this part are one optimum.
+constexpr double same_objective_within = 1e-6;
 /// Optima of a round that are polished; and the greatest program for which the polish is quick.
 constexpr int most_polished = 4;
 constexpr std::size_t most_polished_variables = 60;
@@ -144,9 +146,7 @@ struct Search {
 
     /// The most promising ones run to their end, best first.
     void run_to_end(std::vector<Trial>& trials) {
-        keep_different(trials);
         go_on(trials, evaluations_of_long_search);
-        report.starts += static_cast<int>(trials.size());
         trials.resize(std::min(trials.size(), most_whole_searches));
         go_on(trials, evaluations_of_whole_search);
     }
@@ -191,10 +191,19 @@ struct Search {
         return same == programs.end() ? own : *same;
     }
 
+    /// How many solutions are as good as the best.
+    int hits_on_best() const {
+        if (!best || !best->feasible) return 0;
+        return static_cast<int>(std::count_if(found.begin(), found.end(), [&](const Solution& s) {
+            return s.feasible &&
+                   std::abs(s.objective - best->objective) <= same_objective_within * std::abs(best->objective);
+        }));
+    }
+
     Solution better(Solution a, Solution b) const { return preferred(problem, b, a) ? std::move(b) : std::move(a); }
 
     /// The solution near what the method of least squares ended at.
-    Solution finished(const Trial& trial) const {
+    Solution finished(const Trial& trial, long& evaluations) const {
         Solution solution = assess(problem, design_at(programs[trial.program], trial.outcome.x));
         const Program& program = program_of(trial, solution.design);
         if (least_squares && solution.feasible && program.size() > most_polished_variables) return solution;
@@ -202,6 +211,7 @@ struct Search {
         LocalLimits some = limits;
         if (program.size() > most_polished_variables) some.most_evaluations = evaluations_of_great_program;
         const LocalOutcome outcome = polish(program, slsqp(program, x, some), some);
+        evaluations = outcome.evaluations;
         if (outcome.x.size() == 0) return solution;
         return better(std::move(solution), assess(problem, design_at(program, outcome.x)));
     }
@@ -223,8 +233,10 @@ struct Search {
         std::mutex reporting;
         share_work(static_cast<int>(chosen.size()), options.jobs, [&](int i) {
             const auto k = static_cast<std::size_t>(i);
-            if (!limits.reached() || k == 0) solutions[k] = finished(*chosen[k]);
+            long evaluations = 0;
+            if (!limits.reached() || k == 0) solutions[k] = finished(*chosen[k], evaluations);
             const std::lock_guard lock(reporting);
+            report.evaluations += evaluations;
             if (solutions[k] && (!best || preferred(problem, *solutions[k], *best))) best = solutions[k];
             if (options.progress)
                 options.progress(report.starts, most_rounds * starts_of_round,
@@ -251,13 +263,18 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     double least = unlimited;
     for (int round = 0; round < search.most_rounds && !search.limits.reached(); ++round) {
         std::vector<Trial> trials = search.short_searches(round);
-        search.run_to_end(trials);
+        search.keep_different(trials);
+        search.report.starts += static_cast<int>(trials.size());
+        if (search.least_squares) search.run_to_end(trials);
         search.finish(trials);
-        for (const Trial& trial : trials) {
-            if (trial.outcome.objective < (1 - same_sum_within) * least) hits = 0;
-            least = std::min(least, trial.outcome.objective);
-            if (trial.outcome.objective <= (1 + same_sum_within) * least) ++hits;
-        }
+        if (search.least_squares)
+            for (const Trial& trial : trials) {
+                if (trial.outcome.objective < (1 - same_sum_within) * least) hits = 0;
+                least = std::min(least, trial.outcome.objective);
+                if (trial.outcome.objective <= (1 + same_sum_within) * least) ++hits;
+            }
+        else
+            hits = search.hits_on_best();
         if (!search.best) continue;
         const bool feasible = search.best->feasible;
         const double size = path_size(search.programs.front());

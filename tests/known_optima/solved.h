@@ -30,7 +30,7 @@ struct Solved {
 
 inline Solved solved(const std::string& text, const std::string& method = "auto", std::uint64_t seed = 1,
                      int jobs = 2) {
-    ReadProblem read = parse_problem(text, MECHWRIGHT_SOURCE_DIR "/problems/four-bar/problem-of-a-test.toml");
+    ReadProblem read = parse_problem(text, MECHWRIGHT_SOURCE_DIR "/problems/path/problem-of-a-test.toml");
     for (const Message& m : read.messages)
         ADD_FAILURE() << to_string(m);
     Solved s{std::move(read.problem), {}};
