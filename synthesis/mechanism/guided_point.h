@@ -58,15 +58,18 @@ inline constexpr std::array<Quantity, 3> path_quantities{{
     {.name = "path-sse",
      .unit = Unit::area,
      .meaning = "weighted sum of squared distances from the target points",
-     .path = PathMeasure::sum_of_squares},
+     .path = PathMeasure::sum_of_squares,
+     .section = "path"},
     {.name = "path-rms",
      .unit = Unit::length,
      .meaning = "root of the weighted mean of squared distances from the target points",
-     .path = PathMeasure::root_mean_square},
+     .path = PathMeasure::root_mean_square,
+     .section = "path"},
     {.name = "path-max",
      .unit = Unit::length,
      .meaning = "greatest distance from a target point",
-     .path = PathMeasure::greatest},
+     .path = PathMeasure::greatest,
+     .section = "path"},
 }};
 
 }  // namespace mechwright

@@ -37,7 +37,8 @@ struct Dimension {
     DimensionKind kind;
     bool required;  ///< if not, and not named in a problem file, it is 0
     std::string_view meaning;
-    bool of_segment = false;  ///< stands in a [[segment]] of a cam's motion, not in [dimensions]
+    bool of_segment = false;   ///< stands in a [[segment]] of a cam's motion, not in [dimensions]
+    bool of_function = false;  ///< stands in [function], not in [dimensions]
 };
 
 enum class Unit { none, length, area, angle, force, torque };
@@ -59,6 +60,8 @@ struct Setting {
 };
 
 struct MotionProgram;
+struct FunctionTarget;
+struct ErrorExtreme;
 
 /// The discrete data of a design and the motion over which it is judged.
 struct Motion {
@@ -69,6 +72,7 @@ struct Motion {
     double to = 0;
     std::array<double, Setting::most> settings{};  ///< values of Mechanism::settings
     const MotionProgram* program = nullptr;        ///< what the follower of a cam does; null for linkages
+    const FunctionTarget* function = nullptr;      ///< what a function generator does; null without one
 };
 
 /// Where a measure writes its smooth components. Derivatives are with respect to the first `reads` dimensions of the
@@ -104,6 +108,7 @@ struct Quantity {
 
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
     bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
+    std::string_view section{};            ///< it has a value only in problems with this section
 
     static constexpr std::size_t most_components = 32;
 };
@@ -188,6 +193,19 @@ struct Mechanism {
     PathScreening path_screening = nullptr;
     Vector<Digits50> (*path_point)(std::size_t assembly, std::span<const Digits50> dimensions,
                                    const Digits50& crank_angle) = nullptr;
+
+    /// Function generation. Margins that must be >= 0 for a design to assemble over its input range; null: it generates
+    /// no functions.
+    const Quantity* function_margin = nullptr;
+    /// Dimensions that come close to the function for the scales that they have; false where there are none. The scales
+    /// may be turned by half a turn where that is allowed.
+    bool (*function_fit)(const FunctionTarget&, std::span<double> dimensions, bool turns_input,
+                         bool turns_output) = nullptr;
+    /// Where the error of a design is extreme, in order along the range.
+    std::vector<ErrorExtreme> (*function_extremes)(const FunctionTarget&, std::size_t assembly,
+                                                   std::span<const double> dimensions) = nullptr;
+    /// The first of the four scales among the dimensions: start and range of the input, then of the output.
+    std::size_t function_scales = 0;
 
     /// The motion as a table: column names, and one row at a crank angle.
     std::span<const std::string_view> motion_columns;

@@ -139,7 +139,7 @@ void read_dimensions(Section& file, Problem& problem, Messages& messages) {
     }
     const std::size_t messages_before = messages.entries.size();
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
-        if (!mechanism.dimensions[i].of_segment)
+        if (!mechanism.dimensions[i].of_segment && !mechanism.dimensions[i].of_function)
             problem.dimensions[i] = read_dimension(*section, mechanism.dimensions[i], problem.units, messages);
     if (mechanism.objection != nullptr && messages.entries.size() == messages_before)
         report_objection(*section, problem, messages);

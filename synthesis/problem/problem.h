@@ -84,6 +84,7 @@ struct Problem {
     std::optional<Vector<double>> crank_range;     ///< (from, to), radians
     std::array<double, Setting::most> settings{};  ///< of the mechanism, in the order of Mechanism::settings
     std::shared_ptr<const MotionProgram> program;  ///< of a cam
+    std::shared_ptr<const FunctionTarget> function;
     std::size_t cam_rotation = 0;                  ///< of a cam: ccw, cw, or either
     SolverOptions solver;
 };

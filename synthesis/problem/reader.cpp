@@ -39,8 +39,8 @@ struct Missing {
 };
 
 /// Sections of the format that belong to kinds of synthesis which are not built in.
-constexpr std::array<Missing, 3> not_built_in{
-    {{"function", "function generation"}, {"poses", "body guidance through poses"}, {"study", "parameter studies"}}};
+constexpr std::array<Missing, 2> not_built_in{
+    {{"poses", "body guidance through poses"}, {"study", "parameter studies"}}};
 
 void report_not_built_in(Section& file, Messages& messages) {
     for (const Missing& missing : not_built_in) {
@@ -63,6 +63,7 @@ void read_table(const toml::table& table, Problem& problem, Messages& messages) 
     read_path(file, problem, messages);
     read_objective(file, problem, messages);
     read_motion(file, problem, messages);
+    read_function(file, problem, messages);
     read_settings(file, problem, messages);
     read_solver(file, problem, messages);
     read_requirements(file, problem, messages);

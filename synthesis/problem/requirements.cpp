@@ -127,9 +127,10 @@ std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view 
     for (const Quantity& quantity : quantities)
         names.push_back(quantity.name);
     const auto index = to_choice(node, what, "quantity", names, messages);
-    if (!index || quantities[*index].path == PathMeasure::none || has(file, "path")) return index;
+    if (!index || quantities[*index].section.empty() || has(file, quantities[*index].section)) return index;
     add_error(messages, place_of(node),
-              fmt::format("'{}' measures how well a path is met, but there is no [path] section", names[*index]));
+              fmt::format("'{0}' measures how well a {1} is met, but there is no [{1}] section", names[*index],
+                          quantities[*index].section));
     return {};
 }
 

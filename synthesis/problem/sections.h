@@ -26,6 +26,8 @@ void read_segments(Section& file, Problem& problem, Messages& messages);
 void read_requirements(Section& file, Problem& problem, Messages& messages);
 void read_objective(Section& file, Problem& problem, Messages& messages);
 void read_path(Section& file, Problem& problem, Messages& messages);
+/// The function to be generated; after [motion], whose crank range it sets where that is known and not given.
+void read_function(Section& file, Problem& problem, Messages& messages);
 void read_motion(Section& file, Problem& problem, Messages& messages);
 /// The sections that the mechanism's settings stand in.
 void read_settings(Section& file, Problem& problem, Messages& messages);

@@ -149,6 +149,12 @@ struct Builder {
             }
             add_row(std::string(condition.name), std::move(form), condition_margin, unlimited);
         }
+        if (problem.function) {
+            const QuantityBlock block = block_of(*problem.mechanism->function_margin);
+            for (std::size_t k = 0; k < block.count; ++k)
+                add_row(std::string(block.quantity->name), {{{block.first + k, 1}}, {}}, condition_margin, unlimited);
+            return;
+        }
         if (!family.assembly_margin) return;
         const Motion assembled = assembled_motion_of(problem, program.variant.family, program.variant.assembly);
         if (family.assembly_margin->defined(assembled)) {

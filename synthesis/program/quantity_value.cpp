@@ -32,13 +32,24 @@ std::optional<double> reduced(Reduce reduce, std::span<const double> components)
 
 }  // namespace
 
+std::optional<std::array<double, 2>> crank_range_of(const Mechanism& mechanism,
+                                                    const std::optional<Vector<double>>& given,
+                                                    const FunctionTarget* function,
+                                                    std::span<const double> dimensions) {
+    if (given) return std::array{given->x, given->y};
+    if (!function) return std::nullopt;
+    const double start = dimensions[mechanism.function_scales];
+    const double end = start + dimensions[mechanism.function_scales + 1];
+    return std::array{std::min(start, end), std::max(start, end)};
+}
+
 Motion motion_of(const Problem& problem, const Design& design) {
-    const std::array<double, 2> range =
-        problem.crank_range ? std::array{problem.crank_range->x, problem.crank_range->y} : std::array<double, 2>{};
-    Motion motion =
-        problem.mechanism->motion(design.dimensions, design.assembly, problem.crank_range ? range.data() : nullptr);
+    const auto range = crank_range_of(*problem.mechanism, problem.crank_range, problem.function.get(),
+                                      std::span<const double>(design.dimensions));
+    Motion motion = problem.mechanism->motion(design.dimensions, design.assembly, range ? range->data() : nullptr);
     motion.settings = problem.settings;
     motion.program = problem.program.get();
+    motion.function = problem.function.get();
     return motion;
 }
 

@@ -2,12 +2,20 @@
 /// \file
 /// What a finished design does: the values of its quantities on its motion, and its coupler path.
 
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "synthesis/program/result.h"
 
 namespace mechwright {
+
+/// The crank angles over which a design is judged where that is not its whole motion: those given, else the input range
+/// of a function.
+std::optional<std::array<double, 2>> crank_range_of(const Mechanism& mechanism,
+                                                    const std::optional<Vector<double>>& given,
+                                                    const FunctionTarget* function, std::span<const double> dimensions);
 
 /// The motion over which the problem judges a design; from > to if it assembles nowhere.
 Motion motion_of(const Problem& problem, const Design& design);

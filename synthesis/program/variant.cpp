@@ -11,6 +11,7 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     motion.family = family;
     motion.settings = problem.settings;
     motion.program = problem.program.get();
+    motion.function = problem.function.get();
     motion.full_turn = problem.mechanism->families[family].full_turn && !problem.crank_range;
     if (problem.crank_range) {
         motion.from = problem.crank_range->x;
@@ -83,7 +84,8 @@ std::vector<std::size_t> families_of(const Problem& problem) {
     std::vector<std::size_t> usable;
     for (std::size_t f = 0; f < families.size(); ++f) {
         const Motion motion = motion_of(problem, f, 0);
-        const bool range_known = families[f].full_turn || problem.crank_range || problem.path;
+        const bool range_known = families[f].full_turn || problem.crank_range || problem.path || problem.function;
+        if (problem.function && families[f].full_turn) continue;  // judged over its input range
         if (problem.path && problem.path->closed && !families[f].full_turn) continue;
         if (range_known && all_defined(problem, motion)) usable.push_back(f);
     }

@@ -7,6 +7,7 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
 #include "synthesis/report/cam_document.h"
+#include "synthesis/report/function_document.h"
 #include "synthesis/report/versions.h"
 
 namespace mechwright {
@@ -123,7 +124,9 @@ Json quantities_of(const Problem& problem, const Design& design) {
 Json path_of(const Problem& problem, const Solution* best) {
     const PathTarget& target = *problem.path;
     Json json{{"points", pairs(target.points)},
-              {"timing", target.prescribed_timing ? "prescribed" : target.any_order ? "none" : "free"},
+              {"timing", target.prescribed_timing ? "prescribed"
+                         : target.any_order       ? "none"
+                                                  : "free"},
               {"closed", target.closed}};
     if (std::any_of(target.weights.begin(), target.weights.end(), [](double w) { return w != 1; }))
         json["weights"] = target.weights;
@@ -199,6 +202,7 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
         json["quantities"] = quantities_of(problem, best->design);
     }
     if (problem.path) json["path"] = path_of(problem, best);
+    if (problem.function) json["function"] = function_document(problem, best ? &best->design : nullptr);
 }
 
 }  // namespace

@@ -20,10 +20,6 @@ namespace {
 constexpr std::size_t most_points_shown = 12;
 constexpr std::size_t longest_title = 400;
 
-std::string heading(std::string_view text, bool colour) {
-    return fmt::format("\n{}\n", emphasised(text, Emphasis::strong, colour));
-}
-
 /// What there is to say of a dimension beside its value.
 std::string remark_on(const DimensionRange& range, double value, Unit unit, const Units& units) {
     if (range.fixed()) return range.named ? "given" : "";
@@ -87,6 +83,10 @@ std::string point_table(const Problem& problem, const Design& design, const Path
 }
 
 }  // namespace
+
+std::string heading(std::string_view text, bool colour) {
+    return fmt::format("\n{}\n", emphasised(text, Emphasis::strong, colour));
+}
 
 std::string value_with_unit(double value, Unit unit, const Units& units) {
     const std::string label = unit_label(unit, units);

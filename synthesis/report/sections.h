@@ -4,10 +4,14 @@
 /// is empty where there is nothing to say.
 
 #include <string>
+#include <string_view>
 
 #include "synthesis/program/result.h"
 
 namespace mechwright {
+
+/// The heading of a part.
+std::string heading(std::string_view text, bool colour);
 
 /// The problem's title, the mechanism and the file.
 std::string title_section(const Problem& problem, bool colour);

@@ -10,6 +10,7 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
 #include "synthesis/report/document.h"
+#include "synthesis/report/function_document.h"
 #include "synthesis/report/sections.h"
 #include "synthesis/report/table.h"
 
@@ -161,6 +162,7 @@ std::string summary(const Problem& problem, const Result& result, bool colour) {
         if (!best.feasible) text += obstacle(problem, best);
         text += design_section(problem, best.design, colour) + objective_section(problem, best, colour) +
                 requirement_section(problem, best.design, colour) + path_section(problem, best.design, colour) +
+                (problem.function ? function_section(problem, best.design, colour) : std::string()) +
                 verification_section(result.verification, colour);
     }
     return text + search_section(result.search, colour) + alternatives_section(problem, result);
@@ -170,7 +172,8 @@ std::string analysis_summary(const Problem& problem, const Solution& solution, b
     const Design& design = solution.design;
     return title_section(problem, colour) + design_section(problem, design, colour) + motion_line(problem, design) +
            quantity_section(problem, design, colour) + requirement_section(problem, design, colour) +
-           path_section(problem, design, colour);
+           path_section(problem, design, colour) +
+           (problem.function ? function_section(problem, design, colour) : std::string());
 }
 
 }  // namespace mechwright

@@ -147,6 +147,27 @@ void fit_placement(const Program& program, VectorXd& x) {
     }
 }
 
+namespace {
+
+/// Lengths that come close to the function, within their ranges.
+void fit_function(const Program& program, VectorXd& x) {
+    const Mechanism& mechanism = *program.problem->mechanism;
+    std::vector<double> dimensions = program.dimensions;
+    for (std::size_t i = 0; i < dimensions.size(); ++i)
+        if (program.variable_of[i] >= 0) dimensions[i] = x[program.variable_of[i]];
+    const std::size_t scales = mechanism.function_scales;
+    const auto turns = [&](std::size_t start) { return program.variable_of[start] >= 0; };
+    if (!mechanism.function_fit(*program.problem->function, dimensions, turns(scales), turns(scales + 2))) return;
+    for (std::size_t i = 0; i < dimensions.size(); ++i) {
+        const std::ptrdiff_t v = program.variable_of[i];
+        if (v < 0) continue;
+        const Variable& variable = program.variables[static_cast<std::size_t>(v)];
+        x[v] = std::clamp(dimensions[i], variable.lower, variable.upper);
+    }
+}
+
+}  // namespace
+
 Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates) {
     const auto n = static_cast<Index>(program.size());
     const std::size_t sampled_dimensions = program.variable_of.size() + 2;
@@ -159,6 +180,7 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
     bool found = false;
     const auto consider = [&](VectorXd x) {
         if (program.path) fit_placement(program, x);
+        if (program.problem->function) fit_function(program, x);
         settle_epigraphs(program, x);
         const double m = merit(program, x);
         if (found && !(m < least)) return;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/verify/claim_json.h"
 #include "synthesis/verify/claimed_cam.h"
@@ -228,6 +229,29 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
     claim.path = std::move(path);
 }
 
+void read_function(Reader& in, const Json& document, Claim& claim) {
+    const Json* json = member(document, "function");
+    if (!json || !in.object(json, "function")) return;
+    if (!claim.mechanism->function_margin)
+        return in.fail(fmt::format("a {} generates no functions", claim.mechanism->name));
+    auto target = std::make_shared<FunctionTarget>();
+    if (const Json* expression = member(*json, "expression")) {
+        target->expression = in.text(expression, "function.expression");
+        const auto x = in.numbers(member(*json, "x"), "function.x", 2, false);
+        if (x.size() != 2 || !(x[0] < x[1])) return in.fail("function.x is not [from, to]");
+        target->from = x[0];
+        target->to = x[1];
+    } else {
+        target->samples = in.points(member(*json, "samples"), "function.samples", most_points);
+        for (std::size_t i = 1; i < target->samples.size(); ++i)
+            if (!(target->samples[i].x > target->samples[i - 1].x)) in.fail("function.samples do not rise in x");
+        if (target->samples.size() < 2) in.fail("function.samples are fewer than two");
+    }
+    if (!in.understood()) return;
+    if (const std::string why = complete(*target); !why.empty()) return in.fail("function: " + why);
+    claim.function = std::move(target);
+}
+
 }  // namespace
 
 ReadClaim read_claim(const Json& document) {
@@ -236,8 +260,8 @@ ReadClaim read_claim(const Json& document) {
     if (!document.is_object()) return {{}, "it is not a JSON object"};
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
-    for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_requirements, read_objective,
-                            read_quantities, read_path})
+    for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_function, read_requirements,
+                            read_objective, read_quantities, read_path})
         if (in.understood()) read(in, document, claim);
     return {std::move(claim), in.defect};
 }

@@ -7,6 +7,7 @@
 #include <boost/math/constants/constants.hpp>
 
 #include "synthesis/problem/units.h"
+#include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
 
@@ -101,13 +102,15 @@ Rebuilt rebuilt(const Claim& claim) {
         if (kind == DimensionKind::force) design.strongest += abs(design.dimensions[i]);
         if (kind == DimensionKind::number) design.strongest += abs(design.dimensions[i]) * design.longest;
     }
-    std::array<double, 2> range{};
+    std::optional<Vector<double>> given;
     if (claim.crank_range)
-        range = {plain(from_document(claim.crank_range->x, Unit::angle, claim.units)),
+        given = {plain(from_document(claim.crank_range->x, Unit::angle, claim.units)),
                  plain(from_document(claim.crank_range->y, Unit::angle, claim.units))};
-    design.motion = mechanism.motion(design.rounded, claim.assembly, claim.crank_range ? range.data() : nullptr);
+    const auto range = crank_range_of(mechanism, given, claim.function.get(), design.rounded);
+    design.motion = mechanism.motion(design.rounded, claim.assembly, range ? range->data() : nullptr);
     design.motion.settings = claim.settings;
     design.motion.program = claim.program.get();
+    design.motion.function = claim.function.get();
     if (claim.path && claim.path->crank_angles.size() == claim.path->points.size()) design.path = rebuilt_path(design);
     return design;
 }

@@ -48,8 +48,6 @@ TEST(Head, AnUnknownKeyOfTheTopLevelIsAnErrorThatListsTheKnownOnes) {
 }
 
 TEST(Head, SectionsOfOtherKindsOfSynthesisAreNamedAsNotBuiltIn) {
-    EXPECT_TRUE(
-        only_says(read(valid + "[function]\nx = [1, 4]\n"), "p.toml:8:2", {"unknown key", "function generation"}));
     EXPECT_TRUE(only_says(read(valid + "[poses]\nposes = []\n"), "p.toml:8:2", {"unknown key", "body guidance"}));
     EXPECT_TRUE(only_says(read(valid + "[study]\n"), "p.toml:8:2", {"unknown key", "parameter studies"}));
 }

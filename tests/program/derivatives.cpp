@@ -113,6 +113,18 @@ maximize = "velocity-ratio-min"
     expect_exact_derivatives(problem_of(std::string(head) + ratios + "[motion]\ncrank_range = [30, 200]\n"));
 }
 
+TEST(Derivatives, OfFunctionsWithFreeScales) {
+    for (const char* objective : {"function-max", "function-rms"})
+        for (const char* function :
+             {"expression = \"x^1.5\"\nx = [1, 4]\n", "samples = [[0, 0], [1, 0.4], [2, 1.5], [3, 4]]\n"})
+            expect_exact_derivatives(
+                problem_of(std::string(head) + "[function]\n" + function +
+                           "input = { start = { min = 20, max = 90 }, range = { min = 60, max = 90 "
+                           "} }\noutput = { start = { min = 0, max = 90 }, range = { min = 30, max = "
+                           "60 } }\n[objective]\nminimize = \"" +
+                           objective + "\"\n"));
+}
+
 TEST(Derivatives, OfTimedPathWithEveryPathMeasure) {
     expect_exact_derivatives(problem_of(std::string(head) + placement + R"(crank-start = { min = 0, max = 360 }
 [path]

@@ -6,6 +6,7 @@
 #include "analysis/four_bar.h"
 #include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
+#include "synthesis/mechanism/four_bar/function.h"
 #include "synthesis/mechanism/four_bar/measure_again.h"
 #include "synthesis/mechanism/four_bar/screening.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 using namespace four_bar;
 
-constexpr std::array<Dimension, 10> dimensions{{
+constexpr std::array<Dimension, 14> dimensions{{
     {"ground", DimensionKind::length, true, "ground link, crank pivot to rocker pivot"},
     {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
     {"coupler", DimensionKind::length, true, "coupler, crank pin to rocker pin"},
@@ -26,6 +27,10 @@ constexpr std::array<Dimension, 10> dimensions{{
     {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
     {"tilt", DimensionKind::angle, false, "direction of the ground link in the drawing"},
     {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
+    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's range", false, true},
+    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function", false, true},
+    {"output-start", DimensionKind::angle, false, "rocker angle at the start of a function's range", false, true},
+    {"output-range", DimensionKind::angle, false, "rocker angle over the range of a function", false, true},
 }};
 
 constexpr std::array<std::string_view, 2> assemblies{"open", "crossed"};
@@ -33,6 +38,8 @@ constexpr std::array<std::string_view, 2> assemblies{"open", "crossed"};
 bool of_crank_rocker(const Motion& motion) { return motion.family == crank_rocker; }
 bool of_any(const Motion&) { return true; }
 bool of_known_range(const Motion& motion) { return motion.full_turn || motion.from <= motion.to; }
+
+bool of_function(const Motion& motion) { return motion.function != nullptr; }
 
 template <std::size_t count>
 std::size_t components(const Motion&) {
@@ -47,7 +54,7 @@ std::size_t worst_transmission_components(const Motion& motion) { return 2 * tra
 std::size_t velocity_ratio_components(const Motion& motion) { return VelocityRatioExtreme<1>::places(motion); }
 std::size_t assembly_margin_components(const Motion& motion) { return 2 * transmission_extremes_of(motion).count; }
 
-const std::array<Quantity, 13> quantities{{
+const std::array<Quantity, 15> quantities{{
     {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest, links,
      of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
     {"swing", Unit::angle, "angle through which the rocker swings over a full turn of the crank", Reduce::only, links,
@@ -76,7 +83,23 @@ const std::array<Quantity, 13> quantities{{
     path_quantities[0],
     path_quantities[1],
     path_quantities[2],
+    {"function-max", Unit::angle, "greatest difference of the rocker angle from the function", Reduce::greatest,
+     function_reads, of_function, components<FunctionMax::most>, measure_by<FunctionMax>, function_max_again,
+     PathMeasure::none, false, "function"},
+    {"function-rms", Unit::angle, "root mean square difference of the rocker angle from the function", Reduce::only,
+     function_reads, of_function, components<1>, measure_by<FunctionRms>, function_rms_again, PathMeasure::none, false,
+     "function"},
 }};
+
+/// What keeps a function generator assembled over its input range.
+const Quantity function_margin{.name = "assembly margin over the input range",
+                               .unit = Unit::length,
+                               .meaning = "least length by which the loop closes",
+                               .reduce = Reduce::least,
+                               .reads = function_reads,
+                               .defined = of_function,
+                               .components = components<FunctionMargin::most>,
+                               .measure = measure_by<FunctionMargin>};
 
 /// Not a quantity of the contract: what keeps a design of limited range assembled.
 const Quantity assembly_margin{.name = "assembly margin",
@@ -140,6 +163,12 @@ constexpr std::array<std::string_view, 10> motion_columns{
 constexpr std::array<Unit, 10> motion_units{Unit::angle, Unit::angle, Unit::angle, Unit::angle,  Unit::none,
                                             Unit::none,  Unit::none,  Unit::none,  Unit::length, Unit::length};
 
+std::vector<ErrorExtreme> function_extremes(const FunctionTarget& f, std::size_t assembly, std::span<const double> d) {
+    FunctionDimensions<double> x;
+    std::copy_n(d.begin(), x.size(), x.begin());
+    return error_extremes(f, x, assembly == 0 ? Assembly::open : Assembly::crossed);
+}
+
 bool motion_row(const Motion& motion, std::span<const double> d, double crank_angle, std::span<double> row) {
     const FourBar<double> m = linkage_of(d);
     const auto p = pose(m, crank_angle, motion.assembly == 0 ? Assembly::open : Assembly::crossed);
@@ -179,6 +208,10 @@ const Mechanism& four_bar_mechanism() {
                                      .path_miss = path_miss_by<CouplerPath>,
                                      .path_screening = four_bar_screening,
                                      .path_point = four_bar_path_point,
+                                     .function_margin = &function_margin,
+                                     .function_fit = fit_function,
+                                     .function_extremes = function_extremes,
+                                     .function_scales = input_start,
                                      .motion_columns = motion_columns,
                                      .motion_units = motion_units,
                                      .motion_row = motion_row};

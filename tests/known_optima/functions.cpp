@@ -1,0 +1,126 @@
+// Function generators of least structural error: the exercises of the source, the logarithm in five parameters, and
+// what a minimax optimum must look like.
+
+#include <cmath>
+#include <numbers>
+
+#include "synthesis/mechanism/four_bar/function.h"
+#include "tests/known_optima/solved.h"
+
+namespace mechwright {
+
+namespace {
+
+using testing::shipped;
+using testing::Solved;
+using testing::solved;
+
+/// The greatest structural error by a scan of the rocker angle as the loop gives it: B from the circles about A and B0.
+double scanned_error(const Solved& s, double (*y)(double), double from, double to) {
+    const auto radians = [&](const char* name) { return s.dimension(name); };
+    const double g = s.dimension("ground"), a = s.dimension("crank"), b = s.dimension("coupler"),
+                 c = s.dimension("rocker");
+    const double side = s.result.best->design.assembly == 0 ? 1 : -1;
+    double greatest = 0;
+    for (int i = 0; i <= 20000; ++i) {
+        const double u = i / 20000.0;
+        const double input = radians("input-start") + radians("input-range") * u;
+        const double part = (y(from + u * (to - from)) - y(from)) / (y(to) - y(from));
+        const double dx = g - a * std::cos(input), dy = -a * std::sin(input);
+        const double d = std::hypot(dx, dy);
+        const double at_pin = std::acos((b * b + d * d - c * c) / (2 * b * d));
+        const double coupler = std::atan2(dy, dx) + side * at_pin;
+        const double rocker =
+            std::atan2(a * std::sin(input) + b * std::sin(coupler), a * std::cos(input) + b * std::cos(coupler) - g);
+        const double error = rocker - radians("output-start") - radians("output-range") * part;
+        greatest = std::max(greatest, std::abs(std::remainder(error, 2 * std::numbers::pi)));
+    }
+    return greatest * 180 / std::numbers::pi;
+}
+
+struct FunctionCase {
+    const char* file;
+    double known;   ///< degrees, as printed
+    double within;  ///< half a unit of its last digit
+    double (*y)(double);
+    double from, to;
+    int alternating;
+};
+
+class KnownFunctions : public ::testing::TestWithParam<FunctionCase> {};
+
+TEST_P(KnownFunctions, HaveTheirLeastGreatestError) {
+    const FunctionCase& c = GetParam();
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Solved s = solved(shipped(c.file, "function"), "auto", seed);
+        ASSERT_EQ(s.result.status, Status::solved);
+        const double error = s.result.best->objective;
+        EXPECT_LE(error, c.known + c.within) << c.file << ", seed " << seed;
+        EXPECT_GE(error, c.known - 5e-5) << c.file << ", seed " << seed;
+        EXPECT_NEAR(error, scanned_error(s, c.y, c.from, c.to), 1e-8);
+        const auto json = document(s.problem, s.result);
+        EXPECT_EQ(json["function"]["alternating"], c.alternating);
+        EXPECT_EQ(json["function"]["free"].get<int>() + 1, c.alternating);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Source, KnownFunctions,
+    ::testing::Values(FunctionCase{"power.toml", 0.610531, 5e-7, [](double x) { return std::pow(x, 1.5); }, 1, 4, 4},
+                      FunctionCase{"tangent.toml", 0.2503, 5e-5,
+                                   [](double x) { return std::tan(x * std::numbers::pi / 180); }, 0, 45, 4},
+                      FunctionCase{"reciprocal.toml", 1.247067, 5e-7, [](double x) { return 1 / x; }, 1, 2, 4},
+                      FunctionCase{"logarithm.toml", 0.0069708, 5e-8, [](double x) { return std::log10(x); }, 1, 2, 6}),
+    [](const auto& test) { return std::string(test.param.file, std::string(test.param.file).find('.')); });
+
+TEST(Functions, OfThreeAccuracyPointsHaveTheErrorOfTheSource) {
+    // Example 9-2, computed: the exact design through the three points, its links to six decimals, which is to 1e-5
+    // deg.
+    const Solved s = solved(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 5
+crank = 8.499825
+coupler = 14.051129
+rocker = 11.119001
+assembly = "crossed"
+[function]
+expression = "x^1.5"
+x = [1, 4]
+input = { start = 210, range = 90 }
+output = { start = 270, range = 90 }
+)");
+    EXPECT_NEAR(s.value("function-max") * 180 / std::numbers::pi, 0.831477, 1e-5);
+}
+
+TEST(Functions, LeastSquaresBySlsqpAndByIpoptAgree) {
+    const double here = solved(shipped("power-rms.toml", "function")).result.best->objective;
+    EXPECT_NEAR(solved(shipped("power-rms.toml", "function"), "ipopt").result.best->objective / here, 1, 1e-9);
+}
+
+/// With the least mean square no other design near has a smaller one, but one has a smaller greatest error.
+TEST(Functions, LeastSquaresAndMinimaxDiffer) {
+    const Solved squares = solved(shipped("power-rms.toml", "function"));
+    const Solved minimax = solved(shipped("power.toml", "function"));
+    EXPECT_LT(squares.value("function-rms"), minimax.value("function-rms"));
+    EXPECT_GT(squares.value("function-max"), minimax.value("function-max"));
+}
+
+/// An expression and dense samples of it are the same function.
+TEST(Functions, SamplesOfAnExpressionGiveItsErrors) {
+    std::string samples = "samples = [";
+    for (int i = 0; i <= 600; ++i) {
+        const double x = 1 + i / 200.0;
+        samples += "[" + std::to_string(x) + ", " + std::to_string(std::pow(x, 1.5)) + "],";
+    }
+    std::string text = shipped("power.toml", "function");
+    const auto at = text.find("expression");
+    text.replace(at, text.find("input") - at, samples + "]\n");
+    const Solved s = solved(text);
+    EXPECT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.result.best->objective, 0.610531, 1e-4);
+}
+
+}  // namespace
+
+}  // namespace mechwright
