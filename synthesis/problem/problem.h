@@ -56,10 +56,10 @@ struct Objective {
 struct PathTarget {
     std::vector<Vector<double>> points;
     bool prescribed_timing = false;
-    bool any_order = false;  ///< each point counts by the nearest point of the curve, whatever their order
+    bool any_order = false;            ///< each point counts by the nearest point of the curve, whatever their order
     std::vector<double> crank_angles;  ///< for prescribed timing: one per point, counted from crank-start; radians
-    bool closed = false;                ///< the crank turns fully
-    std::vector<double> weights;  ///< one per point, all 1 unless given
+    bool closed = false;               ///< the crank turns fully
+    std::vector<double> weights;       ///< one per point, all 1 unless given
 };
 
 struct SolverOptions {
@@ -85,7 +85,7 @@ struct Problem {
     std::array<double, Setting::most> settings{};  ///< of the mechanism, in the order of Mechanism::settings
     std::shared_ptr<const MotionProgram> program;  ///< of a cam
     std::shared_ptr<const FunctionTarget> function;
-    std::size_t cam_rotation = 0;                  ///< of a cam: ccw, cw, or either
+    std::size_t cam_rotation = 0;  ///< of a cam: ccw, cw, or either
     SolverOptions solver;
 };
 

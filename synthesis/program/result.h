@@ -42,6 +42,7 @@ struct SearchReport {
     double missed_chance = 1;  ///< estimated chance that a better local optimum was not seen
     long evaluations = 0;      ///< of the program's functions, over all local searches
     double seconds = 0;
+    long screened = 0;  ///< candidates that were ranked to find starts
 };
 
 struct Result {

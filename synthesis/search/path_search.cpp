@@ -127,6 +127,7 @@ struct Search {
                          [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
         for (const Trial& trial : all)
             report.evaluations += trial.outcome.evaluations;
+        report.screened += static_cast<long>(tried.size()) * per_task * groups_per_short_search * 8;
         return all;
     }
 

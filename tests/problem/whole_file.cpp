@@ -111,10 +111,12 @@ TEST(WholeFile, EveryDimensionIsReadInTheOrderOfTheMechanism) {
     expect_range(d[9], 30 * degree, 30 * degree, {});
     const bool named[] = {true, true, true, true, false, true, false, false, true, true};
     const bool fixed[] = {true, false, false, true, true, false, true, true, false, true};
-    for (std::size_t i = 0; i < d.size(); ++i) {
+    for (std::size_t i = 0; i < std::size(named); ++i) {
         EXPECT_EQ(d[i].named, named[i]) << i;
         EXPECT_EQ(d[i].fixed(), fixed[i]) << i;
     }
+    for (std::size_t i = std::size(named); i < d.size(); ++i)
+        EXPECT_TRUE(d[i].fixed() && !d[i].named) << "the scales of a function, which is not there, " << i;
     EXPECT_EQ(problem.assemblies, (std::vector<std::size_t>{0, 1}));
 }
 
