@@ -28,6 +28,8 @@ void expect_shown(const std::vector<std::string>& arguments) {
 
 TEST(Readme, ShowsWhatSolvePrints) { expect_shown({"solve", "problems/four-bar/crank-rocker.toml"}); }
 
+TEST(Readme, ShowsWhatAFunctionGeneratorPrints) { expect_shown({"solve", "problems/function/power.toml"}); }
+
 TEST(Readme, ShowsWhatComparePrints) {
     const std::string files = "problems/quick-return/uniform-speed-";
     expect_shown({"compare", files + "crank-shaper.toml", files + "drag-link.toml", files + "whitworth.toml"});
