@@ -11,13 +11,15 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// A sum of squares below this part of its start, or a gain below that part of the sum, is rounding.
 constexpr double rounding = 1e-30;
 constexpr double least_gain = 1e-13;
 constexpr int most_small_gains = 3;
+
+/// The derivatives of a point's residuals by its crank angle, four of them at most, and the damping of that.
+using Column = Eigen::Matrix<double, 5, 1>;
 
 /// The point reached, with what the next step needs.
 struct Place {
@@ -61,6 +63,7 @@ struct Free {
 struct Fit {
     const Program& program;
     Index points;
+    Index each;  ///< residuals of a point
     Index dimensions;
     bool untimed;
     VectorXd scale;        ///< of the dimension variables: the greatest norms of their columns so far
@@ -70,6 +73,7 @@ struct Fit {
     explicit Fit(const Program& p)
         : program(p),
           points(static_cast<Index>(p.targets.size())),
+          each(static_cast<Index>(residuals_per_point(p))),
           dimensions(static_cast<Index>(p.dimension_variables)),
           untimed(p.untimed_path()),
           scale(VectorXd::Zero(dimensions)),
@@ -81,7 +85,7 @@ struct Fit {
         for (Index k = 0; k < dimensions; ++k)
             scale[k] = std::max(scale[k], r.jacobian.col(k).norm());
         for (Index i = 0; i < angle_scale.size(); ++i)
-            angle_scale[i] = std::max(angle_scale[i], r.by_angle.segment<2>(2 * i).norm());
+            angle_scale[i] = std::max(angle_scale[i], r.by_angle.segment(each * i, each).norm());
     }
 
     bool held(Index variable, double x, double slope) const {
@@ -95,7 +99,8 @@ struct Fit {
         for (Index k = 0; k < dimensions; ++k)
             if (!held(k, at.x[k], slope[k]) && scale[k] > 0) free.dimensions.push_back(k);
         for (Index i = 0; i < angle_scale.size(); ++i) {
-            const double s = at.residuals.by_angle.segment<2>(2 * i).dot(at.residuals.value.segment<2>(2 * i));
+            const double s =
+                at.residuals.by_angle.segment(each * i, each).dot(at.residuals.value.segment(each * i, each));
             free.angle.push_back(!held(angle_variable(i), at.x[angle_variable(i)], s) && angle_scale[i] > 0);
         }
         return free;
@@ -105,29 +110,30 @@ struct Fit {
     VectorXd step(const Place& at, const Free& free, double damping) {
         const auto n = static_cast<Index>(free.dimensions.size());
         const double root = std::sqrt(damping);
-        const Index per_point = untimed ? 3 : 2;
+        const Index per_point = untimed ? each + 1 : each;
         stacked.setZero(per_point * points + n, n + 1);
         // Rows that give each free angle once the dimensions are known, and what multiplies it there.
         MatrixXd angle_rows(angle_scale.size(), n + 1);
         VectorXd angle_pivots(angle_scale.size());
         for (Index i = 0; i < points; ++i) {
             auto rows = stacked.middleRows(per_point * i, per_point);
-            for (Index c = 0; c < 2; ++c) {
+            for (Index c = 0; c < each; ++c) {
                 for (Index k = 0; k < n; ++k)
-                    rows(c, k) = at.residuals.jacobian(2 * i + c, free.dimensions[static_cast<std::size_t>(k)]);
-                rows(c, n) = -at.residuals.value[2 * i + c];
+                    rows(c, k) = at.residuals.jacobian(each * i + c, free.dimensions[static_cast<std::size_t>(k)]);
+                rows(c, n) = -at.residuals.value[each * i + c];
             }
             if (!untimed || !free.angle[static_cast<std::size_t>(i)]) continue;
             // A reflection that turns the column of the angle into its first component; the other rows are rid of it.
-            const Vector3d column(at.residuals.by_angle[2 * i], at.residuals.by_angle[2 * i + 1],
-                                  root * angle_scale[i]);
+            Column column = Column::Zero();
+            column.head(each) = at.residuals.by_angle.segment(each * i, each);
+            column[each] = root * angle_scale[i];
             const double size = column.norm();
-            Vector3d axis = column;
+            Column axis = column;
             axis[0] += std::copysign(size, column[0]);
             const double per = 2 / axis.squaredNorm();
             for (Index k = 0; k <= n; ++k) {
-                const double part = per * axis.dot(rows.col(k));
-                rows.col(k) -= part * axis;
+                const double part = per * axis.head(per_point).dot(rows.col(k));
+                rows.col(k) -= part * axis.head(per_point);
             }
             angle_pivots[i] = -std::copysign(size, column[0]);
             angle_rows.row(i) = rows.row(0);
@@ -162,7 +168,7 @@ struct Fit {
     double promised(const Place& at, const VectorXd& change) const {
         VectorXd r = at.residuals.value + at.residuals.jacobian * change.head(dimensions);
         for (Index i = 0; i < angle_scale.size(); ++i)
-            r.segment<2>(2 * i) += change[angle_variable(i)] * at.residuals.by_angle.segment<2>(2 * i);
+            r.segment(each * i, each) += change[angle_variable(i)] * at.residuals.by_angle.segment(each * i, each);
         return r.squaredNorm();
     }
 };

@@ -27,6 +27,7 @@ struct PathMoments {
     Vector<T> wp{0.0, 0.0};  ///< conj(w) p
     Vector<T> wt{0.0, 0.0};  ///< conj(w) target
     Vector<T> pt{0.0, 0.0};  ///< conj(p) target
+    Vector<T> wf{0.0, 0.0};  ///< conj(w) facing
 };
 
 /// conj(a) b
@@ -77,7 +78,10 @@ ScoreAndSize<T> eliminated(const PathMoments<T>& moments, const PathFreedom& fre
     const Vector<T> axis{T(free.tilted.x), T(free.tilted.y)};
     const T along = free.tilt ? sqrt(square(pt)) : dot(axis, pt);
     const T size = free.size ? T(along * per_p) : T(1.0);
-    const T score = (tt - (size + size) * along + size * size * pp) / m.tt;
+    // A guided body faces as well as it can on average: |f - D w|^2 = 2 - 2 |sum conj(w) f| for the best |D| = 1.
+    const T length_square(free.body_length * free.body_length);
+    const T turned = length_square * T(2.0) * (m.weight - sqrt(square(m.wf)));
+    const T score = (tt - (size + size) * along + size * size * pp + turned) / m.tt;
     return {select(size > none, score, T(1.0)), size};
 }
 
@@ -114,6 +118,8 @@ Screened screened(std::size_t assembly, std::span<const Group> lengths, std::spa
             m.wp = m.wp + weight * conjugate_product(w, p);
             m.wt = m.wt + weight * conjugate_product(w, target);
             m.pt = m.pt + weight * conjugate_product(p, target);
+            const Vector<T> facing{T(point.facing.x), T(point.facing.y)};
+            m.wf = m.wf + weight * conjugate_product(w, facing);
         }
         const ScoreAndSize<T> s = eliminated(m, free);
         const T score = select(margin < T(0.0), T(std::numeric_limits<double>::infinity()), s.score);

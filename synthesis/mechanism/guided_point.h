@@ -54,6 +54,65 @@ void path_miss_by(std::size_t assembly, std::span<const double> dimensions, doub
     }
 }
 
+/// What the formula of a guided body gives besides: the unit vector asked for less that in which the body faces.
+template <class T>
+struct PoseMissAndMargin {
+    MissAndMargin<T> place;
+    Vector<T> turn;
+};
+
+/// The pose_miss of a formula with `reads` and `template <class T> static PoseMissAndMargin<T> miss(assembly, const
+/// std::array<T, reads + 1>& x, const Vector<double>& target, const Vector<double>& facing)`.
+template <class Formula>
+void pose_miss_by(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
+                  const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) {
+    constexpr std::size_t n = Formula::reads + 1;
+    std::array<double, n> at{};
+    std::copy_n(dimensions.begin(), Formula::reads, at.begin());
+    at[Formula::reads] = crank_angle;
+    const auto evaluate = [&]<class T>(const std::array<T, n>& x) {
+        const PoseMissAndMargin<T> r = Formula::miss(assembly, x, target, facing);
+        out.place.miss = {value_of(r.place.miss.x), value_of(r.place.miss.y)};
+        out.turn.miss = {value_of(r.turn.x), value_of(r.turn.y)};
+        out.place.margin = out.turn.margin = r.place.margin;
+        return r;
+    };
+    if (!out.place.hessian_x.empty()) {
+        const auto r = evaluate(seeded<SecondDual<double, n>, n>(at));
+        const auto copy = [](const auto& v, PathMiss& to) {
+            std::copy(v.x.first.begin(), v.x.first.end(), to.gradient_x.begin());
+            std::copy(v.y.first.begin(), v.y.first.end(), to.gradient_y.begin());
+            std::copy(v.x.second.begin(), v.x.second.end(), to.hessian_x.begin());
+            std::copy(v.y.second.begin(), v.y.second.end(), to.hessian_y.begin());
+        };
+        copy(r.place.miss, out.place);
+        copy(r.turn, out.turn);
+    } else if (!out.place.gradient_x.empty()) {
+        const auto r = evaluate(seeded<Dual<double, n>, n>(at));
+        const auto copy = [](const auto& v, PathMiss& to) {
+            std::copy(v.x.partial.begin(), v.x.partial.end(), to.gradient_x.begin());
+            std::copy(v.y.partial.begin(), v.y.partial.end(), to.gradient_y.begin());
+        };
+        copy(r.place.miss, out.place);
+        copy(r.turn, out.turn);
+    } else {
+        evaluate(at);
+    }
+}
+
+inline constexpr std::array<Quantity, 2> pose_quantities{{
+    {.name = "pose-rms",
+     .unit = Unit::length,
+     .meaning = "root of the weighted mean of squared distances of the body from the target poses",
+     .path = PathMeasure::root_mean_square,
+     .section = "poses"},
+    {.name = "pose-max",
+     .unit = Unit::length,
+     .meaning = "greatest distance of the body from a target pose",
+     .path = PathMeasure::greatest,
+     .section = "poses"},
+}};
+
 inline constexpr std::array<Quantity, 3> path_quantities{{
     {.name = "path-sse",
      .unit = Unit::area,

@@ -141,6 +141,12 @@ struct PathMiss {
     std::span<double> hessian_y;
 };
 
+/// The same for a body: `place` as for a path, `turn` the difference of the unit vectors in which the body faces.
+struct PoseMiss {
+    PathMiss place;
+    PathMiss turn;
+};
+
 /// Which dimensions play which part in a path: the point's coordinates on the guiding link, the placement in the
 /// drawing, and the crank angle that prescribed angles are counted from.
 struct PathRoles {
@@ -150,6 +156,7 @@ struct PathRoles {
     std::size_t origin_y;
     std::size_t tilt;
     std::size_t start;
+    std::size_t body = 0;  ///< the angle from the guiding link to the guided body
 };
 
 /// Why ranges of dimensions hold no design of a mechanism.
@@ -189,6 +196,11 @@ struct Mechanism {
     PathRoles path_roles{};
     void (*path_miss)(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
                       const Vector<double>& target, PathMiss& out) = nullptr;
+    /// Body guidance: the pose of a body on the guiding link, its derivatives with respect to the first `pose_reads`
+    /// dimensions, then the crank angle; 0 for mechanisms without it.
+    std::size_t pose_reads = 0;
+    void (*pose_miss)(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
+                      const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) = nullptr;
     /// Ranks candidates for a path, many at once; null: they are evaluated one by one.
     PathScreening path_screening = nullptr;
     Vector<Digits50> (*path_point)(std::size_t assembly, std::span<const Digits50> dimensions,

@@ -23,6 +23,7 @@ struct PathFreedom {
     bool size;    ///< |A| is free; else 1
     bool tilt;    ///< the direction of A is free; else `tilted`
     Vector<double> tilted{1, 0};
+    double body_length = 0;  ///< of a guided body that may stand at any angle on its link
 };
 
 /// A target with the half of the crank angle at which it is met as (cos, sin), the same for all candidates of a call.
@@ -30,6 +31,7 @@ struct ScreenedPoint {
     Vector<double> target;
     double weight;
     Vector<double> half;
+    Vector<double> facing{1, 0};  ///< the direction of a guided body
 };
 
 /// Eight numbers, one for each candidate of a group.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -102,6 +103,94 @@ void read_path(Section& file, Problem& problem, Messages& messages) {
         check_free_timing(*path, list, messages);
     find(*path, "crank_angles");
     report_unknown_keys(*path, messages);
+    target.points = std::move(list.points);
+    problem.path = std::move(target);
+}
+
+namespace {
+
+/// The poses [x, y, angle], as points and directions.
+PointList read_pose_list(Section& poses, const Problem& problem, PathTarget& target, Messages& messages) {
+    PointList list;
+    const toml::node* node = find(poses, "poses");
+    if (node == nullptr) {
+        add_error(messages, poses.place, "[poses] needs poses = [[x, y, angle], ...]");
+        return list;
+    }
+    list.named_at = place_of(*node);
+    if (!node->is_array()) {
+        report_kind(*node, name_of(poses, "poses"), "a list of [x, y, angle]", messages);
+        return list;
+    }
+    list.whole = true;
+    for (const toml::node& entry : *node->as_array()) {
+        const std::string what = fmt::format("pose {}", list.points.size() + 1);
+        const toml::array* numbers = entry.as_array();
+        std::array<std::optional<double>, 3> pose;
+        if (numbers == nullptr || numbers->size() != 3)
+            add_error(messages, place_of(entry), fmt::format("{} must be [x, y, angle]", what));
+        else
+            for (std::size_t k = 0; k < 3; ++k)
+                pose[k] = to_number((*numbers)[k], fmt::format("each number of {}", what), messages);
+        const bool right = pose[0] && pose[1] && pose[2];
+        list.whole = list.whole && right;
+        add_point(list, right ? std::optional(Vector<double>{*pose[0], *pose[1]}) : std::nullopt, place_of(entry));
+        target.directions.push_back(right ? to_radians(problem.units, *pose[2]) : 0);
+    }
+    if (list.points.size() < 2 || list.points.size() > most_free_points) {
+        add_error(messages, list.named_at,
+                  fmt::format("{} must have from 2 to {} poses, not {}", name_of(poses, "poses"), most_free_points,
+                              list.points.size()));
+        list.whole = false;
+    }
+    for (std::size_t i = 1; i < list.points.size() && list.whole; ++i)
+        if (list.points[i].x == list.points[i - 1].x && list.points[i].y == list.points[i - 1].y &&
+            target.directions[i] == target.directions[i - 1])
+            add_error(messages, list.places[i],
+                      fmt::format("poses {} and {} are one pose: leave one of them out", i, i + 1));
+    return list;
+}
+
+/// The length that angles are weighed by: given, or half the greatest distance from the first pose.
+double read_body_length(Section& poses, const PointList& list, Messages& messages) {
+    if (const auto length = read_number(poses, "length", messages)) {
+        if (*length > 0) return *length;
+        add_error(messages, place_of(poses, "length"),
+                  fmt::format("{} must be greater than 0, not {}", name_of(poses, "length"), *length));
+        return 1;
+    }
+    double farthest = 0;
+    for (const Vector<double>& p : list.points)
+        farthest = std::max(farthest, std::hypot(p.x - list.points.front().x, p.y - list.points.front().y));
+    if (farthest > 0) return 0.5 * farthest;
+    if (list.whole && !has(poses, "length"))
+        add_error(
+            messages, poses.place,
+            "all poses stand at one place: give the body a length, by which angles are weighed against distances");
+    return 1;
+}
+
+}  // namespace
+
+void read_poses(Section& file, Problem& problem, Messages& messages) {
+    std::optional<Section> poses = read_section(file, "poses", messages);
+    if (!poses) return;
+    if (problem.mechanism != nullptr && problem.mechanism->pose_reads == 0)
+        return add_error(messages, poses->place,
+                         fmt::format("a {} guides no body through poses: leave [poses] out", problem.mechanism->name));
+    if (problem.path) return add_error(messages, poses->place, "a problem has a [path] or [poses], not both");
+    constexpr std::array<std::string_view, 2> timings{"free", "prescribed"};
+    PathTarget target;
+    PointList list = read_pose_list(*poses, problem, target, messages);
+    target.prescribed_timing = read_choice(*poses, "timing", "timing", timings, messages) == 1u;
+    target.body_length = read_body_length(*poses, list, messages);
+    target.weights = read_weights(*poses, list, messages);
+    if (target.prescribed_timing)
+        target.crank_angles = read_crank_angles(*poses, problem.units, list, messages);
+    else if (const toml::node* angles = find(*poses, "crank_angles"); angles != nullptr)
+        add_error(messages, place_of(*angles),
+                  "'crank_angles' in [poses] need timing = \"prescribed\"; with free timing leave them out");
+    report_unknown_keys(*poses, messages);
     target.points = std::move(list.points);
     problem.path = std::move(target);
 }

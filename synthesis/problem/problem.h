@@ -60,6 +60,10 @@ struct PathTarget {
     std::vector<double> crank_angles;  ///< for prescribed timing: one per point, counted from crank-start; radians
     bool closed = false;               ///< the crank turns fully
     std::vector<double> weights;       ///< one per point, all 1 unless given
+    std::vector<double> directions;    ///< that a guided body faces at each point, radians; empty for a path
+    double body_length = 0;            ///< of a guided body: turning it by a small angle moves it by so much times that
+
+    bool guides_body() const { return !directions.empty(); }
 };
 
 struct SolverOptions {

@@ -39,8 +39,7 @@ struct Missing {
 };
 
 /// Sections of the format that belong to kinds of synthesis which are not built in.
-constexpr std::array<Missing, 2> not_built_in{
-    {{"poses", "body guidance through poses"}, {"study", "parameter studies"}}};
+constexpr std::array<Missing, 1> not_built_in{{{"study", "parameter studies"}}};
 
 void report_not_built_in(Section& file, Messages& messages) {
     for (const Missing& missing : not_built_in) {
@@ -61,6 +60,7 @@ void read_table(const toml::table& table, Problem& problem, Messages& messages) 
     read_dimensions(file, problem, messages);
     read_segments(file, problem, messages);
     read_path(file, problem, messages);
+    read_poses(file, problem, messages);
     read_objective(file, problem, messages);
     read_motion(file, problem, messages);
     read_function(file, problem, messages);

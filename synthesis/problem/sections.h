@@ -28,6 +28,8 @@ void read_objective(Section& file, Problem& problem, Messages& messages);
 void read_path(Section& file, Problem& problem, Messages& messages);
 /// The function to be generated; after [motion], whose crank range it sets where that is known and not given.
 void read_function(Section& file, Problem& problem, Messages& messages);
+/// The poses of a guided body: a path with directions.
+void read_poses(Section& file, Problem& problem, Messages& messages);
 void read_motion(Section& file, Problem& problem, Messages& messages);
 /// The sections that the mechanism's settings stand in.
 void read_settings(Section& file, Problem& problem, Messages& messages);

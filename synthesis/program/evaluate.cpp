@@ -66,33 +66,85 @@ PathAngle path_angle(const Program& program, std::span<const double> dimensions,
     return {dimensions[start] + program.problem->path->crank_angles[point], program.variable_of[start]};
 }
 
+/// One residual of a point, of which there are two, for a guided body four: what is missed in x and y, and in the
+/// direction that the body faces.
+struct Residual {
+    double value;
+    std::array<double, most_path_reads> gradient;
+    std::array<double, most_path_pairs> hessian;
+};
+
 /// Squared distance at one point with what its derivatives need.
 struct PointTerms {
-    std::array<double, most_path_reads> gradient_x;
-    std::array<double, most_path_reads> gradient_y;
-    std::array<double, most_path_pairs> hessian_x;
-    std::array<double, most_path_pairs> hessian_y;
-    std::array<std::ptrdiff_t, most_path_reads> variable;  ///< of each of the reads + 1 arguments
-    PathMiss miss;
+    std::array<Residual, 4> residuals;
+    std::size_t count;                                     ///< of them
+    std::size_t arguments;                                 ///< dimensions and crank angle
+    std::array<std::ptrdiff_t, most_path_reads> variable;  ///< of each of the arguments
+    double margin;
     double square;
+
+    std::span<const Residual> all() const { return std::span(residuals).first(count); }
+    /// The derivative of the square by an argument.
+    double slope(std::size_t argument) const {
+        double sum = 0;
+        for (const Residual& r : all())
+            sum += r.value * r.gradient[argument];
+        return 2 * sum;
+    }
 };
+
+/// Where one pair of residuals is written to.
+PathMiss into(Residual& x, Residual& y, int order) {
+    PathMiss miss{};
+    if (order >= 1) {
+        miss.gradient_x = x.gradient;
+        miss.gradient_y = y.gradient;
+    }
+    if (order >= 2) {
+        miss.hessian_x = x.hessian;
+        miss.hessian_y = y.hessian;
+    }
+    return miss;
+}
+
+/// Times the length of a guided body.
+void scale(Residual& r, double length, std::size_t arguments, int order) {
+    r.value *= length;
+    for (std::size_t k = 0; order >= 1 && k < arguments; ++k)
+        r.gradient[k] *= length;
+    for (std::size_t k = 0; order >= 2 && k < arguments * (arguments + 1) / 2; ++k)
+        r.hessian[k] *= length;
+}
 
 void evaluate_point(const Program& program, std::span<const double> dimensions, const VectorXd& x, std::size_t point,
                     int order, PointTerms& t) {
     const Mechanism& mechanism = *program.problem->mechanism;
-    const std::size_t reads = mechanism.path_reads;
+    const PathTarget& target = *program.problem->path;
     const PathAngle angle = path_angle(program, dimensions, x, point);
-    t.miss = {};
-    if (order >= 1) {
-        t.miss.gradient_x = t.gradient_x;
-        t.miss.gradient_y = t.gradient_y;
+    const std::size_t reads = target.guides_body() ? mechanism.pose_reads : mechanism.path_reads;
+    auto& r = t.residuals;
+    t.arguments = reads + 1;
+    PoseMiss miss{into(r[0], r[1], order), into(r[2], r[3], order)};
+    if (target.guides_body()) {
+        const double direction = target.directions[point];
+        mechanism.pose_miss(program.variant.assembly, dimensions, angle.angle, program.targets[point],
+                            {std::cos(direction), std::sin(direction)}, miss);
+        t.count = 4;
+        r[2].value = miss.turn.miss.x;
+        r[3].value = miss.turn.miss.y;
+        const double length = target.body_length / program.length;
+        scale(r[2], length, t.arguments, order);
+        scale(r[3], length, t.arguments, order);
+    } else {
+        mechanism.path_miss(program.variant.assembly, dimensions, angle.angle, program.targets[point], miss.place);
+        t.count = 2;
     }
-    if (order >= 2) {
-        t.miss.hessian_x = t.hessian_x;
-        t.miss.hessian_y = t.hessian_y;
-    }
-    mechanism.path_miss(program.variant.assembly, dimensions, angle.angle, program.targets[point], t.miss);
-    t.square = t.miss.miss.x * t.miss.miss.x + t.miss.miss.y * t.miss.miss.y;
+    r[0].value = miss.place.miss.x;
+    r[1].value = miss.place.miss.y;
+    t.margin = miss.place.margin;
+    t.square = 0;
+    for (const Residual& residual : t.all())
+        t.square += residual.value * residual.value;
     if (order == 0) return;
     std::copy_n(program.variable_of.begin(), reads, t.variable.begin());
     t.variable[reads] = angle.variable;
@@ -109,14 +161,13 @@ void evaluate_path(const Program& program, std::span<const double> dimensions, c
                    Outputs& out) {
     const PathBlock& path = *program.path;
     const PathTarget& target = *program.problem->path;
-    const std::size_t arguments = program.problem->mechanism->path_reads + 1;
     PointTerms t;
     double sum = 0;
     VectorXd sum_gradient;
     if (derivatives) sum_gradient = VectorXd::Zero(static_cast<Index>(program.size()));
     for (std::size_t i = 0; i < program.targets.size(); ++i) {
         evaluate_point(program, dimensions, x, i, derivatives ? 1 : 0, t);
-        if (!(t.miss.margin >= 0)) {
+        if (!(t.margin >= 0)) {
             out.assembled = false;
             return;
         }
@@ -128,9 +179,9 @@ void evaluate_path(const Program& program, std::span<const double> dimensions, c
         if (path.squares) out.value[square_row] = t.square;
         if (path.distances) out.value[distance_row] = distance;
         if (!derivatives) continue;
-        for (std::size_t k = 0; k < arguments; ++k) {
+        for (std::size_t k = 0; k < t.arguments; ++k) {
             if (t.variable[k] < 0) continue;
-            const double g = 2 * (t.miss.miss.x * t.gradient_x[k] + t.miss.miss.y * t.gradient_y[k]);
+            const double g = t.slope(k);
             sum_gradient[t.variable[k]] += w * g;
             if (path.squares) out.jacobian(square_row, t.variable[k]) += g;
             if (path.distances && distance > 0) out.jacobian(distance_row, t.variable[k]) += g / (2 * distance);
@@ -248,7 +299,6 @@ void add_path_hessian(const Program& program, std::span<const double> dimensions
                       const VectorXd& weights, MatrixXd& hessian) {
     const PathBlock& path = *program.path;
     const PathTarget& target = *program.problem->path;
-    const std::size_t arguments = program.problem->mechanism->path_reads + 1;
     const auto weight_at = [&](const std::optional<std::size_t>& output, std::size_t offset) {
         return output ? weights[static_cast<Index>(*output + offset)] : 0.0;
     };
@@ -275,18 +325,19 @@ void add_path_hessian(const Program& program, std::span<const double> dimensions
         const double on_q = on_sum * w + on_square + (rms > 0 ? on_rms * w / (2 * total * rms) : 0) +
                             (distance > 0 ? on_distance / (2 * distance) : 0);
         const double on_gradient_square = distance > 0 ? on_distance / (4 * t.square * distance) : 0;
-        std::array<double, most_reads> g;
-        for (std::size_t k = 0; k < arguments; ++k) {
-            g[k] = 2 * (t.miss.miss.x * t.gradient_x[k] + t.miss.miss.y * t.gradient_y[k]);
+        std::array<double, most_path_reads> g;
+        for (std::size_t k = 0; k < t.arguments; ++k) {
+            g[k] = t.slope(k);
             if (t.variable[k] >= 0) sum_gradient[t.variable[k]] += w * g[k];
         }
-        for (std::size_t k = 0, at = 0; k < arguments; ++k)
+        for (std::size_t k = 0, at = 0; k < t.arguments; ++k)
             for (std::size_t l = 0; l <= k; ++l, ++at) {
                 const std::ptrdiff_t a = t.variable[k];
                 const std::ptrdiff_t b = t.variable[l];
                 if (a < 0 || b < 0) continue;
-                const double q = 2 * (t.gradient_x[k] * t.gradient_x[l] + t.gradient_y[k] * t.gradient_y[l] +
-                                      t.miss.miss.x * t.hessian_x[at] + t.miss.miss.y * t.hessian_y[at]);
+                double q = 0;
+                for (const Residual& r : t.all())
+                    q += 2 * (r.gradient[k] * r.gradient[l] + r.value * r.hessian[at]);
                 const double h = on_q * q - on_gradient_square * g[k] * g[l];
                 hessian(a, b) += h;
                 if (k != l) hessian(b, a) += h;
@@ -299,34 +350,33 @@ void add_path_hessian(const Program& program, std::span<const double> dimensions
 
 bool path_residuals(const Program& program, const VectorXd& x, bool derivatives, PathResiduals& out) {
     const std::vector<double> dimensions = dimensions_at(program, x);
-    const auto rows = static_cast<Index>(2 * program.targets.size());
+    const std::size_t each = residuals_per_point(program);
+    const auto rows = static_cast<Index>(each * program.targets.size());
     const auto columns = static_cast<Index>(program.dimension_variables);
-    const bool untimed = program.untimed_path();
-    const std::size_t arguments = program.problem->mechanism->path_reads + 1;
     out.value.resize(rows);
     if (derivatives) {
         out.jacobian.setZero(rows, columns);
-        out.by_angle.setZero(untimed ? rows : 0);
+        out.by_angle.setZero(program.untimed_path() ? rows : 0);
     }
     PointTerms t;
     for (std::size_t i = 0; i < program.targets.size(); ++i) {
         evaluate_point(program, dimensions, x, i, derivatives ? 1 : 0, t);
-        if (!(t.miss.margin >= 0)) return false;
-        const auto row = static_cast<Index>(2 * i);
+        if (!(t.margin >= 0)) return false;
         const double w = std::sqrt(program.problem->path->weights[i]);
-        out.value[row] = w * t.miss.miss.x;
-        out.value[row + 1] = w * t.miss.miss.y;
-        if (!derivatives) continue;
-        for (std::size_t k = 0; k < arguments; ++k) {
-            const std::ptrdiff_t v = t.variable[k];
-            if (v < 0) continue;
-            const bool own = v >= columns;
-            (own ? out.by_angle[row] : out.jacobian(row, v)) += w * t.gradient_x[k];
-            (own ? out.by_angle[row + 1] : out.jacobian(row + 1, v)) += w * t.gradient_y[k];
+        for (std::size_t c = 0; c < each; ++c) {
+            const auto row = static_cast<Index>(each * i + c);
+            const Residual& r = t.residuals[c];
+            out.value[row] = w * r.value;
+            for (std::size_t k = 0; derivatives && k < t.arguments; ++k) {
+                const std::ptrdiff_t v = t.variable[k];
+                if (v >= 0) (v >= columns ? out.by_angle[row] : out.jacobian(row, v)) += w * r.gradient[k];
+            }
         }
     }
     return out.value.allFinite() && (!derivatives || out.jacobian.allFinite());
 }
+
+std::size_t residuals_per_point(const Program& program) { return program.problem->path->guides_body() ? 4 : 2; }
 
 MatrixXd lagrangian_hessian(const Program& program, const VectorXd& x, double weight, const VectorXd& multipliers) {
     VectorXd on_output = VectorXd::Zero(static_cast<Index>(program.outputs));

@@ -119,11 +119,15 @@ struct ProgramValues {
 /// the same bits either way.
 void evaluate(const Program& program, const Eigen::VectorXd& x, bool derivatives, ProgramValues& out);
 
-/// The path as a least-squares problem: for each point two residuals, the weighted miss in x and y. They depend on the
-/// dimensions, which are the first variables of the program, and in an untimed path on the point's own crank angle.
+/// How many residuals a point of the path has: two, the weighted miss in x and y; for a guided body four, those of the
+/// direction in which it faces, times its length, too.
+std::size_t residuals_per_point(const Program& program);
+
+/// The path as a least-squares problem. The residuals of a point follow each other; they depend on the dimensions,
+/// which are the first variables of the program, and in an untimed path on the point's own crank angle.
 struct PathResiduals {
-    Eigen::VectorXd value;     ///< [2 point + coordinate]
-    Eigen::MatrixXd jacobian;  ///< [2 point + coordinate][dimension variable]
+    Eigen::VectorXd value;     ///< [residual]
+    Eigen::MatrixXd jacobian;  ///< [residual][dimension variable]
     Eigen::VectorXd by_angle;  ///< derivative by the point's own crank angle; only in an untimed path
 };
 

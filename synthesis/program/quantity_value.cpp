@@ -60,6 +60,7 @@ std::optional<double> quantity_value(const Problem& problem, std::size_t quantit
 
     std::optional<double> value;
     if (q.path != PathMeasure::none) {
+        if (problem.path && problem.path->guides_body() != (q.section == "poses")) return std::nullopt;
         value = path_quantity(problem, q.path, design);
     } else if (q.defined(motion)) {
         std::array<double, Quantity::most_components> components{};
@@ -74,6 +75,33 @@ std::optional<double> quantity_value(const Problem& problem, std::size_t quantit
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+namespace {
+
+struct MissedPoint {
+    Vector<double> place;  ///< target - reached
+    double turn = 0;       ///< 2 sin(half the angle between the directions)
+    double direction = 0;  ///< of a guided body
+};
+
+MissedPoint missed_point(const Problem& problem, const Design& design, std::size_t i) {
+    const PathTarget& target = *problem.path;
+    if (!target.guides_body()) {
+        PathMiss miss{};
+        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], target.points[i], miss);
+        return {miss.miss};
+    }
+    const Vector<double> facing{std::cos(target.directions[i]), std::sin(target.directions[i])};
+    PoseMiss miss{};
+    problem.mechanism->pose_miss(design.assembly, design.dimensions, design.path_angles[i], target.points[i], facing,
+                                 miss);
+    const Vector<double> faces = facing - miss.turn.miss;
+    // The turn is added to the direction asked for, so that both are counted from the same whole turn.
+    const double turned = std::atan2(cross(facing, faces), dot(facing, faces));
+    return {miss.place.miss, std::hypot(miss.turn.miss.x, miss.turn.miss.y), target.directions[i] + turned};
+}
+
+}  // namespace
+
 std::optional<PathValues> path_values(const Problem& problem, const Design& design) {
     const std::optional<PathTarget>& target = problem.path;
     if (!target || target->points.empty() || design.path_angles.size() != target->points.size()) return std::nullopt;
@@ -81,15 +109,14 @@ std::optional<PathValues> path_values(const Problem& problem, const Design& desi
     double sum = 0;
     double weights = 0;
     for (std::size_t i = 0; i < target->points.size(); ++i) {
-        PathMiss miss{};
-        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], target->points[i],
-                                     miss);
-        const double distance = std::hypot(miss.miss.x, miss.miss.y);
+        const MissedPoint miss = missed_point(problem, design, i);
+        const double distance = std::hypot(miss.place.x, miss.place.y, target->body_length * miss.turn);
         if (!std::isfinite(distance)) return std::nullopt;
         const double weight = i < target->weights.size() ? target->weights[i] : 1;
         sum += weight * distance * distance;
         weights += weight;
-        values.reached.push_back(target->points[i] - miss.miss);
+        values.reached.push_back(target->points[i] - miss.place);
+        if (target->guides_body()) values.directions.push_back(miss.direction);
         values.distances.push_back(distance);
         values.greatest = std::max(values.greatest, distance);
     }

@@ -24,10 +24,12 @@ Motion motion_of(const Problem& problem, const Design& design);
 /// design does not assemble.
 std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design);
 
-/// Where a design comes to lie at each target point. With weights w and distances d: sum w d^2,
-/// sqrt(sum w d^2 / sum w), and the greatest plain distance.
+/// Where a design comes to lie at each target point, and where a guided body faces there. The distance of a body is
+/// sqrt(d^2 + (2 length sin(turn / 2))^2), with d that of its place and turn that of its direction. With weights w and
+/// distances d: sum w d^2, sqrt(sum w d^2 / sum w), and the greatest plain distance.
 struct PathValues {
     std::vector<Vector<double>> reached;
+    std::vector<double> directions;  ///< radians; only of a guided body
     std::vector<double> distances;
     double sum_of_squares = 0;
     double root_mean_square = 0;

@@ -128,12 +128,17 @@ Json path_of(const Problem& problem, const Solution* best) {
                          : target.any_order       ? "none"
                                                   : "free"},
               {"closed", target.closed}};
+    if (target.guides_body()) {
+        json["directions"] = angles(target.directions, problem.units);
+        json["body_length"] = target.body_length;
+    }
     if (std::any_of(target.weights.begin(), target.weights.end(), [](double w) { return w != 1; }))
         json["weights"] = target.weights;
     if (target.prescribed_timing) json["prescribed_angles"] = angles(target.crank_angles, problem.units);
     if (!best) return json;
     if (const std::optional<PathValues> values = path_values(problem, best->design)) {
         json["reached"] = pairs(values->reached);
+        if (target.guides_body()) json["reached_directions"] = angles(values->directions, problem.units);
         json["crank_angles"] = angles(best->design.path_angles, problem.units);
         json["distances"] = values->distances;
     }
@@ -201,7 +206,7 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
         if (!problem.requirements.empty()) json["requirements"] = requirements_of(problem, best->design);
         json["quantities"] = quantities_of(problem, best->design);
     }
-    if (problem.path) json["path"] = path_of(problem, best);
+    if (problem.path) json[problem.path->guides_body() ? "poses" : "path"] = path_of(problem, best);
     if (problem.function) json["function"] = function_document(problem, best ? &best->design : nullptr);
 }
 

@@ -18,6 +18,7 @@
 ///   [objective]    quantity, sense, value; for several: terms [{quantity, sense, weight, value}], reduce, value
 ///   [requirements] [{quantity, value, equal | min and/or max, violation (relative), active}]
 ///   [quantities]   name -> value, every quantity of the mechanism that is defined for the design
+///   [poses]        as path, with directions, body_length, reached_directions
 ///   [path]         points, timing, closed, [weights], [prescribed_angles], reached, crank_angles, distances
 ///   [verification] passed, checks [{name, passed, detail}]
 ///   alternatives   [{design, objective, [path_angles]}]

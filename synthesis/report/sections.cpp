@@ -68,8 +68,14 @@ int decimals_of(const std::vector<Vector<double>>& points) {
 }
 
 std::string point_table(const Problem& problem, const Design& design, const PathValues& values) {
+    const bool body = problem.path->guides_body();
     Table table{{Align::right, Align::point, Align::point, Align::right, Align::right, Align::right, Align::point}, {}};
     table.rows.push_back({"#", "target x", "y", "reached x", "y", "crank", "distance"});
+    if (body) {
+        table.columns = {Align::right, Align::point, Align::point, Align::point, Align::right,
+                         Align::right, Align::right, Align::right, Align::point};
+        table.rows.front() = {"#", "target x", "y", "angle", "reached x", "y", "angle", "crank", "distance"};
+    }
     const int decimals = decimals_of(problem.path->points);
     for (std::size_t i = 0; i < values.distances.size(); ++i) {
         const Vector<double>& target = problem.path->points[i];
@@ -78,6 +84,11 @@ std::string point_table(const Problem& problem, const Design& design, const Path
         table.rows.push_back({std::to_string(i + 1), number_text(target.x, 6), number_text(target.y, 6),
                               fixed_text(reached.x, decimals), fixed_text(reached.y, decimals),
                               fixed_text(angle, problem.units.degrees ? 2 : 4), number_text(values.distances[i], 3)});
+        if (!body) continue;
+        auto& row = table.rows.back();
+        const auto in_unit = [&](double a) { return in_file_unit(a, Unit::angle, problem.units); };
+        row.insert(row.begin() + 3, number_text(in_unit(problem.path->directions[i]), 6));
+        row.insert(row.begin() + 6, fixed_text(in_unit(values.directions[i]), problem.units.degrees ? 3 : 5));
     }
     return to_text(table, 2);
 }
@@ -181,7 +192,10 @@ std::string path_section(const Problem& problem, const Design& design, bool colo
     const std::optional<PathValues> values = path_values(problem, design);
     if (!values) return {};
     const std::size_t count = values->distances.size();
-    std::string text = heading(fmt::format("Path: {} point{}", count, count == 1 ? "" : "s"), colour);
+    std::string text =
+        heading(problem.path->guides_body() ? fmt::format("Poses: {}", count)
+                                            : fmt::format("Path: {} point{}", count, count == 1 ? "" : "s"),
+                colour);
     if (count <= most_points_shown) text += point_table(problem, design, *values);
     text += fmt::format("  distance: root mean square {}, greatest {}\n",
                         value_with_unit(values->root_mean_square, Unit::length, problem.units),

@@ -54,6 +54,7 @@ ScreenedStarts::ScreenedStarts(const Program& program, std::uint64_t seed)
     free_.origin = is_free(program, roles.origin_x) && is_free(program, roles.origin_y);
     free_.tilt = is_free(program, roles.tilt);
     free_.tilted = {std::cos(program.dimensions[roles.tilt]), std::sin(program.dimensions[roles.tilt])};
+    free_.body_length = program.problem->path->body_length / program.length;
     draw_shapes();
 }
 
@@ -130,8 +131,11 @@ std::vector<ScreenedPoint> ScreenedStarts::points() const {
         free_.origin ? Vector<double>{0, 0}
                      : Vector<double>{program_.dimensions[roles.origin_x], program_.dimensions[roles.origin_y]};
     std::vector<ScreenedPoint> all;
-    for (std::size_t i = 0; i < program_.targets.size(); ++i)
-        all.push_back({program_.targets[i] - origin, program_.problem->path->weights[i], {1, 0}});
+    const PathTarget& path = *program_.problem->path;
+    for (std::size_t i = 0; i < program_.targets.size(); ++i) {
+        all.push_back({program_.targets[i] - origin, path.weights[i], {1, 0}});
+        if (path.guides_body()) all.back().facing = {std::cos(path.directions[i]), std::sin(path.directions[i])};
+    }
     return all;
 }
 

@@ -92,6 +92,7 @@ void fit_placement(const Program& program, VectorXd& x) {
 
     Eigen::MatrixXcd columns(n, unknowns);
     Eigen::VectorXcd target(n);
+    Complex facing(0);  ///< from the guiding link to the directions of a guided body, summed
     for (Index i = 0; i < n; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const double angle = program.untimed_path() ? x[static_cast<Index>(program.first_path_angle + k)]
@@ -101,6 +102,8 @@ void fit_placement(const Program& program, VectorXd& x) {
         const Complex w = guided_point(1, angle, margin) - p;
         if (!(margin >= 0)) return;
         const double weight = std::sqrt(program.problem->path->weights[k]);
+        if (program.problem->path->guides_body())
+            facing += weight * weight * std::conj(w) * std::polar(1.0, program.problem->path->directions[k]);
         Complex known(0);
         Index column = 0;
         if (free_origin)
@@ -139,6 +142,10 @@ void fit_placement(const Program& program, VectorXd& x) {
         x[variable(roles.tilt)] = into_range(std::arg(z), tilt.lower, tilt.upper);
         if (!free_point && variable(roles.along) >= 0) set(roles.along, size * point.real());
         if (!free_point && variable(roles.across) >= 0) set(roles.across, size * point.imag());
+    }
+    if (program.problem->path->guides_body() && variable(roles.body) >= 0) {
+        const Variable& v = program.variables[static_cast<std::size_t>(variable(roles.body))];
+        x[variable(roles.body)] = into_range(std::arg(facing / turn), v.lower, v.upper);
     }
     if (free_point) {
         const Complex fitted = solved[column] / turn;

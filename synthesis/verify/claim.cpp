@@ -194,10 +194,12 @@ void read_quantities(Reader& in, const Json& document, Claim& claim) {
 }
 
 void read_path(Reader& in, const Json& document, Claim& claim) {
-    const Json* json = member(document, "path");
-    if (!json || !in.object(json, "path")) return;
+    const Json* poses = member(document, "poses");
+    const Json* json = poses ? poses : member(document, "path");
+    if (!json || !in.object(json, poses ? "poses" : "path")) return;
     if (!claim.mechanism->path_point)
         return in.fail(fmt::format("a {} guides no point along a path", claim.mechanism->name));
+    if (poses && !claim.mechanism->pose_miss) return in.fail(fmt::format("a {} guides no body", claim.mechanism->name));
     ClaimedPath path;
     path.points = in.points(member(*json, "points"), "path.points", most_points);
     if (path.points.empty()) in.fail("path.points is empty");
@@ -208,6 +210,14 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
         path.any_order = name == "none";
         if (name != "prescribed" && name != "free" && name != "none")
             in.fail("path.timing is not one of free, prescribed and none");
+    }
+    if (poses) {
+        path.directions = in.numbers(member(*json, "directions"), "poses.directions", most_points, true);
+        path.body_length = in.number(member(*json, "body_length"), "poses.body_length");
+        if (const Json* reached = member(*json, "reached_directions"))
+            path.reached_directions = in.numbers(reached, "poses.reached_directions", most_points, true);
+        if (path.directions.size() != count) in.fail("poses.directions has not one angle for each point");
+        if (!(path.body_length > 0)) in.fail("poses.body_length is not greater than 0");
     }
     if (const Json* closed = member(*json, "closed")) path.closed = in.flag(closed, "path.closed");
     path.weights.assign(count, 1.0);

@@ -50,7 +50,10 @@ struct ClaimedPath {
     bool closed = false;
     std::vector<double> weights;
     std::vector<double> prescribed_angles;
+    std::vector<double> directions;  ///< of a guided body, one for each point; empty for a path
+    double body_length = 0;
     std::vector<Vector<double>> reached;
+    std::vector<double> reached_directions;
     std::vector<double> crank_angles;
     std::vector<double> distances;
 };

@@ -50,6 +50,16 @@ Check check_reached(const ClaimedPath& path, const RebuiltPath& rebuilt) {
                       });
 }
 
+/// The difference between stated and real direction of a guided body at each point.
+Check check_faced(const ClaimedPath& path, const RebuiltPath& rebuilt, const Units& units) {
+    return check_each("faces in the directions that are stated", path.points.size(), angular,
+                      [&](std::size_t i) -> Digits50 {
+                          const Digits50 stated = from_document(path.reached_directions[i], Unit::angle, units);
+                          const Digits50 off = within_turn(stated - rebuilt.directions[i]);
+                          return std::min(off, Digits50(full_turn() - off));
+                      });
+}
+
 /// Distances to a relative 1e-9, and to 1e-12 of the size of the drawing where they vanish.
 Check check_distances(const ClaimedPath& path, const RebuiltPath& rebuilt) {
     Check check{"distances from the target are as stated", true, {}};
@@ -196,11 +206,13 @@ Check check_sweep(const Rebuilt& design, const std::vector<Range>& possible) {
 std::vector<Check> check_path(const Rebuilt& design) {
     const ClaimedPath& path = *design.claim->path;
     const std::size_t count = path.points.size();
-    if (!design.path || path.reached.size() != count || path.distances.size() != count)
+    if (!design.path || path.reached.size() != count || path.distances.size() != count ||
+        path.reached_directions.size() != path.directions.size())
         return {{"says for every point of the path where it is met", false,
                  fmt::format("{} points have {} crank angles, {} reached points and {} distances", count,
                              path.crank_angles.size(), path.reached.size(), path.distances.size())}};
     std::vector<Check> checks{check_reached(path, *design.path), check_distances(path, *design.path)};
+    if (!path.directions.empty()) checks.push_back(check_faced(path, *design.path, design.claim->units));
     const auto possible = sweeps(design);
     checks.push_back(path.prescribed_timing ? check_prescribed(design)
                      : path.any_order       ? check_nearest(design)

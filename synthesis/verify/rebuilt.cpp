@@ -38,7 +38,21 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
         result.crank_angles.push_back(from_document(path.crank_angles[i], Unit::angle, claim.units));
         result.reached.push_back(point(claim.assembly, design.dimensions, result.crank_angles.back()));
         const Vector<Digits50> miss = target - result.reached.back();
-        result.distances.push_back(sqrt(dot(miss, miss)));
+        Digits50 square = dot(miss, miss);
+        if (!path.directions.empty()) {
+            // The body faces where a point one length ahead on the guiding link lies, turned by its own angle.
+            const PathRoles& roles = claim.mechanism->path_roles;
+            std::vector<Digits50> ahead = design.dimensions;
+            ahead[roles.along] += 1;
+            const Vector<Digits50> link =
+                point(claim.assembly, ahead, result.crank_angles.back()) - result.reached.back();
+            const Digits50 asked = from_document(path.directions[i], Unit::angle, claim.units);
+            const Digits50 faces = atan2(link.y, link.x) + design.dimensions[roles.body];
+            const Digits50 chord = 2 * path.body_length * sin((faces - asked) / 2);
+            square += chord * chord;
+            result.directions.push_back(faces);
+        }
+        result.distances.push_back(sqrt(square));
     }
     return result;
 }

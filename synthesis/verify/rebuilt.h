@@ -20,6 +20,7 @@ struct Measured {
 struct RebuiltPath {
     std::vector<Digits50> crank_angles;
     std::vector<Vector<Digits50>> reached;  ///< NaN where the mechanism does not assemble
+    std::vector<Digits50> directions;       ///< of a guided body, radians
     std::vector<Digits50> distances;
     Digits50 size;  ///< the longest length or coordinate that a point is computed from
 };

@@ -48,7 +48,6 @@ TEST(Head, AnUnknownKeyOfTheTopLevelIsAnErrorThatListsTheKnownOnes) {
 }
 
 TEST(Head, SectionsOfOtherKindsOfSynthesisAreNamedAsNotBuiltIn) {
-    EXPECT_TRUE(only_says(read(valid + "[poses]\nposes = []\n"), "p.toml:8:2", {"unknown key", "body guidance"}));
     EXPECT_TRUE(only_says(read(valid + "[study]\n"), "p.toml:8:2", {"unknown key", "parameter studies"}));
 }
 

@@ -125,6 +125,13 @@ TEST(Derivatives, OfFunctionsWithFreeScales) {
                            objective + "\"\n"));
 }
 
+TEST(Derivatives, OfPosesWithEveryMeasure) {
+    const std::string body =
+        "body-angle = { min = 0, max = 360 }\n[poses]\nposes = [[0, 0, 10], [3, 8, 30], [9, 12, 45]]\n"
+        "length = 7\n[[require]]\nquantity = \"pose-max\"\nmax = 3\n[objective]\nminimize = \"pose-rms\"\n";
+    expect_exact_derivatives(problem_of(std::string(head) + placement + body));
+}
+
 TEST(Derivatives, OfTimedPathWithEveryPathMeasure) {
     expect_exact_derivatives(problem_of(std::string(head) + placement + R"(crank-start = { min = 0, max = 360 }
 [path]

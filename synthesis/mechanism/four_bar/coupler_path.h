@@ -52,4 +52,25 @@ struct CouplerPath {
     }
 };
 
+/// A body on the coupler as a guided body.
+struct CouplerPose {
+    static constexpr std::size_t reads = 15;
+
+    /// x: the dimensions of the four-bar in their order, then the crank angle.
+    template <class T>
+    static PoseMissAndMargin<T> miss(std::size_t assembly, const std::array<T, reads + 1>& x,
+                                     const Vector<double>& target, const Vector<double>& facing) {
+        using std::cos, std::sin;
+        const FourBar<T> links{x[0], x[1], x[2], x[3]};
+        const auto p = pose(links, x[15], assembly == 0 ? Assembly::open : Assembly::crossed);
+        const Vector<T> local = position(links, CouplerPoint<T>{x[4], x[5]}, p);
+        const Placement<T> placement{{x[6], x[7]}, x[8]};
+        const T turn = x[8] + x[14];
+        const Vector<T> faces = turned(p.coupler, Vector<T>{cos(turn), sin(turn)});
+        return {{mechwright::miss(local, placement, Vector<T>{T(target.x), T(target.y)}),
+                 std::min(value_of(p.margins.stretch), value_of(p.margins.fold))},
+                Vector<T>{T(facing.x), T(facing.y)} - faces};
+    }
+};
+
 }  // namespace mechwright::four_bar

@@ -16,7 +16,7 @@ namespace {
 
 using namespace four_bar;
 
-constexpr std::array<Dimension, 14> dimensions{{
+constexpr std::array<Dimension, 15> dimensions{{
     {"ground", DimensionKind::length, true, "ground link, crank pivot to rocker pivot"},
     {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
     {"coupler", DimensionKind::length, true, "coupler, crank pin to rocker pin"},
@@ -31,6 +31,7 @@ constexpr std::array<Dimension, 14> dimensions{{
     {"input-range", DimensionKind::angle, false, "crank angle over the range of a function", false, true},
     {"output-start", DimensionKind::angle, false, "rocker angle at the start of a function's range", false, true},
     {"output-range", DimensionKind::angle, false, "rocker angle over the range of a function", false, true},
+    {"body-angle", DimensionKind::angle, false, "direction of a guided body, from the line of the coupler's pins"},
 }};
 
 constexpr std::array<std::string_view, 2> assemblies{"open", "crossed"};
@@ -54,7 +55,7 @@ std::size_t worst_transmission_components(const Motion& motion) { return 2 * tra
 std::size_t velocity_ratio_components(const Motion& motion) { return VelocityRatioExtreme<1>::places(motion); }
 std::size_t assembly_margin_components(const Motion& motion) { return 2 * transmission_extremes_of(motion).count; }
 
-const std::array<Quantity, 15> quantities{{
+const std::array<Quantity, 17> quantities{{
     {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest, links,
      of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
     {"swing", Unit::angle, "angle through which the rocker swings over a full turn of the crank", Reduce::only, links,
@@ -83,6 +84,8 @@ const std::array<Quantity, 15> quantities{{
     path_quantities[0],
     path_quantities[1],
     path_quantities[2],
+    pose_quantities[0],
+    pose_quantities[1],
     {"function-max", Unit::angle, "greatest difference of the rocker angle from the function", Reduce::greatest,
      function_reads, of_function, components<FunctionMax::most>, measure_by<FunctionMax>, function_max_again,
      PathMeasure::none, false, "function"},
@@ -204,8 +207,10 @@ const Mechanism& four_bar_mechanism() {
                                      .describe = describe,
                                      .check_motion = four_bar_check_motion,
                                      .path_reads = CouplerPath::reads,
-                                     .path_roles = {4, 5, 6, 7, 8, 9},
+                                     .path_roles = {4, 5, 6, 7, 8, 9, 14},
                                      .path_miss = path_miss_by<CouplerPath>,
+                                     .pose_reads = CouplerPose::reads,
+                                     .pose_miss = pose_miss_by<CouplerPose>,
                                      .path_screening = four_bar_screening,
                                      .path_point = four_bar_path_point,
                                      .function_margin = &function_margin,

@@ -1,0 +1,65 @@
+// Body guidance: poses of linkages that exist, and a task whose answer two searches share.
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/known_optima/solved.h"
+
+namespace mechwright {
+
+namespace {
+
+using testing::shipped;
+using testing::Solved;
+using testing::solved;
+
+TEST(Poses, FiveAreMetExactly) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Solved s = solved(shipped("five-poses.toml", "poses"), "auto", seed);
+        EXPECT_EQ(s.result.status, Status::solved);
+        EXPECT_TRUE(s.result.search.complete);
+        EXPECT_LE(s.value("pose-rms"), 1e-13);
+    }
+}
+
+TEST(Poses, NineOfALinkageAreMetByIt) {
+    const Solved s = solved(shipped("nine-poses.toml", "poses"));
+    EXPECT_EQ(s.result.status, Status::solved);
+    EXPECT_LE(s.value("pose-max"), 1e-8);
+    EXPECT_NEAR(s.dimension("ground"), 4, 1e-6);
+    EXPECT_NEAR(s.dimension("crank"), 1.5, 1e-6);
+    EXPECT_NEAR(s.dimension("body-angle"), 0.5, 1e-6);
+}
+
+TEST(Poses, LeastSquaresBySlsqpAloneAgree) {
+    const double here = solved(shipped("tipper.toml", "poses")).result.best->objective;
+    EXPECT_NEAR(here, 4.22911991694, 1e-8);
+    EXPECT_NEAR(solved(shipped("tipper.toml", "poses"), "slsqp").result.best->objective / here, 1, 1e-8);
+}
+
+/// The distance of a pose by its definition: place and, times the length, the chord of the angle.
+TEST(Poses, HaveTheDistanceThatIsDefined) {
+    const Solved s = solved(shipped("tipper.toml", "poses"));
+    const PathTarget& path = *s.problem.path;
+    const auto values = path_values(s.problem, s.result.best->design);
+    ASSERT_TRUE(values);
+    const double body = s.dimension("body-angle");
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        // The direction of the coupler from two points of it.
+        const Design& design = s.result.best->design;
+        std::vector<double> ahead = design.dimensions;
+        ahead[4] += 1;
+        PathMiss here{}, there{};
+        s.problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], {0, 0}, here);
+        s.problem.mechanism->path_miss(design.assembly, ahead, design.path_angles[i], {0, 0}, there);
+        const double coupler = std::atan2(here.miss.y - there.miss.y, here.miss.x - there.miss.x);
+        const double off = coupler + body - path.directions[i];
+        const Vector<double> place = path.points[i] + here.miss;
+        EXPECT_NEAR(values->distances[i], std::hypot(place.x, place.y, 2 * path.body_length * std::sin(off / 2)), 1e-9);
+        EXPECT_NEAR(std::remainder(values->directions[i] - coupler - body, 2 * std::numbers::pi), 0, 1e-12);
+    }
+}
+
+}  // namespace
+
+}  // namespace mechwright
