@@ -39,11 +39,11 @@ std::string complete_samples(FunctionTarget& target) {
 
 }  // namespace
 
-ExpressionValues::ExpressionValues(const std::string& expression) : parser_(new Parser) {
+ExpressionValues::ExpressionValues(const std::string& expression) : parser_(std::make_unique<Parser>()) {
     prepare(parser_->parser, &parser_->x, expression);
 }
 
-ExpressionValues::~ExpressionValues() { delete parser_; }
+ExpressionValues::~ExpressionValues() = default;
 
 double ExpressionValues::operator()(double x) {
     parser_->x = x;

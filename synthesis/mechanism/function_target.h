@@ -6,6 +6,7 @@
 ///     input = input-start + input-range share,  share = (x - from) / (to - from),
 ///     output = output-start + output-range part(share),  part = (y(x) - y(from)) / (y(to) - y(from)).
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,14 +45,12 @@ std::string complete(FunctionTarget& target);
 struct ExpressionValues {
     explicit ExpressionValues(const std::string& expression);
     ~ExpressionValues();
-    ExpressionValues(const ExpressionValues&) = delete;
-    ExpressionValues& operator=(const ExpressionValues&) = delete;
     /// NaN where it is not defined.
     double operator()(double x);
 
 private:
     struct Parser;
-    Parser* parser_;
+    std::unique_ptr<Parser> parser_;
 };
 
 /// The part of the output's way at a share of the input's, for an expression.
