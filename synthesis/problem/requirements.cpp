@@ -128,9 +128,9 @@ std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view 
         names.push_back(quantity.name);
     const auto index = to_choice(node, what, "quantity", names, messages);
     if (!index || quantities[*index].section.empty() || has(file, quantities[*index].section)) return index;
-    add_error(messages, place_of(node),
-              fmt::format("'{0}' measures how well a {1} is met, but there is no [{1}] section", names[*index],
-                          quantities[*index].section));
+    add_error(
+        messages, place_of(node),
+        fmt::format("'{}' has no value here: there is no [{}] section", names[*index], quantities[*index].section));
     return {};
 }
 

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <optional>
 
 #include "synthesis/program/assess.h"
 #include "synthesis/program/nearest_point.h"
+#include "synthesis/program/quantity_value.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/screened_starts.h"
 #include "synthesis/search/work_sharing.h"
@@ -51,9 +53,13 @@ constexpr double exact_within = 1e-13;
 
 struct Trial {
     std::size_t program = 0;
-    VectorXd start;
     LocalOutcome outcome;
 };
+
+void sort_by_sum(std::vector<Trial>& trials) {
+    std::stable_sort(trials.begin(), trials.end(),
+                     [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
+}
 
 bool only_the_path_counts(const Problem& problem) {
     return problem.requirements.empty() && problem.objective && problem.objective->terms.size() == 1 &&
@@ -64,10 +70,11 @@ bool only_the_path_counts(const Problem& problem) {
                 PathMeasure::root_mean_square);
 }
 
-double path_size(const Program& program) {
-    double size = 0;
-    for (const Vector<double>& p : program.targets)
-        size = std::max(size, std::hypot(p.x - program.targets.front().x, p.y - program.targets.front().y));
+/// The greatest distance of a point from the first, or the length of a guided body that stays in one place.
+double path_size(const PathTarget& path) {
+    double size = path.body_length;
+    for (const Vector<double>& p : path.points)
+        size = std::max(size, std::hypot(p.x - path.points.front().x, p.y - path.points.front().y));
     return size;
 }
 
@@ -82,7 +89,8 @@ struct Search {
     std::vector<Solution> found;
     std::optional<Solution> best;
     SearchReport report;
-    bool exact = false;
+    int hits = 0;                  ///< on the best so far
+    double least_sum = unlimited;  ///< of a feasible design, by least squares alone
     int starts_of_round;
     int most_rounds;
 
@@ -114,17 +122,15 @@ struct Search {
             if (limits.reached()) return;
             const auto p = static_cast<std::size_t>(task % variants_count);
             const int number = round * tasks_per_variant + task / variants_count;
-            for (VectorXd& start : starts[p].of_round(number, per_task * groups_per_short_search, per_task)) {
-                Trial trial{p, std::move(start), {}};
-                trial.outcome = levenberg_marquardt(programs[p], trial.start, few);
+            for (const VectorXd& start : starts[p].of_round(number, per_task * groups_per_short_search, per_task)) {
+                Trial trial{p, levenberg_marquardt(programs[p], start, few)};
                 if (trial.outcome.x.size() > 0) tried[static_cast<std::size_t>(task)].push_back(std::move(trial));
             }
         });
         std::vector<Trial> all;
         for (auto& some : tried)
             std::move(some.begin(), some.end(), std::back_inserter(all));
-        std::stable_sort(all.begin(), all.end(),
-                         [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
+        sort_by_sum(all);
         for (const Trial& trial : all)
             report.evaluations += trial.outcome.evaluations;
         report.screened += static_cast<long>(tried.size()) * per_task * groups_per_short_search * 8;
@@ -156,12 +162,14 @@ struct Search {
     void go_on(std::vector<Trial>& trials, int evaluations) {
         LocalLimits whole = limits;
         whole.most_evaluations = evaluations;
+        std::vector<long> used(trials.size(), 0);
         share_work(static_cast<int>(trials.size()), options.jobs, [&](int i) {
             Trial& trial = trials[static_cast<std::size_t>(i)];
             if (limits.reached()) return;
             const Program& program = programs[trial.program];
             for (int pass = 0; pass < (problem.path->any_order ? most_passes : 1); ++pass) {
                 LocalOutcome outcome = levenberg_marquardt(program, trial.outcome.x, whole);
+                used[static_cast<std::size_t>(i)] += outcome.evaluations;
                 if (outcome.x.size() == 0) break;
                 const bool settled = pass > 0 && outcome.objective > (1 - same_sum_within) * trial.outcome.objective;
                 trial.outcome = std::move(outcome);
@@ -171,14 +179,8 @@ struct Search {
                 trial.outcome.x = point_of(program, design);
             }
         });
-        for (const Trial& trial : trials)
-            report.evaluations += trial.outcome.evaluations;
+        report.evaluations += std::accumulate(used.begin(), used.end(), 0L);
         sort_by_sum(trials);
-    }
-
-    static void sort_by_sum(std::vector<Trial>& trials) {
-        std::stable_sort(trials.begin(), trials.end(),
-                         [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
     }
 
     /// The program that has a design among its own: least squares do not look at the kind of motion.
@@ -190,6 +192,32 @@ struct Search {
                    p.variant.family == motion.family;
         });
         return same == programs.end() ? own : *same;
+    }
+
+    Solution assessed(const Trial& trial) const {
+        return assess(problem, design_at(programs[trial.program], trial.outcome.x));
+    }
+
+    /// Counts the searches that ended at the least sum of squares of a feasible design, those of earlier rounds too.
+    void count_hits(const std::vector<Trial>& trials) {
+        if (!least_squares) {
+            hits = hits_on_best();
+            return;
+        }
+        for (const Trial& trial : trials) {
+            const double sum = trial.outcome.objective;
+            if (sum > (1 + same_sum_within) * least_sum || !assessed(trial).feasible) continue;
+            if (sum < (1 - same_sum_within) * least_sum) hits = 0;
+            least_sum = std::min(least_sum, sum);
+            ++hits;
+        }
+    }
+
+    /// Whether the best design meets every point to rounding: then no other is better.
+    bool best_is_exact() const {
+        if (!least_squares || !best || !best->feasible) return false;
+        const double allowed = exact_within * path_size(*problem.path);
+        return path_values(problem, best->design)->greatest <= allowed;
     }
 
     /// How many solutions are as good as the best.
@@ -205,7 +233,7 @@ struct Search {
 
     /// The solution near what the method of least squares ended at.
     Solution finished(const Trial& trial, long& evaluations) const {
-        Solution solution = assess(problem, design_at(programs[trial.program], trial.outcome.x));
+        Solution solution = assessed(trial);
         const Program& program = program_of(trial, solution.design);
         if (least_squares && solution.feasible && program.size() > most_polished_variables) return solution;
         const VectorXd x = point_of(program, solution.design);
@@ -260,38 +288,23 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     Multistart result;
     Search search(problem, options, deadline);
     if (search.programs.empty()) return result;
-    int hits = 0;
-    double least = unlimited;
     for (int round = 0; round < search.most_rounds && !search.limits.reached(); ++round) {
         std::vector<Trial> trials = search.short_searches(round);
         search.keep_different(trials);
         search.report.starts += static_cast<int>(trials.size());
         if (search.least_squares) search.run_to_end(trials);
         search.finish(trials);
-        if (search.least_squares)
-            for (const Trial& trial : trials) {
-                if (trial.outcome.objective < (1 - same_sum_within) * least) hits = 0;
-                least = std::min(least, trial.outcome.objective);
-                if (trial.outcome.objective <= (1 + same_sum_within) * least) ++hits;
-            }
-        else
-            hits = search.hits_on_best();
-        if (!search.best) continue;
-        const bool feasible = search.best->feasible;
-        const double size = path_size(search.programs.front());
-        search.exact =
-            search.least_squares && feasible &&
-            least <= exact_within * exact_within * size * size * static_cast<double>(problem.path->points.size());
-        if (search.exact || (round + 1 >= least_rounds && hits >= enough_hits && feasible)) break;
+        search.count_hits(trials);
+        if (search.best_is_exact() || (round + 1 >= least_rounds && search.hits >= enough_hits)) break;
     }
     std::vector<const Solution*> all;
     for (const Solution& s : search.found)
         all.push_back(&s);
     result.report = search.report;
     result.optima = distinct_optima(problem, all, result.report);
-    if (search.least_squares) result.report.hits = std::max(result.report.hits, hits);
+    if (search.least_squares) result.report.hits = std::max(result.report.hits, search.hits);
     result.stopped = search.limits.reached();
-    if (search.exact) {
+    if (search.best_is_exact()) {
         result.report.complete = true;
         result.report.argument = "the points are met exactly, and no distance is less than zero";
         result.report.missed_chance = 0;

@@ -146,6 +146,10 @@ void choose_verified(const Problem& problem, std::vector<Solution> candidates, R
         result.best = candidates.front();
         result.verification = std::move(first_checks);
     }
+    if (chosen > 0) {  // what a method proved of its best design does not hold for the next
+        result.search.complete = false;
+        result.search.argument.clear();
+    }
     candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(chosen));
     for (Solution& s : candidates)
         if (s.feasible && result.alternatives.size() < most_alternatives) result.alternatives.push_back(std::move(s));

@@ -119,6 +119,31 @@ TEST(Paths, ResultsDoNotDependOnTheNumberOfJobs) {
     }
 }
 
+/// Least squares does not look at the order, and would meet these points of a linkage exactly; the design that is shown
+/// has to keep it, and nothing may be called proven that is not exact.
+TEST(Paths, APathOutOfOrderIsNotProven) {
+    const Solved s = solved(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 100
+crank = 25
+coupler = { min = 60, max = 120 }
+rocker = { min = 60, max = 120 }
+point-along = { min = 0, max = 90 }
+point-across = { min = -20, max = 20 }
+[path]
+# Every thirty degrees of the linkage in the test below, the third point and the seventh exchanged.
+points = [[52.000000, 36.000000], [54.534769, 43.218622], [11.200000, 26.731255], [38.552502, 48.210010],
+          [26.490376, 44.117289], [16.604373, 36.197139], [49.221555, 47.660775], [10.985966, 18.481483]]
+timing = "free"
+[objective]
+minimize = "path-rms"
+)");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_GT(s.value("path-rms"), 1);
+    EXPECT_FALSE(s.result.search.complete);
+}
+
 /// A linkage that exists is found again: points of a known crank-rocker, prescribed timing, everything free.
 TEST(Paths, PointsOfAKnownLinkageAreMetExactly) {
     const Solved s = solved(R"(schema = 1

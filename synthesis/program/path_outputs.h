@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// The outputs that a path adds to a program, and their derivatives.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "synthesis/program/program.h"
+
+namespace mechwright {
+
+/// All outputs at a point.
+struct Outputs {
+    bool assembled = true;
+    Eigen::VectorXd value;
+    Eigen::MatrixXd jacobian;  ///< [output][variable]; empty unless asked for
+};
+
+/// The dimensions of the program at x, those that are variables taken from there.
+std::vector<double> dimensions_at(const Program& program, const Eigen::VectorXd& x);
+
+/// The crank angle at a point of the path, and the variable it depends on (-1: none).
+struct PathAngle {
+    double angle;
+    std::ptrdiff_t variable;
+};
+
+PathAngle path_angle(const Program& program, std::span<const double> dimensions, const Eigen::VectorXd& x,
+                     std::size_t point);
+
+/// Writes the outputs of the path, which have their places already.
+void evaluate_path(const Program& program, std::span<const double> dimensions, const Eigen::VectorXd& x,
+                   bool derivatives, Outputs& out);
+
+/// Adds the second derivatives of the path's outputs, weighted, to the full matrix. With q the squared distance of a
+/// point, a sum takes q, the root of the mean q / (2 W rms) less the square of its gradient, a distance q / (2 d) less
+/// the square of its gradient.
+void add_path_hessian(const Program& program, std::span<const double> dimensions, const Eigen::VectorXd& x,
+                      const Eigen::VectorXd& weights, Eigen::MatrixXd& hessian);
+
+}  // namespace mechwright
