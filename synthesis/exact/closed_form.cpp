@@ -23,6 +23,7 @@ void keep_smaller(std::optional<ClosedFormOutcome>& best, ClosedFormOutcome outc
 }
 
 std::string why_no_closed_form(const Problem& problem) {
+    if (has_ties(problem)) return "closed forms do not know dimensions that are tied to others";
     std::string known;
     for (const ClosedForm& form : closed_forms()) {
         if (form.covers(problem)) return {};
@@ -32,6 +33,7 @@ std::string why_no_closed_form(const Problem& problem) {
 }
 
 std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem) {
+    if (has_ties(problem)) return std::nullopt;
     for (const ClosedForm& form : closed_forms())
         if (form.covers(problem)) return form.solve(problem);
     return std::nullopt;

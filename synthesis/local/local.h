@@ -49,6 +49,10 @@ LocalOutcome ipopt(const Program& program, const Eigen::VectorXd& start, const L
 /// which the crank angles of an untimed path are eliminated point by point. Thread-safe.
 LocalOutcome levenberg_marquardt(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
 
+/// For a function or a line: Levenberg and Marquardt's method on the error along the range, which ends where the least
+/// greatest error is near; rows are not looked at. Other programs are left where they are.
+Eigen::VectorXd levelled(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
+
 /// Newton's method on the optimality conditions of the constraints active at `from`, with exact Hessians: from a point
 /// that a solver ended at to the nearby optimum at full precision. Never returns a worse point.
 LocalOutcome polish(const Program& program, const LocalOutcome& from, const LocalLimits& limits);

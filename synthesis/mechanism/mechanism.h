@@ -37,8 +37,8 @@ struct Dimension {
     DimensionKind kind;
     bool required;  ///< if not, and not named in a problem file, it is 0
     std::string_view meaning;
-    bool of_segment = false;   ///< stands in a [[segment]] of a cam's motion, not in [dimensions]
-    bool of_function = false;  ///< stands in [function], not in [dimensions]
+    bool of_segment = false;  ///< stands in a [[segment]] of a cam's motion, not in [dimensions]
+    bool of_target = false;   ///< stands in [function] or [line], not in [dimensions]
 };
 
 enum class Unit { none, length, area, angle, force, torque };
@@ -73,6 +73,7 @@ struct Motion {
     std::array<double, Setting::most> settings{};  ///< values of Mechanism::settings
     const MotionProgram* program = nullptr;        ///< what the follower of a cam does; null for linkages
     const FunctionTarget* function = nullptr;      ///< what a function generator does; null without one
+    bool line = false;                             ///< a guided point follows a straight line
 };
 
 /// Where a measure writes its smooth components. Derivatives are with respect to the first `reads` dimensions of the
@@ -206,9 +207,9 @@ struct Mechanism {
     Vector<Digits50> (*path_point)(std::size_t assembly, std::span<const Digits50> dimensions,
                                    const Digits50& crank_angle) = nullptr;
 
-    /// Function generation. Margins that must be >= 0 for a design to assemble over its input range; null: it generates
-    /// no functions.
-    const Quantity* function_margin = nullptr;
+    /// Margins that must be >= 0 for a design to assemble over the input range of a function or a line; null: the
+    /// mechanism does neither.
+    const Quantity* input_margin = nullptr;
     /// Dimensions that come close to the function for the scales that they have; false where there are none. The scales
     /// may be turned by half a turn where that is allowed.
     bool (*function_fit)(const FunctionTarget&, std::span<double> dimensions, bool turns_input,
@@ -218,6 +219,16 @@ struct Mechanism {
                                                    std::span<const double> dimensions) = nullptr;
     /// The first of the four scales among the dimensions: start and range of the input, then of the output.
     std::size_t function_scales = 0;
+    /// The error along the range, as a component for each of many places.
+    const Quantity* function_errors = nullptr;
+    /// Straight lines: the extremes of the distance, and a line close to the path over the input range, as far as its
+    /// direction and its offset are free. The line's two dimensions, direction and offset, start at `line_place`.
+    std::vector<ErrorExtreme> (*line_extremes)(std::size_t assembly, std::span<const double> dimensions) = nullptr;
+    void (*line_fit)(std::size_t assembly, std::span<double> dimensions, bool free_angle) = nullptr;
+    std::size_t line_place = 0;
+    const Quantity* line_errors = nullptr;
+    /// Quantities of the same names that know that the ends of the motion move with the input range.
+    std::span<const Quantity> over_input{};
 
     /// The motion as a table: column names, and one row at a crank angle.
     std::span<const std::string_view> motion_columns;

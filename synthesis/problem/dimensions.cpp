@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "synthesis/problem/sections.h"
 #include "synthesis/problem/text.h"
 
@@ -9,6 +11,8 @@ namespace {
 
 constexpr std::string_view assembly_key = "assembly";
 constexpr std::string_view any_assembly = "either";
+
+bool stands_in_dimensions(const Dimension& dimension) { return !dimension.of_segment && !dimension.of_target; }
 
 /// A value that ought to be there; reported if it is not.
 std::optional<double> required_number(Section& section, std::string_view key, Messages& messages) {
@@ -50,6 +54,59 @@ std::optional<DimensionRange> read_range(const toml::node& node, const Dimension
     return read;
 }
 
+/// { of = "coupler", times = 2 }; the other dimension need not have been read yet.
+std::optional<DimensionRange> read_tie(const toml::node& node, std::size_t index, const Mechanism& mechanism,
+                                       Messages& messages) {
+    const Dimension& dimension = mechanism.dimensions[index];
+    Section section{node.as_table(), fmt::format("the tie of '{}'", dimension.name), place_of(node)};
+    const auto other = read_string(section, "of", messages);
+    const double times = read_number(section, "times", messages).value_or(1);
+    report_unknown_keys(section, messages);
+    if (!other) return {};
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
+        const Dimension& d = mechanism.dimensions[i];
+        if (i != index && stands_in_dimensions(d) && scales(d.kind) == scales(dimension.kind)) names.push_back(d.name);
+    }
+    const int of = find_dimension(mechanism, *other);
+    if (std::find(names.begin(), names.end(), *other) == names.end()) {
+        add_error(
+            messages, place_of(section, "of"),
+            fmt::format("'of' in {} must be another dimension of the same kind: {}", section.title, listed(names)));
+        return {};
+    }
+    if (times == 0 || (dimension.kind == DimensionKind::length && times < 0)) {
+        add_error(messages, place_of(section, "times"),
+                  fmt::format("'times' in {} must be {}, not {}", section.title,
+                              times == 0 ? "other than 0" : "greater than 0: it is a length", times));
+        return {};
+    }
+    DimensionRange tied{0, 0, {}, true, {}};
+    tied.tie = {static_cast<std::size_t>(of), times};
+    return tied;
+}
+
+/// The ranges of tied dimensions, once all others are known.
+void resolve_ties(const Section& section, Problem& problem, Messages& messages) {
+    for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
+        DimensionRange& tied = problem.dimensions[i];
+        if (!tied.tied()) continue;
+        const std::string_view name = problem.mechanism->dimensions[i].name;
+        const DimensionRange& other = problem.dimensions[tied.tie.of];
+        if (other.tied() || !other.named) {
+            add_error(messages, place_of(section, name),
+                      fmt::format("'{}' is tied to '{}', which {}: tie it to a dimension that has a number or a range",
+                                  name, problem.mechanism->dimensions[tied.tie.of].name,
+                                  other.tied() ? "is tied itself" : "is not given"));
+            continue;
+        }
+        const auto [least, greatest] = std::minmax({tied.tie.times * other.min, tied.tie.times * other.max});
+        tied.min = least;
+        tied.max = greatest;
+        if (other.fixed()) tied.tie = {};
+    }
+}
+
 std::optional<DimensionRange> read_fixed(const toml::node& node, const Dimension& dimension, Messages& messages) {
     if (!node.is_number()) {
         report_kind(node, fmt::format("'{}'", dimension.name), "a number or a range { min = ..., max = ... }",
@@ -72,7 +129,9 @@ DimensionRange in_radians(const Units& units, const DimensionRange& range) {
     return converted;
 }
 
-DimensionRange read_dimension(Section& section, const Dimension& dimension, const Units& units, Messages& messages) {
+DimensionRange read_dimension(Section& section, std::size_t index, const Mechanism& mechanism, const Units& units,
+                              Messages& messages) {
+    const Dimension& dimension = mechanism.dimensions[index];
     const toml::node* node = find(section, dimension.name);
     if (node == nullptr) {
         if (dimension.required)
@@ -81,6 +140,8 @@ DimensionRange read_dimension(Section& section, const Dimension& dimension, cons
                                   dimension.name, dimension.meaning));
         return {};
     }
+    if (node->is_table() && node->as_table()->contains("of"))
+        return read_tie(*node, index, mechanism, messages).value_or(DimensionRange{});
     return to_dimension(*node, dimension, units, messages).value_or(DimensionRange{});
 }
 
@@ -139,8 +200,9 @@ void read_dimensions(Section& file, Problem& problem, Messages& messages) {
     }
     const std::size_t messages_before = messages.entries.size();
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
-        if (!mechanism.dimensions[i].of_segment && !mechanism.dimensions[i].of_function)
-            problem.dimensions[i] = read_dimension(*section, mechanism.dimensions[i], problem.units, messages);
+        if (stands_in_dimensions(mechanism.dimensions[i]))
+            problem.dimensions[i] = read_dimension(*section, i, mechanism, problem.units, messages);
+    resolve_ties(*section, problem, messages);
     if (mechanism.objection != nullptr && messages.entries.size() == messages_before)
         report_objection(*section, problem, messages);
     problem.assemblies = read_assemblies(*section, mechanism, messages);

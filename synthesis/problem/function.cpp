@@ -76,40 +76,53 @@ void read_target(Section& function, FunctionTarget& target, Messages& messages) 
     if (!why.empty()) add_error(messages, place_of(function, expression ? "expression" : "samples"), why);
 }
 
-/// { start, range } of the input or the output as the two dimensions from `first`.
-void read_scale(Section& function, std::string_view key, std::size_t first, Problem& problem, Messages& messages) {
+/// { start, range } of the input or the output.
+void read_scale_of(Section& function, std::string_view key, std::size_t first, Problem& problem, Messages& messages) {
     if (!has(function, key))
         return add_error(messages, function.place,
                          fmt::format("[function] needs '{0}': {0} = {{ start = ..., range = ... }}", key));
     auto scale = read_section(function, key, messages);
     if (!scale) return;
-    constexpr std::array<std::string_view, 2> parts{"start", "range"};
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        const toml::node* node = find(*scale, parts[k]);
-        if (node == nullptr) {
-            add_error(
-                messages, scale->place,
-                fmt::format("'{}' of '{}' is missing: give an angle, or {{ min = ..., max = ... }}", parts[k], key));
-            continue;
-        }
-        const auto read = to_dimension(*node, problem.mechanism->dimensions[first + k], problem.units, messages);
-        if (!read) continue;
-        problem.dimensions[first + k] = *read;
-        if (k == 1 && read->min <= 0 && read->max >= 0)
-            add_error(messages, place_of(*node),
-                      fmt::format("the range of the {} must not be 0{}", key,
-                                  read->fixed() ? "" : ": let min and max have the same sign"));
-    }
+    scale->title = key;
+    read_scale(*scale, first, problem, messages);
     report_unknown_keys(*scale, messages);
 }
 
 }  // namespace
 
+void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& messages) {
+    constexpr std::array<std::string_view, 2> parts{"start", "range"};
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const Dimension& dimension = problem.mechanism->dimensions[first + k];
+        const toml::node* node = find(scale, parts[k]);
+        if (node == nullptr) {
+            add_error(messages, scale.place,
+                      fmt::format("'{}' of '{}' is missing: give {}, or {{ min = ..., max = ... }}", parts[k],
+                                  scale.title, dimension.kind == DimensionKind::angle ? "an angle" : "a length"));
+            continue;
+        }
+        const auto read = to_dimension(*node, dimension, problem.units, messages);
+        if (!read) continue;
+        problem.dimensions[first + k] = *read;
+        if (k == 1 && read->min <= 0 && read->max >= 0)
+            add_error(messages, place_of(*node),
+                      fmt::format("the range of the {} must not be 0{}", scale.title,
+                                  read->fixed() ? "" : ": let min and max have the same sign"));
+    }
+}
+
+void set_crank_range(Problem& problem) {
+    const DimensionRange& start = problem.dimensions[problem.mechanism->function_scales];
+    const DimensionRange& range = problem.dimensions[problem.mechanism->function_scales + 1];
+    if (!problem.crank_range && start.fixed() && range.fixed() && range.min != 0)
+        problem.crank_range = {std::min(start.min, start.min + range.min), std::max(start.min, start.min + range.min)};
+}
+
 void read_function(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> function = read_section(file, "function", messages);
     if (!function || problem.mechanism == nullptr) return;
     const Mechanism& mechanism = *problem.mechanism;
-    if (mechanism.function_margin == nullptr)
+    if (mechanism.function_fit == nullptr)
         return add_error(messages, function->place,
                          fmt::format("a {} generates no functions here: leave [function] out", mechanism.name));
     auto target = std::make_shared<FunctionTarget>();
@@ -117,14 +130,11 @@ void read_function(Section& file, Problem& problem, Messages& messages) {
     for (const char* key : {"expression", "samples", "x"})
         find(*function, key);
     const std::size_t scales = mechanism.function_scales;
-    read_scale(*function, "input", scales, problem, messages);
-    read_scale(*function, "output", scales + 2, problem, messages);
+    read_scale_of(*function, "input", scales, problem, messages);
+    read_scale_of(*function, "output", scales + 2, problem, messages);
     report_unknown_keys(*function, messages);
     problem.function = std::move(target);
-    const DimensionRange& start = problem.dimensions[scales];
-    const DimensionRange& range = problem.dimensions[scales + 1];
-    if (!problem.crank_range && start.fixed() && range.fixed() && range.min != 0)
-        problem.crank_range = {std::min(start.min, start.min + range.min), std::max(start.min, start.min + range.min)};
+    set_crank_range(problem);
 }
 
 }  // namespace mechwright::reading

@@ -83,12 +83,25 @@ void check_free_timing(Section& path, const PointList& list, Messages& messages)
 
 }  // namespace
 
+namespace {
+
+/// The path search eliminates dimensions one by one.
+void refuse_ties(const Section& section, const Problem& problem, Messages& messages) {
+    if (has_ties(problem))
+        add_error(messages, section.place,
+                  fmt::format("{} does not go with dimensions that are tied to others: give them ranges of their own",
+                              section.title));
+}
+
+}  // namespace
+
 void read_path(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> path = read_section(file, "path", messages);
     if (!path) return;
     if (problem.mechanism != nullptr && problem.mechanism->path_reads == 0)
         return add_error(messages, path->place,
                          fmt::format("a {} guides no point along a path: leave [path] out", problem.mechanism->name));
+    refuse_ties(*path, problem, messages);
     constexpr std::array<std::string_view, 3> timings{"free", "prescribed", "none"};
     PointList list = read_points(*path, problem, messages);
     PathTarget target;

@@ -3,6 +3,7 @@
 /// A problem file as plain values: angles in radians, lengths as in the file, quantities and dimensions as indices into
 /// the registry of the mechanism. After reading, nothing else of the file is looked at.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -23,13 +24,21 @@ struct Units {
 };
 
 /// One dimension: a fixed number, or a range to be designed in.
+/// A dimension that always is so many times another; none where `times` is 0.
+struct Tie {
+    std::size_t of = 0;
+    double times = 0;
+};
+
 struct DimensionRange {
     double min = 0;
     double max = 0;
     std::optional<double> start;
     bool named = false;  ///< stands in the file; else the default 0
+    Tie tie{};           ///< where there is one, the range follows from that of the other
 
     bool fixed() const { return min == max; }
+    bool tied() const { return tie.times != 0; }
     /// For an angle: whether the range is a full turn or more.
     bool any_angle() const { return max - min >= 2 * std::numbers::pi * (1 - 1e-12); }
 };
@@ -66,6 +75,11 @@ struct PathTarget {
     bool guides_body() const { return !directions.empty(); }
 };
 
+/// A straight line that the guided point follows over an input range of the crank.
+struct LineTarget {
+    bool full_turn = false;  ///< the crank has to turn fully
+};
+
 struct SolverOptions {
     std::string method = "auto";
     int starts = 32;
@@ -89,8 +103,17 @@ struct Problem {
     std::array<double, Setting::most> settings{};  ///< of the mechanism, in the order of Mechanism::settings
     std::shared_ptr<const MotionProgram> program;  ///< of a cam
     std::shared_ptr<const FunctionTarget> function;
+    std::optional<LineTarget> line;
     std::size_t cam_rotation = 0;  ///< of a cam: ccw, cw, or either
     SolverOptions solver;
 };
+
+/// Whether the motion is that over an input range, whose ends are dimensions.
+inline bool has_input_range(const Problem& problem) { return problem.function != nullptr || problem.line; }
+
+inline bool has_ties(const Problem& problem) {
+    return std::any_of(problem.dimensions.begin(), problem.dimensions.end(),
+                       [](const DimensionRange& range) { return range.tied(); });
+}
 
 }  // namespace mechwright

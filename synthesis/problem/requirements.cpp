@@ -108,7 +108,7 @@ void compare_with_variables(const Problem& problem, const std::vector<Bounds>& b
     }
     std::size_t variables = 0;
     for (std::size_t i = 0; i < std::min(reads, problem.dimensions.size()); ++i)
-        if (!problem.dimensions[i].fixed()) ++variables;
+        if (!problem.dimensions[i].fixed() && !problem.dimensions[i].tied()) ++variables;
     if (equalities > variables && !messages.failed)
         add_warning(messages, place,
                     fmt::format("{} quantities are required to equal a value, but only {} of the dimensions they "

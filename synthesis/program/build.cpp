@@ -75,11 +75,12 @@ struct Builder {
     void add_dimensions() {
         const auto& kinds = problem.mechanism->dimensions;
         program.variable_of.assign(kinds.size(), -1);
+        program.times.assign(kinds.size(), 1);
         for (std::size_t i = 0; i < kinds.size(); ++i) {
             const DimensionRange& range = problem.dimensions[i];
             const double scale = scales(kinds[i].kind) ? program.length : 1;
             program.dimensions.push_back(range.min / scale);
-            if (range.fixed()) continue;
+            if (range.fixed() || range.tied()) continue;
             // A timed path alone needs the start angle; an untimed one finds its own crank angles.
             const bool unused_start = problem.mechanism->path_reads > 0 && i == problem.mechanism->path_roles.start &&
                                       !(problem.path && problem.path->prescribed_timing);
@@ -94,6 +95,12 @@ struct Builder {
             const double beyond = is_angle(kinds[i]) && range.any_angle() ? 2 * std::numbers::pi : 0;
             program.variables.push_back(
                 {std::string(kinds[i].name), lower / scale - beyond, range.max / scale + beyond});
+        }
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            const Tie& tie = problem.dimensions[i].tie;
+            if (!problem.dimensions[i].tied()) continue;
+            program.variable_of[i] = program.variable_of[tie.of];
+            program.times[i] = tie.times;
         }
     }
 
@@ -142,15 +149,15 @@ struct Builder {
             LinearForm form;
             for (std::size_t i = 0; i < condition.coefficients.size(); ++i) {
                 if (program.variable_of[i] >= 0)
-                    form.variables.push_back(
-                        {static_cast<std::size_t>(program.variable_of[i]), condition.coefficients[i]});
+                    form.variables.push_back({static_cast<std::size_t>(program.variable_of[i]),
+                                              condition.coefficients[i] * program.times[i]});
                 else
                     form.constant += condition.coefficients[i] * program.dimensions[i];
             }
             add_row(std::string(condition.name), std::move(form), condition_margin, unlimited);
         }
-        if (problem.function) {
-            const QuantityBlock block = block_of(*problem.mechanism->function_margin);
+        if (has_input_range(problem)) {
+            const QuantityBlock block = block_of(*problem.mechanism->input_margin);
             for (std::size_t k = 0; k < block.count; ++k)
                 add_row(std::string(block.quantity->name), {{{block.first + k, 1}}, {}}, condition_margin, unlimited);
             return;
@@ -228,7 +235,7 @@ struct Builder {
 
     void add_requirements() {
         for (const Requirement& r : problem.requirements) {
-            const Quantity& quantity = problem.mechanism->quantities[r.quantity];
+            const Quantity& quantity = programmed_quantity(problem, r.quantity);
             if (quantity.path != PathMeasure::none) {
                 add_path_requirement(quantity, r);
                 continue;
@@ -255,9 +262,7 @@ struct Builder {
         bool least;
     };
 
-    const Quantity& quantity_of(const ObjectiveTerm& term) const {
-        return problem.mechanism->quantities[term.quantity];
-    }
+    const Quantity& quantity_of(const ObjectiveTerm& term) const { return programmed_quantity(problem, term.quantity); }
 
     TermOutputs outputs_of(const ObjectiveTerm& term, bool alone) {
         const Quantity& quantity = quantity_of(term);
@@ -352,12 +357,28 @@ Program build_program(const Problem& problem, const Variant& variant) {
     program.reference = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(program.size()));
     for (std::size_t i = 0; i < program.variable_of.size(); ++i) {
         const std::ptrdiff_t v = program.variable_of[i];
-        if (v < 0) continue;
+        if (v < 0 || problem.dimensions[i].tied()) continue;
         const Variable& variable = program.variables[static_cast<std::size_t>(v)];
         const double scale = scales(problem.mechanism->dimensions[i].kind) ? program.length : 1;
         const auto& start = problem.dimensions[i].start;
         program.reference[v] = start ? *start / scale : 0.5 * (variable.lower + variable.upper);
     }
+    return program;
+}
+
+Program magnified(Program program, double size) {
+    const auto divide = [&](std::vector<LinearTerm>& terms) {
+        for (LinearTerm& term : terms)
+            term.factor /= size;
+    };
+    for (Epigraph& epigraph : program.epigraphs) {
+        divide(epigraph.outputs);
+        for (Row& row : program.rows)
+            if (row.form.variables.size() == 1 && row.form.variables.front().index == epigraph.variable)
+                divide(row.form.outputs);
+    }
+    divide(program.objective.outputs);
+    program.objective.constant /= size;
     return program;
 }
 

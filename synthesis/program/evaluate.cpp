@@ -30,7 +30,8 @@ void evaluate_block(const Program& program, const QuantityBlock& block, std::spa
         out.value[row] = value[k];
         if (!derivatives) continue;
         for (std::size_t i = 0; i < reads; ++i)
-            if (program.variable_of[i] >= 0) out.jacobian(row, program.variable_of[i]) = gradient[k * reads + i];
+            if (program.variable_of[i] >= 0)
+                out.jacobian(row, program.variable_of[i]) += program.times[i] * gradient[k * reads + i];
     }
 }
 
@@ -121,8 +122,9 @@ void add_block_hessian(const Program& program, const QuantityBlock& block, std::
                 const std::ptrdiff_t a = program.variable_of[i];
                 const std::ptrdiff_t b = program.variable_of[j];
                 if (a < 0 || b < 0) continue;
-                hessian(a, b) += w * second[at];
-                if (a != b) hessian(b, a) += w * second[at];
+                const double part = w * program.times[i] * program.times[j] * second[at];
+                hessian(a, b) += part;
+                if (i != j) hessian(b, a) += part;
             }
     }
 }
@@ -203,7 +205,7 @@ Design design_at(const Program& program, const VectorXd& x) {
         const DimensionRange& range = program.problem->dimensions[i];
         if (scales(kinds[i].kind))
             value *= program.length;
-        else if (program.variable_of[i] >= 0 && range.any_angle())
+        else if (program.variable_of[i] >= 0 && !range.tied() && range.any_angle())
             value = into_range(value, range.min, range.max);
     }
     if (program.path)
@@ -216,7 +218,7 @@ VectorXd point_of(const Program& program, const Design& design) {
     VectorXd x = VectorXd::Zero(static_cast<Index>(program.size()));
     const auto& kinds = program.problem->mechanism->dimensions;
     for (std::size_t i = 0; i < kinds.size(); ++i)
-        if (program.variable_of[i] >= 0)
+        if (program.variable_of[i] >= 0 && !program.problem->dimensions[i].tied())
             x[program.variable_of[i]] = design.dimensions[i] / (scales(kinds[i].kind) ? program.length : 1);
     if (program.untimed_path())
         for (std::size_t i = 0; i < program.targets.size(); ++i)

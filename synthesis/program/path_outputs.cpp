@@ -111,7 +111,7 @@ double weight_sum(const Program& program) {
 std::vector<double> dimensions_at(const Program& program, const VectorXd& x) {
     std::vector<double> dimensions = program.dimensions;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
-        if (program.variable_of[i] >= 0) dimensions[i] = x[program.variable_of[i]];
+        if (program.variable_of[i] >= 0) dimensions[i] = program.times[i] * x[program.variable_of[i]];
     return dimensions;
 }
 

@@ -81,6 +81,7 @@ struct Program {
 
     std::vector<double> dimensions;           ///< scaled; those that are variables are overwritten at evaluation
     std::vector<std::ptrdiff_t> variable_of;  ///< by dimension: its variable, or -1
+    std::vector<double> times;                ///< by dimension: so many times its variable; 1 but for tied dimensions
     std::vector<Variable> variables;          ///< dimensions, then path angles, then epigraphs
     std::size_t dimension_variables = 0;      ///< the first of them
     std::size_t first_path_angle = 0;         ///< of as many as there are points, for an untimed path
@@ -105,6 +106,10 @@ Program build_program(const Problem& problem, const Variant& variant);
 /// The same program asking for the least greatest violation of the required inequalities, as its last variable;
 /// equalities and conditions of motion are kept.
 Program relaxed(Program program);
+
+/// The same program with its objective, and what bounds the objective's outputs, in units of `size`: for an objective
+/// that is small against what the program was scaled for.
+Program magnified(Program program, double size);
 
 /// Objective and rows at a point.
 struct ProgramValues {

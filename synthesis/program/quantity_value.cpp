@@ -33,23 +33,23 @@ std::optional<double> reduced(Reduce reduce, std::span<const double> components)
 }  // namespace
 
 std::optional<std::array<double, 2>> crank_range_of(const Mechanism& mechanism,
-                                                    const std::optional<Vector<double>>& given,
-                                                    const FunctionTarget* function,
+                                                    const std::optional<Vector<double>>& given, bool over_input,
                                                     std::span<const double> dimensions) {
     if (given) return std::array{given->x, given->y};
-    if (!function) return std::nullopt;
+    if (!over_input) return std::nullopt;
     const double start = dimensions[mechanism.function_scales];
     const double end = start + dimensions[mechanism.function_scales + 1];
     return std::array{std::min(start, end), std::max(start, end)};
 }
 
 Motion motion_of(const Problem& problem, const Design& design) {
-    const auto range = crank_range_of(*problem.mechanism, problem.crank_range, problem.function.get(),
+    const auto range = crank_range_of(*problem.mechanism, problem.crank_range, has_input_range(problem),
                                       std::span<const double>(design.dimensions));
     Motion motion = problem.mechanism->motion(design.dimensions, design.assembly, range ? range->data() : nullptr);
     motion.settings = problem.settings;
     motion.program = problem.program.get();
     motion.function = problem.function.get();
+    motion.line = problem.line.has_value();
     return motion;
 }
 

@@ -12,10 +12,10 @@
 namespace mechwright {
 
 /// The crank angles over which a design is judged where that is not its whole motion: those given, else the input range
-/// of a function.
+/// of a function or a line (`over_input`).
 std::optional<std::array<double, 2>> crank_range_of(const Mechanism& mechanism,
-                                                    const std::optional<Vector<double>>& given,
-                                                    const FunctionTarget* function, std::span<const double> dimensions);
+                                                    const std::optional<Vector<double>>& given, bool over_input,
+                                                    std::span<const double> dimensions);
 
 /// The motion over which the problem judges a design; from > to if it assembles nowhere.
 Motion motion_of(const Problem& problem, const Design& design);

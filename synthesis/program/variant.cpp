@@ -12,7 +12,9 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     motion.settings = problem.settings;
     motion.program = problem.program.get();
     motion.function = problem.function.get();
-    motion.full_turn = problem.mechanism->families[family].full_turn && !problem.crank_range;
+    motion.line = problem.line.has_value();
+    motion.full_turn =
+        problem.mechanism->families[family].full_turn && !problem.crank_range && !has_input_range(problem);
     if (problem.crank_range) {
         motion.from = problem.crank_range->x;
         motion.to = problem.crank_range->y;
@@ -37,6 +39,14 @@ Motion assembled_motion_of(const Problem& problem, std::size_t family, std::size
     return motion;
 }
 
+const Quantity& programmed_quantity(const Problem& problem, std::size_t quantity) {
+    const Quantity& plain = problem.mechanism->quantities[quantity];
+    if (!has_input_range(problem) || problem.crank_range) return plain;
+    const auto& moving = problem.mechanism->over_input;
+    const auto at = std::find_if(moving.begin(), moving.end(), [&](const Quantity& q) { return q.name == plain.name; });
+    return at == moving.end() ? plain : *at;
+}
+
 bool is_disjunctive(const Quantity& quantity, const Requirement& requirement) {
     if (quantity.reduce == Reduce::only || quantity.worst_first) return false;
     return requirement.equal || (quantity.reduce == Reduce::least ? requirement.max : requirement.min);
@@ -50,7 +60,7 @@ bool is_disjunctive(const Quantity& quantity, const ObjectiveTerm& term) {
 std::vector<Disjunction> disjunctions(const Problem& problem, const Motion& motion) {
     std::vector<Disjunction> all;
     const auto add = [&](std::size_t index, const auto& condition) {
-        const Quantity& quantity = problem.mechanism->quantities[index];
+        const Quantity& quantity = programmed_quantity(problem, index);
         if (quantity.path != PathMeasure::none || !is_disjunctive(quantity, condition)) return;
         const std::size_t components = quantity.components(motion);
         if (components > 1) all.push_back({index, components});
@@ -68,7 +78,7 @@ namespace {
 /// Whether every quantity that the problem names has a value in this motion.
 bool all_defined(const Problem& problem, const Motion& motion) {
     const auto defined = [&](std::size_t index) {
-        const Quantity& quantity = problem.mechanism->quantities[index];
+        const Quantity& quantity = programmed_quantity(problem, index);
         return quantity.path != PathMeasure::none || quantity.defined(motion);
     };
     return std::all_of(problem.requirements.begin(), problem.requirements.end(),
@@ -84,13 +94,15 @@ std::vector<std::size_t> families_of(const Problem& problem) {
     std::vector<std::size_t> usable;
     for (std::size_t f = 0; f < families.size(); ++f) {
         const Motion motion = motion_of(problem, f, 0);
-        const bool range_known = families[f].full_turn || problem.crank_range || problem.path || problem.function;
-        if (problem.function && families[f].full_turn) continue;  // judged over its input range
+        const bool range_known =
+            families[f].full_turn || problem.crank_range || problem.path || has_input_range(problem);
+        const bool must_turn = problem.line && problem.line->full_turn;
+        if (has_input_range(problem) && families[f].full_turn != must_turn) continue;
         if (problem.path && problem.path->closed && !families[f].full_turn) continue;
         if (range_known && all_defined(problem, motion)) usable.push_back(f);
     }
     // Over a given range the family of limited motions contains all others.
-    if (problem.crank_range)
+    if (problem.crank_range && !has_input_range(problem))
         for (const std::size_t f : usable)
             if (!families[f].full_turn) return {f};
     return usable;

@@ -26,6 +26,10 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
 /// path that is timed from a known start.
 Motion assembled_motion_of(const Problem& problem, std::size_t family, std::size_t assembly);
 
+/// A quantity as it enters programs: where the motion is that over an input range which is not known, the one that
+/// knows that its ends move.
+const Quantity& programmed_quantity(const Problem& problem, std::size_t quantity);
+
 /// A condition that one component, not all of them, has to meet.
 struct Disjunction {
     std::size_t quantity;

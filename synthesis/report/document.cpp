@@ -8,6 +8,7 @@
 #include "synthesis/program/standing.h"
 #include "synthesis/report/cam_document.h"
 #include "synthesis/report/function_document.h"
+#include "synthesis/report/line_document.h"
 #include "synthesis/report/versions.h"
 
 namespace mechwright {
@@ -44,7 +45,10 @@ Json given_dimensions(const Problem& problem) {
         if (!range.named) continue;
         const Dimension& dimension = problem.mechanism->dimensions[i];
         const auto outside = [&](double x) { return in_file_unit(x, unit_of(dimension.kind), problem.units); };
-        if (range.fixed())
+        if (range.tied())
+            given[std::string(dimension.name)] = {{"of", problem.mechanism->dimensions[range.tie.of].name},
+                                                  {"times", range.tie.times}};
+        else if (range.fixed())
             given[std::string(dimension.name)] = outside(range.min);
         else
             given[std::string(dimension.name)] = {{"min", outside(range.min)}, {"max", outside(range.max)}};
@@ -208,6 +212,7 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
     }
     if (problem.path) json[problem.path->guides_body() ? "poses" : "path"] = path_of(problem, best);
     if (problem.function) json["function"] = function_document(problem, best ? &best->design : nullptr);
+    if (problem.line) json["line"] = line_document(problem, best ? &best->design : nullptr);
 }
 
 }  // namespace

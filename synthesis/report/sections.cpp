@@ -22,6 +22,7 @@ constexpr std::size_t longest_title = 400;
 
 /// What there is to say of a dimension beside its value.
 std::string remark_on(const DimensionRange& range, double value, Unit unit, const Units& units) {
+    if (range.tied()) return "tied";
     if (range.fixed()) return range.named ? "given" : "";
     constexpr double at_limit_within = 1e-6;
     const double close = at_limit_within * std::max({std::abs(range.min), std::abs(range.max), std::abs(value)});

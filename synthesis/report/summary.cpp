@@ -11,6 +11,7 @@
 #include "synthesis/program/standing.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/function_document.h"
+#include "synthesis/report/line_document.h"
 #include "synthesis/report/sections.h"
 #include "synthesis/report/table.h"
 
@@ -153,6 +154,12 @@ std::string motion_line(const Problem& problem, const Design& design) {
                        value_with_unit(motion.to, Unit::angle, problem.units));
 }
 
+/// What is said of a function or a line.
+std::string generated_section(const Problem& problem, const Design& design, bool colour) {
+    if (problem.function) return function_section(problem, design, colour);
+    return problem.line ? line_section(problem, design, colour) : std::string();
+}
+
 }  // namespace
 
 std::string summary(const Problem& problem, const Result& result, bool colour) {
@@ -162,8 +169,7 @@ std::string summary(const Problem& problem, const Result& result, bool colour) {
         if (!best.feasible) text += obstacle(problem, best);
         text += design_section(problem, best.design, colour) + objective_section(problem, best, colour) +
                 requirement_section(problem, best.design, colour) + path_section(problem, best.design, colour) +
-                (problem.function ? function_section(problem, best.design, colour) : std::string()) +
-                verification_section(result.verification, colour);
+                generated_section(problem, best.design, colour) + verification_section(result.verification, colour);
     }
     return text + search_section(result.search, colour) + alternatives_section(problem, result);
 }
@@ -172,8 +178,7 @@ std::string analysis_summary(const Problem& problem, const Solution& solution, b
     const Design& design = solution.design;
     return title_section(problem, colour) + design_section(problem, design, colour) + motion_line(problem, design) +
            quantity_section(problem, design, colour) + requirement_section(problem, design, colour) +
-           path_section(problem, design, colour) +
-           (problem.function ? function_section(problem, design, colour) : std::string());
+           path_section(problem, design, colour) + generated_section(problem, design, colour);
 }
 
 }  // namespace mechwright

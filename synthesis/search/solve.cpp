@@ -36,7 +36,7 @@ struct Method {
 
 std::size_t design_variables(const Problem& problem) {
     return static_cast<std::size_t>(std::count_if(problem.dimensions.begin(), problem.dimensions.end(),
-                                                  [](const DimensionRange& d) { return !d.fixed(); }));
+                                                  [](const DimensionRange& d) { return !d.fixed() && !d.tied(); }));
 }
 
 /// What no local search can do.

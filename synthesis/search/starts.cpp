@@ -161,16 +161,34 @@ void fit_function(const Program& program, VectorXd& x) {
     const Mechanism& mechanism = *program.problem->mechanism;
     std::vector<double> dimensions = program.dimensions;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
-        if (program.variable_of[i] >= 0) dimensions[i] = x[program.variable_of[i]];
+        if (program.variable_of[i] >= 0) dimensions[i] = program.times[i] * x[program.variable_of[i]];
     const std::size_t scales = mechanism.function_scales;
     const auto turns = [&](std::size_t start) { return program.variable_of[start] >= 0; };
     if (!mechanism.function_fit(*program.problem->function, dimensions, turns(scales), turns(scales + 2))) return;
     for (std::size_t i = 0; i < dimensions.size(); ++i) {
         const std::ptrdiff_t v = program.variable_of[i];
-        if (v < 0) continue;
+        if (v < 0 || program.problem->dimensions[i].tied()) continue;
         const Variable& variable = program.variables[static_cast<std::size_t>(v)];
         x[v] = std::clamp(dimensions[i], variable.lower, variable.upper);
     }
+}
+
+/// The line that the guided point of x is closest to, as far as it is free.
+void fit_line(const Program& program, VectorXd& x) {
+    const Mechanism& mechanism = *program.problem->mechanism;
+    const std::ptrdiff_t angle = program.variable_of[mechanism.line_place];
+    const std::ptrdiff_t offset = program.variable_of[mechanism.line_place + 1];
+    std::vector<double> dimensions = program.dimensions;
+    for (std::size_t i = 0; i < dimensions.size(); ++i)
+        if (program.variable_of[i] >= 0) dimensions[i] = program.times[i] * x[program.variable_of[i]];
+    mechanism.line_fit(program.variant.assembly, dimensions, angle >= 0);
+    const auto set = [&](std::ptrdiff_t v, double value) {
+        if (v < 0) return;
+        const Variable& variable = program.variables[static_cast<std::size_t>(v)];
+        x[v] = std::clamp(value, variable.lower, variable.upper);
+    };
+    set(angle, dimensions[mechanism.line_place]);
+    set(offset, dimensions[mechanism.line_place + 1]);
 }
 
 }  // namespace
@@ -188,6 +206,7 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
     const auto consider = [&](VectorXd x) {
         if (program.path) fit_placement(program, x);
         if (program.problem->function) fit_function(program, x);
+        if (program.problem->line) fit_line(program, x);
         settle_epigraphs(program, x);
         const double m = merit(program, x);
         if (found && !(m < least)) return;
@@ -209,7 +228,7 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
         const std::uint64_t k = base + static_cast<std::uint64_t>(draw);
         VectorXd x = VectorXd::Zero(n);
         for (std::size_t i = 0; i < program.variable_of.size(); ++i)
-            if (program.variable_of[i] >= 0)
+            if (program.variable_of[i] >= 0 && !program.problem->dimensions[i].tied())
                 x[program.variable_of[i]] = sampled(program.variables[static_cast<std::size_t>(program.variable_of[i])],
                                                     kind_of(program, i), sequence(k, i));
         if (program.untimed_path())

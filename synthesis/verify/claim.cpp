@@ -69,13 +69,18 @@ void read_given(Reader& in, const Json& document, Claim& claim) {
         const int index = find_dimension(*claim.mechanism, name);
         if (index < 0) return in.fail(fmt::format("a {} does not have {}", claim.mechanism->name, place));
         const auto i = static_cast<std::size_t>(index);
-        if (value.is_object()) {
+        if (value.is_object() && member(value, "of")) {
+            const int of = find_dimension(*claim.mechanism, in.text(member(value, "of"), place + ".of"));
+            if (of < 0) return in.fail(fmt::format("{} is tied to a dimension that does not exist", place));
+            const double times = in.number(member(value, "times"), place + ".times");
+            claim.given[i] = ClaimedRange{0, 0, Tie{static_cast<std::size_t>(of), times}};
+        } else if (value.is_object()) {
             const double min = dimension_number(in, claim, i, member(value, "min"), place + ".min");
             const double max = dimension_number(in, claim, i, member(value, "max"), place + ".max");
-            claim.given[i] = ClaimedRange{min, max};
+            claim.given[i] = ClaimedRange{min, max, {}};
         } else {
             const double number = dimension_number(in, claim, i, &value, place);
-            claim.given[i] = ClaimedRange{number, number};
+            claim.given[i] = ClaimedRange{number, number, {}};
         }
     }
 }
@@ -242,7 +247,7 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
 void read_function(Reader& in, const Json& document, Claim& claim) {
     const Json* json = member(document, "function");
     if (!json || !in.object(json, "function")) return;
-    if (!claim.mechanism->function_margin)
+    if (!claim.mechanism->function_fit)
         return in.fail(fmt::format("a {} generates no functions", claim.mechanism->name));
     auto target = std::make_shared<FunctionTarget>();
     if (const Json* expression = member(*json, "expression")) {
@@ -262,6 +267,14 @@ void read_function(Reader& in, const Json& document, Claim& claim) {
     claim.function = std::move(target);
 }
 
+void read_line(Reader& in, const Json& document, Claim& claim) {
+    const Json* json = member(document, "line");
+    if (!json || !in.object(json, "line")) return;
+    if (!claim.mechanism->line_extremes) return in.fail(fmt::format("a {} follows no line", claim.mechanism->name));
+    claim.line.emplace();
+    if (const Json* turns = member(*json, "full_turn")) claim.line->full_turn = in.flag(turns, "line.full_turn");
+}
+
 }  // namespace
 
 ReadClaim read_claim(const Json& document) {
@@ -270,8 +283,8 @@ ReadClaim read_claim(const Json& document) {
     if (!document.is_object()) return {{}, "it is not a JSON object"};
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
-    for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_function, read_requirements,
-                            read_objective, read_quantities, read_path})
+    for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_function, read_line,
+                            read_requirements, read_objective, read_quantities, read_path})
         if (in.understood()) read(in, document, claim);
     return {std::move(claim), in.defect};
 }

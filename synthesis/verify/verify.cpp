@@ -14,6 +14,9 @@ namespace mechwright {
 
 namespace {
 
+/// Both are rounded, in the unit of the file perhaps twice.
+constexpr double tied_within = 1e-14;
+
 const Quantity& quantity_of(const Claim& claim, std::size_t index) { return claim.mechanism->quantities[index]; }
 
 std::string joined(const std::vector<std::string>& parts, std::string_view between) {
@@ -28,7 +31,13 @@ std::string dimension_defect(const Claim& claim, std::size_t i) {
         return fmt::format("{} is {}, {} {}", claim.mechanism->dimensions[i].name, value, why, number);
     };
     if (!claim.given[i]) return value == 0 ? "" : defect("not given and must be", 0);
-    const auto [min, max] = *claim.given[i];
+    const auto& [min, max, tie] = *claim.given[i];
+    if (tie.times != 0) {
+        const double asked = tie.times * claim.design[tie.of];
+        return std::abs(value - asked) <= tied_within * std::abs(asked)
+                   ? ""
+                   : defect(fmt::format("{} times {} is", tie.times, claim.mechanism->dimensions[tie.of].name), asked);
+    }
     if (min == max) return value == min ? "" : defect("given was", min);
     const double slack = claim.tolerance * std::max(std::abs(min), std::abs(max));
     if (value < min - slack) return defect("the least allowed is", min);
@@ -49,6 +58,11 @@ Check check_kind(const Rebuilt& design) {
     return {
         "is the kind of mechanism that is stated", kind == stated,
         kind == stated ? kind : fmt::format("stated is {}, it is {}", reading::quoted(stated), reading::quoted(kind))};
+}
+
+Check check_full_turn(const Rebuilt& design) {
+    const bool passed = design.claim->mechanism->motion(design.rounded, design.claim->assembly, nullptr).full_turn;
+    return {"the crank turns fully", passed, passed ? "it does" : "it does not"};
 }
 
 bool has_its_lengths(const Claim& claim) {
@@ -184,6 +198,7 @@ std::vector<Check> checks_of(const Claim& claim) {
             defects.push_back(stated_defect(quantity, value, measurements));
         checks.push_back(stated_check("all listed quantities are as stated", std::move(defects)));
     }
+    if (claim.line && claim.line->full_turn) checks.push_back(check_full_turn(design));
     if (claim.path)
         for (Check& check : check_path(design))
             checks.push_back(std::move(check));

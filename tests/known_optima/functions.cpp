@@ -106,6 +106,64 @@ TEST(Functions, LeastSquaresAndMinimaxDiffer) {
     EXPECT_GT(squares.value("function-max"), minimax.value("function-max"));
 }
 
+/// The ram by the loop equation, scanned: five dimensions are free, so that six extremes alternate.
+TEST(Functions, OfARamAlternateToo) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Solved s = solved(shipped("ram-square.toml", "function"), "auto", seed);
+        ASSERT_EQ(s.result.status, Status::solved);
+        EXPECT_NEAR(s.result.best->objective, 0.0087891066, 1e-9);
+        const auto json = document(s.problem, s.result);
+        EXPECT_EQ(json["function"]["alternating"], 6);
+        EXPECT_EQ(json["function"]["free"], 5);
+        const double a = s.dimension("crank"), l = s.dimension("rod"), e = s.dimension("offset");
+        double greatest = 0, worst = 90;
+        for (int i = 0; i <= 20000; ++i) {
+            const double x = 1 + 2 * (i / 20000.0);
+            const double angle = s.dimension("input-start") + s.dimension("input-range") * i / 20000.0;
+            const double height = e - a * std::sin(angle);
+            const double position = a * std::cos(angle) + std::sqrt(l * l - height * height);
+            const double asked = s.dimension("output-start") + s.dimension("output-range") * (x * x - 1) / 8;
+            greatest = std::max(greatest, std::abs(position - asked));
+            worst = std::min(worst, std::acos(std::abs(height) / l) * 180 / std::numbers::pi);
+        }
+        EXPECT_NEAR(greatest / s.result.best->objective, 1, 1e-6);
+        EXPECT_NEAR(worst, s.value("transmission-angle-worst") * 180 / std::numbers::pi, 1e-6);
+    }
+}
+
+/// Where the input range is free its ends move with the design, and a limit on the transmission angle must know that.
+TEST(Functions, OfAFreeInputRangeKeepALimitOnTheTransmissionAngle) {
+    std::string text = shipped("logarithm.toml", "function");
+    const Solved free = solved(text);
+    const double limit = 45;
+    ASSERT_LT(free.value("transmission-angle-worst") * 180 / std::numbers::pi, limit);
+    text += "\n[[require]]\nquantity = \"transmission-angle-worst\"\nmin = 45\n";
+    const Solved limited = solved(text);
+    ASSERT_EQ(limited.result.status, Status::solved);
+    EXPECT_NEAR(limited.value("transmission-angle-worst") * 180 / std::numbers::pi, limit, 1e-6);
+    EXPECT_GT(limited.result.best->objective, free.result.best->objective);
+}
+
+/// A rod that comes out of a dead position has a square root at the end of its range: both quadratures know it.
+TEST(Functions, FromADeadPositionKeepTheirMeanError) {
+    const Solved s = solved(R"toml(schema = 1
+mechanism = "slider-crank"
+[dimensions]
+crank  = 10.0
+rod    = 173.86061757149636
+offset = -174.50058437083882
+[function]
+expression = "log10(x)"
+x      = [1, 10]
+input  = { start = 184.46427668230632, range = 90 }
+output = { start = -2.330455928702171, range = 60 }
+[objective]
+minimize = "function-max"
+)toml");
+    EXPECT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.value("function-rms"), 0.493011826, 1e-8);
+}
+
 /// An expression and dense samples of it are the same function.
 TEST(Functions, SamplesOfAnExpressionGiveItsErrors) {
     std::string samples = "samples = [";

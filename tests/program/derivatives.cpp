@@ -132,6 +132,84 @@ output = { start = { min = 0, max = 90 }, range = { min = 30, max = 60 } }
             expect_exact_derivatives(problem_of(links + function + "[objective]\nminimize = \"" + quantity + "\"\n"));
 }
 
+TEST(Derivatives, OfTransmissionOverAFreeInputRange) {
+    expect_exact_derivatives(problem_of(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = { min = 20, max = 62 }
+crank = { min = 5, max = 15 }
+coupler = { min = 22, max = 65 }
+rocker = { min = 20, max = 58 }
+[function]
+samples = [[0, 0], [1, 0.4], [2, 1.5], [3, 4]]
+input = { start = { min = 20, max = 90 }, range = { min = 60, max = 90 } }
+output = { start = { min = 0, max = 90 }, range = { min = 30, max = 60 } }
+[[require]]
+quantity = "transmission-angle-min"
+min = 30
+[[require]]
+quantity = "transmission-angle-max"
+max = 140
+[objective]
+maximize = "transmission-angle-worst"
+)"));
+}
+
+TEST(Derivatives, OfLinesWithTiedDimensions) {
+    const std::string line = R"([line]
+start = { min = 20, max = 90 }
+range = { min = 60, max = 90 }
+[[require]]
+quantity = "line-length"
+min = 8
+[[require]]
+quantity = "transmission-angle-worst"
+min = 30
+[objective]
+minimize = "line-deviation"
+)";
+    expect_exact_derivatives(problem_of(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = { min = 20, max = 62 }
+crank = { min = 5, max = 15 }
+coupler = { min = 22, max = 65 }
+rocker = { of = "coupler", times = 0.9 }
+point-along = { of = "coupler", times = 2 }
+point-across = { of = "crank", times = -0.5 }
+tilt = { min = 0, max = 90 }
+)" + line));
+    expect_exact_derivatives(problem_of(R"(schema = 1
+mechanism = "slider-crank"
+[dimensions]
+crank = { min = 5, max = 15 }
+rod = { min = 22, max = 65 }
+offset = { min = -3, max = 5 }
+point-along = { of = "rod", times = 0.4 }
+point-across = { min = -3, max = 5 }
+)" + line));
+}
+
+TEST(Derivatives, OfFunctionsOfARam) {
+    for (const std::string quantity : {"function-max", "function-rms"})
+        expect_exact_derivatives(problem_of(R"(schema = 1
+mechanism = "slider-crank"
+[dimensions]
+crank = { min = 5, max = 15 }
+rod = { min = 32, max = 65 }
+offset = { min = -3, max = 5 }
+[function]
+expression = "x^1.5"
+x = [1, 4]
+input = { start = { min = 20, max = 90 }, range = { min = 60, max = 90 } }
+output = { start = { min = 20, max = 60 }, range = { min = -10, max = -5 } }
+[[require]]
+quantity = "transmission-angle-worst"
+min = 30
+[objective]
+minimize = ")" + quantity + "\"\n"));
+}
+
 TEST(Derivatives, OfPosesWithEveryMeasure) {
     const std::string body =
         "body-angle = { min = 0, max = 360 }\n[poses]\nposes = [[0, 0, 10], [3, 8, 30], [9, 12, 45]]\n"

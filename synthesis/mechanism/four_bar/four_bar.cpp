@@ -9,6 +9,7 @@
 #include "synthesis/mechanism/four_bar/function.h"
 #include "synthesis/mechanism/four_bar/measure_again.h"
 #include "synthesis/mechanism/four_bar/screening.h"
+#include "synthesis/mechanism/line_formulas.h"
 
 namespace mechwright {
 
@@ -16,7 +17,7 @@ namespace {
 
 using namespace four_bar;
 
-constexpr std::array<Dimension, 15> dimensions{{
+constexpr std::array<Dimension, 17> dimensions{{
     {"ground", DimensionKind::length, true, "ground link, crank pivot to rocker pivot"},
     {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
     {"coupler", DimensionKind::length, true, "coupler, crank pin to rocker pin"},
@@ -27,11 +28,15 @@ constexpr std::array<Dimension, 15> dimensions{{
     {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
     {"tilt", DimensionKind::angle, false, "direction of the ground link in the drawing"},
     {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
-    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's range", false, true},
-    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function", false, true},
+    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's or line's range", false,
+     true},
+    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function or line", false, true},
     {"output-start", DimensionKind::angle, false, "rocker angle at the start of a function's range", false, true},
     {"output-range", DimensionKind::angle, false, "rocker angle over the range of a function", false, true},
     {"body-angle", DimensionKind::angle, false, "direction of a guided body, from the line of the coupler's pins"},
+    {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
+    {"line-offset", DimensionKind::coordinate, false, "distance of that line from the drawing's origin, to its left",
+     false, true},
 }};
 
 constexpr std::array<std::string_view, 2> assemblies{"open", "crossed"};
@@ -39,8 +44,6 @@ constexpr std::array<std::string_view, 2> assemblies{"open", "crossed"};
 bool of_crank_rocker(const Motion& motion) { return motion.family == crank_rocker; }
 bool of_any(const Motion&) { return true; }
 bool of_known_range(const Motion& motion) { return motion.full_turn || motion.from <= motion.to; }
-
-bool of_function(const Motion& motion) { return motion.function != nullptr; }
 
 template <std::size_t count>
 std::size_t components(const Motion&) {
@@ -55,7 +58,20 @@ std::size_t worst_transmission_components(const Motion& motion) { return 2 * tra
 std::size_t velocity_ratio_components(const Motion& motion) { return VelocityRatioExtreme<1>::places(motion); }
 std::size_t assembly_margin_components(const Motion& motion) { return 2 * transmission_extremes_of(motion).count; }
 
-const std::array<Quantity, 17> quantities{{
+const std::array<Quantity, 2> rocker_function = function_quantities<RockerAngle, RockerAngleAgain>(
+    Unit::angle, "greatest difference of the rocker angle from the function",
+    "root mean square difference of the rocker angle from the function");
+
+constexpr std::size_t line_angle = 15;
+const std::array<Quantity, 2> coupler_line =
+    line_quantities<CouplerPath, four_bar_path_point, input_start, line_angle>();
+
+const std::array<Quantity, 3> over_input{
+    {input_transmission_quantity<RockerTransmission, TransmissionExtreme::least>("transmission-angle-min"),
+     input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max"),
+     input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst")}};
+
+const std::array<Quantity, 19> quantities{{
     {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest, links,
      of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
     {"swing", Unit::angle, "angle through which the rocker swings over a full turn of the crank", Reduce::only, links,
@@ -86,23 +102,16 @@ const std::array<Quantity, 17> quantities{{
     path_quantities[2],
     pose_quantities[0],
     pose_quantities[1],
-    {"function-max", Unit::angle, "greatest difference of the rocker angle from the function", Reduce::greatest,
-     function_reads, of_function, components<FunctionMax::most>, measure_by<FunctionMax>, function_max_again,
-     PathMeasure::none, false, "function"},
-    {"function-rms", Unit::angle, "root mean square difference of the rocker angle from the function", Reduce::only,
-     function_reads, of_function, components<1>, measure_by<FunctionRms>, function_rms_again, PathMeasure::none, false,
-     "function"},
+    rocker_function[0],
+    rocker_function[1],
+    coupler_line[0],
+    coupler_line[1],
 }};
 
-/// What keeps a function generator assembled over its input range.
-const Quantity function_margin{.name = "assembly margin over the input range",
-                               .unit = Unit::length,
-                               .meaning = "least length by which the loop closes",
-                               .reduce = Reduce::least,
-                               .reads = function_reads,
-                               .defined = of_function,
-                               .components = components<FunctionMargin::most>,
-                               .measure = measure_by<FunctionMargin>};
+const Quantity function_errors = error_quantity<RockerAngle>();
+const Quantity line_errors = error_quantity<LineDistance<CouplerPath, input_start, line_angle>>();
+
+const Quantity input_margin = input_margin_quantity<InputMargin>();
 
 /// Not a quantity of the contract: what keeps a design of limited range assembled.
 const Quantity assembly_margin{.name = "assembly margin",
@@ -166,12 +175,6 @@ constexpr std::array<std::string_view, 10> motion_columns{
 constexpr std::array<Unit, 10> motion_units{Unit::angle, Unit::angle, Unit::angle, Unit::angle,  Unit::none,
                                             Unit::none,  Unit::none,  Unit::none,  Unit::length, Unit::length};
 
-std::vector<ErrorExtreme> function_extremes(const FunctionTarget& f, std::size_t assembly, std::span<const double> d) {
-    FunctionDimensions<double> x;
-    std::copy_n(d.begin(), x.size(), x.begin());
-    return error_extremes(f, x, assembly == 0 ? Assembly::open : Assembly::crossed);
-}
-
 bool motion_row(const Motion& motion, std::span<const double> d, double crank_angle, std::span<double> row) {
     const FourBar<double> m = linkage_of(d);
     const auto p = pose(m, crank_angle, motion.assembly == 0 ? Assembly::open : Assembly::crossed);
@@ -213,10 +216,16 @@ const Mechanism& four_bar_mechanism() {
                                      .pose_miss = pose_miss_by<CouplerPose>,
                                      .path_screening = four_bar_screening,
                                      .path_point = four_bar_path_point,
-                                     .function_margin = &function_margin,
+                                     .input_margin = &input_margin,
                                      .function_fit = fit_function,
-                                     .function_extremes = function_extremes,
+                                     .function_extremes = function_extremes_by<RockerAngle>,
                                      .function_scales = input_start,
+                                     .function_errors = &function_errors,
+                                     .line_extremes = line_extremes_by<CouplerPath, input_start, line_angle>,
+                                     .line_fit = line_fit_by<CouplerPath, input_start, line_angle>,
+                                     .line_place = line_angle,
+                                     .line_errors = &line_errors,
+                                     .over_input = over_input,
                                      .motion_columns = motion_columns,
                                      .motion_units = motion_units,
                                      .motion_row = motion_row};

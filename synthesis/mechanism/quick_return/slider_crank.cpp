@@ -1,8 +1,10 @@
 #include <cmath>
 
+#include "synthesis/mechanism/line_formulas.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
+#include "synthesis/mechanism/quick_return/ram_function.h"
 #include "synthesis/mechanism/quick_return/rod_path.h"
 
 namespace mechwright {
@@ -11,7 +13,7 @@ namespace {
 
 using namespace quick_return;
 
-constexpr std::array<Dimension, 9> dimensions{{
+constexpr std::array<Dimension, 15> dimensions{{
     {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
     {"rod", DimensionKind::length, true, "rod, crank pin to ram"},
     {"offset", DimensionKind::coordinate, true,
@@ -22,9 +24,25 @@ constexpr std::array<Dimension, 9> dimensions{{
     {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
     {"tilt", DimensionKind::angle, false, "direction of the slide in the drawing"},
     {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
+    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's or line's range", false,
+     true},
+    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function or line", false, true},
+    {"output-start", DimensionKind::coordinate, false, "position of the ram at the start of a function's range", false,
+     true},
+    {"output-range", DimensionKind::coordinate, false, "way of the ram over the range of a function", false, true},
+    {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
+    {"line-offset", DimensionKind::coordinate, false, "distance of that line from the drawing's origin, to its left",
+     false, true},
 }};
 
 const Quantity assembly_margin = assembly_margin_quantity<SliderCrank>();
+const Quantity input_margin = input_margin_quantity<RamInputMargin>();
+const std::array<Quantity, 2> over_input{
+    {input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min"),
+     input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst")}};
+constexpr std::size_t line_angle = 13;
+const Quantity function_errors = error_quantity<RamPosition>();
+const Quantity line_errors = error_quantity<LineDistance<RodPath, input_start, line_angle>>();
 
 // Coefficients of crank, rod, offset.
 const std::array<Family, 2> families{{
@@ -80,6 +98,12 @@ std::vector<Quantity> all_quantities() {
         "greatest angle at the ram over the motion", "least angle at the ram over the motion");
     for (const Quantity& q : path_quantities)
         all.push_back(q);
+    for (const Quantity& q : function_quantities<RamPosition, RamPositionAgain>(
+             Unit::length, "greatest difference of the ram's position from the function",
+             "root mean square difference of the ram's position from the function"))
+        all.push_back(q);
+    for (const Quantity& q : line_quantities<RodPath, rod_path_point, input_start, line_angle>())
+        all.push_back(q);
     return all;
 }
 
@@ -101,6 +125,16 @@ const Mechanism& slider_crank_mechanism() {
                                      .path_roles = {3, 4, 5, 6, 7, 8},
                                      .path_miss = path_miss_by<RodPath>,
                                      .path_point = rod_path_point,
+                                     .input_margin = &input_margin,
+                                     .function_fit = fit_ram_function,
+                                     .function_extremes = function_extremes_by<RamPosition>,
+                                     .function_scales = input_start,
+                                     .function_errors = &function_errors,
+                                     .line_extremes = line_extremes_by<RodPath, input_start, line_angle>,
+                                     .line_fit = line_fit_by<RodPath, input_start, line_angle>,
+                                     .line_place = line_angle,
+                                     .line_errors = &line_errors,
+                                     .over_input = over_input,
                                      .motion_columns = motion_columns,
                                      .motion_units = motion_units,
                                      .motion_row = motion_row};

@@ -1,0 +1,281 @@
+#pragma once
+/// \file
+/// The quantities of a function generator as smooth components (measured.h), for any mechanism. `Generator` has
+/// `static constexpr std::size_t reads`, how many of the first dimensions it needs, and `template <class T> static T
+/// error(const std::array<T, reads>&, std::size_t assembly, const T& share, const T& part)`: the structural error, its
+/// output at a share of the input's range less what the part of the output's range asks for.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "analysis/extremes.h"
+#include "analysis/numbers/dual.h"
+#include "synthesis/mechanism/function_again.h"
+#include "synthesis/mechanism/function_target.h"
+#include "synthesis/mechanism/measured.h"
+
+namespace mechwright {
+
+inline bool has_samples(const FunctionTarget* f) { return f != nullptr && !f->parts.empty(); }
+
+/// Where there is no function, the output that is asked for stays the same.
+template <class T>
+T part_of(const FunctionTarget* f, const T& share) {
+    return f != nullptr ? part_at(*f, share) : T(0.0);
+}
+
+/// All extremes of the error in their order along the range: its ends, and where its slope vanishes.
+template <class Generator>
+std::vector<ErrorExtreme> error_extremes(const FunctionTarget* f, const std::array<double, Generator::reads>& x,
+                                         std::size_t assembly) {
+    std::vector<ErrorExtreme> found;
+    if (has_samples(f)) {
+        for (const Vector<double>& s : f->parts)
+            found.push_back({s.x, s.y, Generator::error(x, assembly, s.x, s.y), false});
+        return found;
+    }
+    using D = Dual<double, 1>;
+    const auto error = [&](double share) { return Generator::error(x, assembly, share, part_of(f, share)); };
+    std::array<D, Generator::reads> constant;
+    std::copy(x.begin(), x.end(), constant.begin());
+    const auto slope = [&](double share) {
+        const D at = D::variable(share, 0);
+        return Generator::error(constant, assembly, at, part_of(f, at)).partial[0];
+    };
+    constexpr int steps = 128;
+    found.push_back({0, 0, error(0), false});
+    double left = 0, at_left = slope(0);
+    for (int i = 1; i <= steps; ++i) {
+        const double right = static_cast<double>(i) / steps, at_right = slope(right);
+        if ((at_left > 0) != (at_right > 0)) {
+            const double share = zero_between(slope, left, right, at_left, at_right);
+            found.push_back({share, 0, error(share), true});
+        }
+        left = right;
+        at_left = at_right;
+    }
+    found.push_back({1, 1, error(1), false});
+    return found;
+}
+
+/// The greatest of so many, by size, in their order along the range; fewer are filled up with the last.
+inline void keep_greatest(std::vector<ErrorExtreme>& found, std::size_t count) {
+    while (found.size() > count)
+        found.erase(std::min_element(found.begin(), found.end(), [](const ErrorExtreme& a, const ErrorExtreme& b) {
+            return std::abs(a.error) < std::abs(b.error);
+        }));
+    while (found.size() < count)
+        found.push_back(found.back());
+}
+
+/// The greatest size of the structural error over the range: every extreme of it with the sign that makes it positive.
+template <class Generator>
+struct FunctionMax {
+    static constexpr std::size_t reads = Generator::reads;
+    static constexpr std::size_t most = 16;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        std::array<double, reads> plain;
+        std::transform(x.begin(), x.end(), plain.begin(), [](const T& v) { return value_of(v); });
+        const FunctionTarget* f = motion.function;
+        auto extremes = error_extremes<Generator>(f, plain, motion.assembly);
+        keep_greatest(extremes, most);
+        for (std::size_t k = 0; k < most; ++k) {
+            const ErrorExtreme& e = extremes[k];
+            const auto along = [&]<class U>(const std::array<U, reads>& d, const U& share) {
+                return Generator::error(d, motion.assembly, share, has_samples(f) ? U(e.part) : part_of(f, share));
+            };
+            const T error = e.stationary ? at_stationary(x, e.share, along) : along(x, T(e.share));
+            out[k] = e.error < 0 ? T(-error) : error;
+        }
+        return most;
+    }
+};
+
+/// The error at fixed places of the range: of samples as many as there is room for, evenly chosen, else at the extremes
+/// of a Chebyshev polynomial, so that least squares of it come close to the least greatest error.
+template <class Generator>
+struct FunctionErrors {
+    static constexpr std::size_t reads = Generator::reads;
+    static constexpr std::size_t most = 25;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        const FunctionTarget* f = motion.function;
+        for (std::size_t k = 0; k < most; ++k) {
+            Vector<double> at;
+            if (has_samples(f)) {
+                at = f->parts[k * (f->parts.size() - 1) / (most - 1)];
+            } else {
+                const double s = std::sin(std::numbers::pi * static_cast<double>(k) / (2 * (most - 1)));
+                at.x = s * s;
+                at.y = part_of(f, at.x);
+            }
+            out[k] = Generator::error(x, motion.assembly, T(at.x), T(at.y));
+        }
+        return most;
+    }
+};
+
+struct QuadratureNode {
+    double share;
+    double weight;
+};
+
+/// The double exponential rule of Takahasi and Mori on [0, 1]: share = 1 / (1 + exp(-pi sinh t)) at even steps of t. It
+/// keeps its digits where a mechanism comes out of a dead position at an end of its range, or close before it.
+inline const std::array<QuadratureNode, 61>& quadrature_nodes() {
+    static const auto nodes = [] {
+        std::array<QuadratureNode, 61> all;
+        constexpr double step = 0.1;
+        double sum = 0;
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            const double t = step * (static_cast<double>(k) - 0.5 * static_cast<double>(all.size() - 1));
+            const double decay = std::exp(-std::numbers::pi * std::sinh(t));
+            all[k] = {1 / (1 + decay), std::cosh(t) * decay / ((1 + decay) * (1 + decay))};
+            sum += all[k].weight;
+        }
+        for (QuadratureNode& node : all)
+            node.weight /= sum;
+        return all;
+    }();
+    return nodes;
+}
+
+/// Calls use(share, part, weight) so that the weighted sum is the mean over the range: of samples the mean of them,
+/// else the integral.
+template <class Use>
+void for_each_node(const FunctionTarget& f, const Use& use) {
+    if (!f.parts.empty()) {
+        for (const Vector<double>& s : f.parts)
+            use(s.x, s.y, 1.0 / static_cast<double>(f.parts.size()));
+        return;
+    }
+    for (const QuadratureNode& node : quadrature_nodes())
+        use(node.share, part_at(f, node.share), node.weight);
+}
+
+/// The root of the mean square of the structural error.
+template <class Generator>
+struct FunctionRms {
+    static constexpr std::size_t reads = Generator::reads;
+    static constexpr std::size_t most = 1;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        using std::sqrt;
+        T sum(0.0);
+        for_each_node(*motion.function, [&](double share, double part, double weight) {
+            const T error = Generator::error(x, motion.assembly, T(share), T(part));
+            sum += T(weight) * error * error;
+        });
+        out[0] = sqrt(sum);
+        return 1;
+    }
+};
+
+/// The registry's function_extremes.
+template <class Generator>
+std::vector<ErrorExtreme> function_extremes_by(const FunctionTarget& f, std::size_t assembly,
+                                               std::span<const double> dimensions) {
+    std::array<double, Generator::reads> x;
+    std::copy_n(dimensions.begin(), x.size(), x.begin());
+    return error_extremes<Generator>(&f, x, assembly);
+}
+
+inline bool generates_function(const Motion& motion) { return motion.function != nullptr; }
+
+template <std::size_t count>
+std::size_t always(const Motion&) {
+    return count;
+}
+
+/// function-max and function-rms of a generator, measured again by `Again` (function_again.h).
+template <class Generator, class Again>
+std::array<Quantity, 2> function_quantities(Unit unit, std::string_view greatest, std::string_view mean) {
+    return {{{.name = "function-max",
+              .unit = unit,
+              .meaning = greatest,
+              .reduce = Reduce::greatest,
+              .reads = Generator::reads,
+              .defined = generates_function,
+              .components = always<FunctionMax<Generator>::most>,
+              .measure = measure_by<FunctionMax<Generator>>,
+              .measure_again = function_max_again<Again>,
+              .section = "function"},
+             {.name = "function-rms",
+              .unit = unit,
+              .meaning = mean,
+              .reduce = Reduce::only,
+              .reads = Generator::reads,
+              .defined = generates_function,
+              .components = always<1>,
+              .measure = measure_by<FunctionRms<Generator>>,
+              .measure_again = function_rms_again<Again>,
+              .section = "function"}}};
+}
+
+inline bool has_input_range(const Motion& motion) { return motion.function != nullptr || motion.line; }
+
+/// The transmission angle over the input range, whose ends are design variables: `Transmission` has `reads`, and
+/// `template <class T> static std::array<T, 4> angles(std::size_t assembly, const std::array<T, reads>&)`, which gives
+/// it wherever it can be extreme. The worst is the least of the angle and its supplement.
+enum class TransmissionExtreme { least, greatest, worst };
+
+template <class Transmission, TransmissionExtreme extreme>
+struct InputTransmission {
+    static constexpr std::size_t reads = Transmission::reads;
+    static constexpr std::size_t most = extreme == TransmissionExtreme::worst ? 8 : 4;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        const std::array<T, 4> angles = Transmission::angles(motion.assembly, x);
+        for (std::size_t k = 0; k < angles.size(); ++k) {
+            out[k] = angles[k];
+            if constexpr (extreme == TransmissionExtreme::worst) out[4 + k] = std::numbers::pi - angles[k];
+        }
+        return most;
+    }
+};
+
+template <class Transmission, TransmissionExtreme extreme>
+Quantity input_transmission_quantity(std::string_view name) {
+    using Formula = InputTransmission<Transmission, extreme>;
+    return {.name = name,
+            .unit = Unit::angle,
+            .meaning = "transmission angle over the input range",
+            .reduce = extreme == TransmissionExtreme::greatest ? Reduce::greatest : Reduce::least,
+            .reads = Formula::reads,
+            .defined = has_input_range,
+            .components = always<Formula::most>,
+            .measure = measure_by<Formula>};
+}
+
+/// The errors of a generator at fixed places, for least squares: not a quantity of the contract.
+template <class Generator>
+Quantity error_quantity() {
+    return {.name = "error along the input range",
+            .unit = Unit::none,
+            .meaning = "what a least-squares start makes small",
+            .reduce = Reduce::greatest,
+            .reads = Generator::reads,
+            .defined = has_input_range,
+            .components = always<FunctionErrors<Generator>::most>,
+            .measure = measure_by<FunctionErrors<Generator>>};
+}
+
+/// What keeps a design assembled over its input range; `Margin` is a formula of measured.h.
+template <class Margin>
+Quantity input_margin_quantity() {
+    return {.name = "assembly margin over the input range",
+            .unit = Unit::length,
+            .meaning = "least length by which the mechanism closes",
+            .reduce = Reduce::least,
+            .reads = Margin::reads,
+            .defined = has_input_range,
+            .components = always<Margin::most>,
+            .measure = measure_by<Margin>};
+}
+
+}  // namespace mechwright

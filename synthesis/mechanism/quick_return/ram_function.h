@@ -1,0 +1,103 @@
+#pragma once
+/// \file
+/// The slider-crank as a function generator: the position of its ram against the function asked for. The output's scale
+/// is a length along the slide, counted from the crank pivot.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "analysis/slider_crank.h"
+#include "synthesis/mechanism/function_formulas.h"
+
+namespace mechwright::quick_return {
+
+/// Where the scales stand among the dimensions of the slider-crank.
+enum ScaleIndex : std::size_t { input_start = 9, input_range, output_start, output_range, function_reads };
+
+/// The generator of function_formulas.h: the position of the ram less the one that the function asks for.
+struct RamPosition {
+    static constexpr std::size_t reads = function_reads;
+    template <class T>
+    static T error(const std::array<T, reads>& x, std::size_t, const T& share, const T& part) {
+        const SliderCrank<T> m{x[0], x[1], x[2]};
+        return pose(m, T(x[input_start] + x[input_range] * share)).position -
+               (x[output_start] + x[output_range] * part);
+    }
+};
+
+/// The crank directions in which margins and transmission angle can be extreme: both ends of the input range, and where
+/// the crank stands square to the slide.
+template <class T>
+std::array<Vector<T>, 4> input_places(const std::array<T, function_reads>& x) {
+    using std::cos, std::sin;
+    const T first = x[input_start], last = x[input_start] + x[input_range];
+    const double low = std::min(value_of(first), value_of(last)), high = std::max(value_of(first), value_of(last));
+    constexpr double turn = 2 * std::numbers::pi;
+    const auto passes = [&](double angle) { return std::ceil((low - angle) / turn) * turn + angle <= high; };
+    const auto end = [&](const T& angle) { return Vector<T>{cos(angle), sin(angle)}; };
+    return {end(first), end(last), passes(turn / 4) ? Vector<T>{T(0), T(1)} : end(first),
+            passes(-turn / 4) ? Vector<T>{T(0), T(-1)} : end(last)};
+}
+
+/// What must be >= 0 for the rod to reach the slide over the whole input range.
+struct RamInputMargin {
+    static constexpr std::size_t reads = function_reads;
+    static constexpr std::size_t most = 8;
+    template <class T>
+    static std::size_t components(const Motion&, const std::array<T, reads>& x, Components<T> out) {
+        const auto at = input_places(x);
+        for (std::size_t k = 0; k < at.size(); ++k) {
+            const auto p = pose(SliderCrank<T>{x[0], x[1], x[2]}, at[k]);
+            out[2 * k] = p.left;
+            out[2 * k + 1] = p.right;
+        }
+        return most;
+    }
+};
+
+/// The transmission angles of InputTransmission, wherever they can be least.
+struct RodTransmission {
+    static constexpr std::size_t reads = function_reads;
+    template <class T>
+    static std::array<T, 4> angles(std::size_t, const std::array<T, reads>& x) {
+        const auto at = input_places(x);
+        std::array<T, 4> all;
+        for (std::size_t k = 0; k < at.size(); ++k)
+            all[k] = transmission_angle(pose(SliderCrank<T>{x[0], x[1], x[2]}, at[k]));
+        return all;
+    }
+};
+
+/// The position of the ram from the right triangle of rod and slide (function_again.h).
+struct RamPositionAgain {
+    static constexpr std::size_t scales = input_start;
+    std::span<const Digits50> dimensions;
+
+    RamPositionAgain(std::size_t, std::span<const Digits50> all) : dimensions(all) {}
+
+    template <class T>
+    T error(const T& input, const T& asked) const {
+        using std::cos, std::sin, std::sqrt;
+        const T crank(dimensions[0]), rod(dimensions[1]), offset(dimensions[2]);
+        const T height = offset - crank * sin(input);
+        const T run_square = (rod - height) * (rod + height);
+        if (!(run_square >= 0)) return std::numeric_limits<T>::quiet_NaN();
+        return crank * cos(input) + sqrt(run_square) - asked;
+    }
+};
+
+/// Crank, rod and offset for given scales by least squares of the loop equation of the slider-crank,
+///
+///     k1 s cos(input) + k2 sin(input) + k3 = s^2,  k1 = 2 crank, k2 = 2 crank offset,
+///
+/// with s the position of the ram (Theory of Machines, chapter 9), which is linear in k1, k2 and k3 = rod^2 - crank^2 -
+/// offset^2. A negative crank points the other way: the input's scale is then turned by half a turn where
+/// `turns_input` allows. Returns false where no lengths follow.
+bool fit_ram_function(const FunctionTarget& f, std::span<double> dimensions, bool turns_input, bool turns_output);
+
+}  // namespace mechwright::quick_return

@@ -1,0 +1,85 @@
+#include "synthesis/report/error_extremes.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/report/table.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr std::size_t most_extremes = 40;
+/// Extremes this close to the greatest are as great as it.
+constexpr double as_great_within = 1e-6;
+
+/// Columns of sensitivities are independent if they differ by more than this.
+constexpr double independent_beyond = 1e-7;
+
+/// How many of the dimensions left open the error depends on independently: the size of a linkage does not count where
+/// only angles matter.
+int free_dimensions(const Problem& problem, const Design& design) {
+    const Mechanism& mechanism = *problem.mechanism;
+    const Quantity& q = mechanism.quantities[static_cast<std::size_t>(
+        find_quantity(mechanism, problem.line ? "line-deviation" : "function-max"))];
+    const Motion motion = motion_of(problem, design);
+    const auto count = static_cast<Eigen::Index>(q.components(motion)), reads = static_cast<Eigen::Index>(q.reads);
+    std::vector<double> value(static_cast<std::size_t>(count));
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> gradient(count, reads);
+    q.measure(motion, design.dimensions, {value, {gradient.data(), static_cast<std::size_t>(gradient.size())}, {}});
+    if (!gradient.allFinite()) return 0;
+    for (Eigen::Index i = 0; i < reads; ++i)
+        if (const DimensionRange& range = problem.dimensions[static_cast<std::size_t>(i)]; range.tied()) {
+            gradient.col(static_cast<Eigen::Index>(range.tie.of)) += range.tie.times * gradient.col(i);
+            gradient.col(i).setZero();
+        }
+    for (Eigen::Index i = 0; i < reads; ++i) {
+        const double norm = gradient.col(i).norm();
+        gradient.col(i) *= problem.dimensions[static_cast<std::size_t>(i)].fixed() || norm == 0 ? 0 : 1 / norm;
+    }
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> columns(gradient);
+    columns.setThreshold(independent_beyond);
+    return static_cast<int>(columns.rank());
+}
+
+}  // namespace
+
+Unit error_unit(const Problem& problem) {
+    if (problem.line) return Unit::length;
+    const DimensionKind kind = problem.mechanism->dimensions[problem.mechanism->function_scales + 2].kind;
+    return kind == DimensionKind::angle ? Unit::angle : Unit::length;
+}
+
+ErrorExtremes error_extremes_of(const Problem& problem, const Design& design) {
+    ErrorExtremes e;
+    const Mechanism& mechanism = *problem.mechanism;
+    e.all = problem.line ? mechanism.line_extremes(design.assembly, design.dimensions)
+                         : mechanism.function_extremes(*problem.function, design.assembly, design.dimensions);
+    double greatest = 0;
+    for (const auto& extreme : e.all)
+        greatest = std::max(greatest, std::abs(extreme.error));
+    double last = 0;
+    for (const auto& extreme : e.all) {
+        if (std::abs(extreme.error) < (1 - as_great_within) * greatest || last * extreme.error > 0) continue;
+        last = extreme.error;
+        ++e.alternating;
+    }
+    e.free = free_dimensions(problem, design);
+    if (e.all.size() > most_extremes) e.all.resize(most_extremes);
+    return e;
+}
+
+std::string alternation_text(const ErrorExtremes& extremes) {
+    if (extremes.alternating < 2) return {};
+    const bool least = extremes.free > 0 && extremes.alternating > extremes.free;
+    return folded("  ", fmt::format("{} extremes are as great as the greatest and alternate in sign, for {} free "
+                                    "dimension{}{}.",
+                                    extremes.alternating, extremes.free, extremes.free == 1 ? "" : "s",
+                                    least ? ": no design near this one has a smaller greatest error" : ""));
+}
+
+}  // namespace mechwright

@@ -1,0 +1,92 @@
+#include <cmath>
+
+#include "tests/problem/problem_text.h"
+
+namespace mechwright::test {
+
+namespace {
+
+/// The section starts in line 8, what is given in line 9.
+ReadProblem read_line(const std::string& lines) { return read(valid + "[line]\n" + lines + "\n"); }
+
+TEST(Line, IsReadWithItsInputRange) {
+    const ReadProblem read = read_line("start = 120\nrange = 120");
+    ASSERT_TRUE(accepted(read));
+    const Problem& p = read.problem;
+    ASSERT_TRUE(p.line);
+    EXPECT_FALSE(p.line->full_turn);
+    ASSERT_TRUE(p.crank_range);
+    EXPECT_NEAR(p.crank_range->y, std::acos(-1.0) * 4 / 3, 1e-15);
+    EXPECT_TRUE(p.dimensions[15].any_angle());
+    EXPECT_GT(p.dimensions[16].max, 0);
+}
+
+TEST(Line, MayBeGivenWhole) {
+    const ReadProblem read =
+        read_line("start = { min = 0, max = 360 }\nrange = 90\nangle = 45\noffset = -3\nfull_turn = true");
+    ASSERT_TRUE(accepted(read));
+    EXPECT_TRUE(read.problem.line->full_turn);
+    EXPECT_FALSE(read.problem.crank_range);
+    EXPECT_NEAR(read.problem.dimensions[15].min, std::acos(-1.0) / 4, 1e-15);
+    EXPECT_EQ(read.problem.dimensions[16].max, -3);
+}
+
+TEST(Line, NeedsItsInputRange) {
+    EXPECT_TRUE(says(read_line(""), "p.toml:8:1", {"'start'", "an angle"}));
+    EXPECT_TRUE(says(read_line("start = 3"), "p.toml:8:1", {"'range'"}));
+    EXPECT_TRUE(only_says(read_line("start = 3\nrange = 0"), "p.toml:10:9", {"must not be 0"}));
+    EXPECT_TRUE(says(read_line("start = nan\nrange = 3"), "p.toml:9:9", {"finite"}));
+    EXPECT_TRUE(says(read_line("start = 3\nrange = 3\nslope = 1"), "p.toml:11:1", {"unknown", "slope"}));
+}
+
+TEST(Line, GoesWithNoOtherTarget) {
+    EXPECT_TRUE(only_says(read_line("start = 3\nrange = 3\n[path]\npoints = [[1, 1], [2, 2], [3, 1]]"), "p.toml:8:1",
+                          {"not both"}));
+}
+
+TEST(Line, ItsQuantitiesNeedIt) {
+    EXPECT_TRUE(says(read(valid + "[objective]\nminimize = \"line-deviation\"\n"), "p.toml:9:12", {"[line]"}));
+}
+
+/// Ranges of tied dimensions follow from those they are tied to.
+ReadProblem read_tied(const std::string& rocker, const std::string& more = "") {
+    return read(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 4\ncrank = 1\n"
+        "coupler = { min = 2, max = 3 }\nrocker = " +
+        rocker + "\n" + more);
+}
+
+TEST(Ties, FollowTheOtherDimension) {
+    const ReadProblem read = read_tied("{ of = \"coupler\" }", "point-along = { of = \"coupler\", times = -2 }\n");
+    ASSERT_TRUE(accepted(read));
+    EXPECT_TRUE(read.problem.dimensions[3].tied());
+    EXPECT_EQ(read.problem.dimensions[3].min, 2);
+    EXPECT_EQ(read.problem.dimensions[4].min, -6);
+    EXPECT_EQ(read.problem.dimensions[4].max, -4);
+}
+
+TEST(Ties, ToANumberAreANumber) {
+    const ReadProblem read = read_tied("{ of = \"ground\", times = 0.75 }");
+    ASSERT_TRUE(accepted(read));
+    EXPECT_FALSE(read.problem.dimensions[3].tied());
+    EXPECT_TRUE(read.problem.dimensions[3].fixed());
+    EXPECT_EQ(read.problem.dimensions[3].min, 3);
+}
+
+TEST(Ties, ThatMakeNoSenseAreReported) {
+    EXPECT_TRUE(only_says(read_tied("{ of = \"rocker\" }"), "p.toml:7:17", {"another dimension", "coupler"}));
+    EXPECT_TRUE(only_says(read_tied("{ of = \"tilt\" }"), "p.toml:7:17", {"same kind"}));
+    EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\", times = 0 }"), "p.toml:7:36", {"other than 0"}));
+    EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\", times = -1 }"), "p.toml:7:36", {"greater than 0"}));
+    EXPECT_TRUE(only_says(read_tied("{ of = 3 }"), "p.toml:7:17", {"string"}));
+    EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\", min = 2 }"), "p.toml:7:28", {"unknown"}));
+    EXPECT_TRUE(only_says(read_tied("{ of = \"point-along\" }"), "p.toml:7:10", {"not given"}));
+    EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\" }", "point-along = { of = \"rocker\" }\n"), "p.toml:8:15",
+                          {"tied itself"}));
+    EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\" }", "[path]\npoints = [[1, 1], [2, 2], [3, 1]]\n"),
+                          "p.toml:8:1", {"tied"}));
+}
+
+}  // namespace
+
+}  // namespace mechwright::test
