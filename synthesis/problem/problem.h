@@ -86,6 +86,7 @@ struct SolverOptions {
     std::uint64_t seed = 1;
     double time_limit = 60;  ///< seconds
     double tolerance = 1e-9;
+    int pareto = 0;  ///< designs on the front between two objectives; 0: none is asked for
 };
 
 struct Problem {

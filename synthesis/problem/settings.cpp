@@ -40,6 +40,18 @@ void check_crank_range(const Section& motion, double from, double to, double tur
                   fmt::format("crank_range goes from {} to {}: it must be one full turn at most", from, to));
 }
 
+void read_pareto(Section& solver, Problem& problem, Messages& messages) {
+    constexpr std::int64_t most_points = 1000;
+    if (!has(solver, "pareto")) {
+        find(solver, "pareto");
+        return;
+    }
+    problem.solver.pareto = static_cast<int>(read_bounded(solver, "pareto", 2, most_points, 2, messages));
+    if (!problem.objective || problem.objective->terms.size() != 2 || problem.objective->worst)
+        add_error(messages, place_of(solver, "pareto"),
+                  "'pareto' needs two objectives to trade against each other: write two [[objective]] entries");
+}
+
 }  // namespace
 
 double to_radians(const Units& units, double angle) { return units.degrees ? angle * std::numbers::pi / 180 : angle; }
@@ -90,6 +102,7 @@ void read_solver(Section& file, Problem& problem, Messages& messages) {
         read_bounded(*section, "seed", 0, most_seed, static_cast<std::int64_t>(solver.seed), messages));
     solver.time_limit = read_positive(*section, "time_limit", longest, solver.time_limit, messages);
     solver.tolerance = read_positive(*section, "tolerance", loosest, solver.tolerance, messages);
+    read_pareto(*section, problem, messages);
     report_unknown_keys(*section, messages);
 }
 

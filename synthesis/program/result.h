@@ -45,10 +45,20 @@ struct SearchReport {
     long screened = 0;  ///< candidates that were ranked to find starts
 };
 
+/// A design on the trade-off front between two objectives.
+struct FrontPoint {
+    Solution solution;
+    std::vector<Check> verification;  ///< of it alone
+};
+
+/// Whether there are checks, and none has failed.
+bool all_passed(const std::vector<Check>& checks);
+
 struct Result {
     Status status = Status::infeasible;
     std::optional<Solution> best;        ///< the least-violating one if not feasible
     std::vector<Solution> alternatives;  ///< other local optima, best first
+    std::vector<FrontPoint> front;       ///< where it was asked for
     std::vector<Check> verification;
     SearchReport search;
     std::string note;  ///< one sentence for the user where the status needs one

@@ -149,11 +149,11 @@ Json path_of(const Problem& problem, const Solution* best) {
     return json;
 }
 
-Json verification_of(const Result& result) {
+Json verification_of(const std::vector<Check>& done) {
     Json checks = Json::array();
-    for (const Check& check : result.verification)
+    for (const Check& check : done)
         checks.push_back({{"name", check.name}, {"passed", check.passed}, {"detail", check.detail}});
-    return {{"passed", result.verified()}, {"checks", std::move(checks)}};
+    return {{"passed", all_passed(done)}, {"checks", std::move(checks)}};
 }
 
 Json alternatives_of(const Problem& problem, const Result& result) {
@@ -164,6 +164,35 @@ Json alternatives_of(const Problem& problem, const Result& result) {
         const std::vector<double>& path_angles = solution.design.path_angles;
         if (!path_angles.empty() && std::all_of(path_angles.begin(), path_angles.end(), finite))
             one["path_angles"] = angles(solution.design.path_angles, problem.units);
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
+/// Targets, and how a design meets them.
+void put_targets(Json& json, const Problem& problem, const Solution* best) {
+    const Design* design = best ? &best->design : nullptr;
+    if (problem.path) json[problem.path->guides_body() ? "poses" : "path"] = path_of(problem, best);
+    if (problem.function) json["function"] = function_document(problem, design);
+    if (problem.line) json["line"] = line_document(problem, design);
+}
+
+/// The members that are about one design.
+void put_findings(Json& json, const Problem& problem, const Solution& solution) {
+    json["design"] = design_of(problem, solution.design);
+    if (problem.objective) json["objective"] = objective_of(problem, solution);
+    if (!problem.requirements.empty()) json["requirements"] = requirements_of(problem, solution.design);
+    json["quantities"] = quantities_of(problem, solution.design);
+    put_targets(json, problem, &solution);
+}
+
+/// Every design of the front with all that the document says of one.
+Json front_of(const Problem& problem, const Result& result) {
+    Json list = Json::array();
+    for (const FrontPoint& point : result.front) {
+        Json one = Json::object();
+        put_findings(one, problem, point.solution);
+        one["verification"] = verification_of(point.verification);
         list.push_back(std::move(one));
     }
     return list;
@@ -204,15 +233,8 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
         json["crank_range"] = angles({problem.crank_range->x, problem.crank_range->y}, problem.units);
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)
         json["settings"][std::string(problem.mechanism->settings[i].name)] = problem.settings[i];
-    if (best) {
-        json["design"] = design_of(problem, best->design);
-        if (problem.objective) json["objective"] = objective_of(problem, *best);
-        if (!problem.requirements.empty()) json["requirements"] = requirements_of(problem, best->design);
-        json["quantities"] = quantities_of(problem, best->design);
-    }
-    if (problem.path) json[problem.path->guides_body() ? "poses" : "path"] = path_of(problem, best);
-    if (problem.function) json["function"] = function_document(problem, best ? &best->design : nullptr);
-    if (problem.line) json["line"] = line_document(problem, best ? &best->design : nullptr);
+    if (best) return put_findings(json, problem, *best);
+    put_targets(json, problem, nullptr);
 }
 
 }  // namespace
@@ -233,7 +255,8 @@ nlohmann::ordered_json document(const Problem& problem, const Result& result) {
     json["status"] = name_of(result.status);
     if (!result.note.empty()) json["note"] = result.note;
     put_body(json, problem, result.best ? &*result.best : nullptr);
-    if (!result.verification.empty()) json["verification"] = verification_of(result);
+    if (!result.verification.empty()) json["verification"] = verification_of(result.verification);
+    if (problem.solver.pareto > 0) json["front"] = front_of(problem, result);
     json["alternatives"] = alternatives_of(problem, result);
     json["search"] = search_of(problem, result.search);
     return json;

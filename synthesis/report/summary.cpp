@@ -145,6 +145,30 @@ std::string alternatives_section(const Problem& problem, const Result& result) {
     return folded("Alternatives: ", text + " (see --json or --out).");
 }
 
+/// The front between two objectives, a line for each design.
+std::string front_section(const Problem& problem, const Result& result, bool colour) {
+    if (problem.solver.pareto == 0) return {};
+    const auto& terms = problem.objective->terms;
+    Table table{{Align::right, Align::point, Align::point}, {{""}}};
+    for (const ObjectiveTerm& term : terms) {
+        const Quantity& q = problem.mechanism->quantities[term.quantity];
+        const std::string unit = unit_label(q.unit, problem.units);
+        table.rows.front().push_back(std::string(q.name) + (unit.empty() ? "" : " (" + unit + ")"));
+    }
+    for (std::size_t i = 0; i < result.front.size(); ++i) {
+        const Design& design = result.front[i].solution.design;
+        table.rows.push_back({std::to_string(i + 1)});
+        for (const ObjectiveTerm& term : terms) {
+            const Unit unit = problem.mechanism->quantities[term.quantity].unit;
+            const auto value = quantity_value(problem, term.quantity, design);
+            table.rows.back().push_back(value ? number_text(in_file_unit(*value, unit, problem.units)) : "-");
+        }
+    }
+    return heading("Front", colour) + to_text(table, 2) +
+           folded("  ", counted(static_cast<long>(result.front.size()), "design, verified.",
+                                "designs, each verified (see --json or --out)."));
+}
+
 std::string motion_line(const Problem& problem, const Design& design) {
     const Motion motion = motion_of(problem, design);
     if (!(motion.from <= motion.to)) return "\nIt does not assemble at any crank angle.\n";
@@ -171,7 +195,8 @@ std::string summary(const Problem& problem, const Result& result, bool colour) {
                 requirement_section(problem, best.design, colour) + path_section(problem, best.design, colour) +
                 generated_section(problem, best.design, colour) + verification_section(result.verification, colour);
     }
-    return text + search_section(result.search, colour) + alternatives_section(problem, result);
+    return text + front_section(problem, result, colour) + search_section(result.search, colour) +
+           alternatives_section(problem, result);
 }
 
 std::string analysis_summary(const Problem& problem, const Solution& solution, bool colour) {

@@ -8,6 +8,7 @@
 #include "synthesis/exact/closed_form.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/report/document.h"
+#include "synthesis/search/front.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/search/path_search.h"
 #include "synthesis/verify/verify.h"
@@ -157,10 +158,11 @@ void choose_verified(const Problem& problem, std::vector<Solution> candidates, R
 
 }  // namespace
 
-bool Result::verified() const {
-    return !verification.empty() &&
-           std::all_of(verification.begin(), verification.end(), [](const Check& c) { return c.passed; });
+bool all_passed(const std::vector<Check>& checks) {
+    return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](const Check& c) { return c.passed; });
 }
+
+bool Result::verified() const { return all_passed(verification); }
 
 Result solve(const Problem& problem, const RunOptions& options) {
     const Clock::time_point begin = Clock::now();
@@ -183,6 +185,8 @@ Result solve(const Problem& problem, const RunOptions& options) {
         choose_verified(problem, std::move(found.candidates), result);
     else if (!found.candidates.empty())
         result.best = std::move(found.candidates.front());
+
+    if (feasible && problem.solver.pareto > 0) result.front = front(problem, options, deadline);
 
     const bool interrupted = options.stop && options.stop->load();
     if (found.stopped)

@@ -205,6 +205,35 @@ std::vector<Check> checks_of(const Claim& claim) {
     return checks;
 }
 
+/// A design of a front stands in the document with all that is stated of it in place of the best one.
+Check check_front_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& entry,
+                         std::size_t number) {
+    Check check{fmt::format("front design {}", number), false, {}};
+    if (!entry.is_object()) {
+        check.detail = "it is not an object";
+        return check;
+    }
+    nlohmann::ordered_json alone = document;
+    alone.erase("front");
+    for (const auto& [key, value] : entry.items())
+        if (key != "front") alone[key] = value;
+    const std::vector<Check> checks = verify(alone);
+    std::vector<std::string> failed;
+    for (const Check& one : checks)
+        if (!one.passed) failed.push_back(one.name + ": " + one.detail);
+    check.passed = failed.empty() && !checks.empty();
+    check.detail = check.passed ? fmt::format("all {} checks passed", checks.size()) : joined(failed, "; ");
+    return check;
+}
+
+void add_front_checks(const nlohmann::ordered_json& document, std::vector<Check>& checks) {
+    const auto front = document.find("front");
+    if (front == document.end()) return;
+    if (!front->is_array()) return checks.push_back({"the front is a list of designs", false, ""});
+    for (std::size_t i = 0; i < front->size(); ++i)
+        checks.push_back(check_front_design(document, (*front)[i], i + 1));
+}
+
 }  // namespace
 
 std::vector<Check> verify(const nlohmann::ordered_json& document) {
@@ -213,7 +242,10 @@ std::vector<Check> verify(const nlohmann::ordered_json& document) {
     };
     try {
         const auto [claim, defect] = read_claim(document);
-        return defect.empty() ? checks_of(claim) : not_understood(defect);
+        if (!defect.empty()) return not_understood(defect);
+        std::vector<Check> checks = checks_of(claim);
+        add_front_checks(document, checks);
+        return checks;
     } catch (const std::exception& error) {
         return not_understood(std::string("verification stopped: ") + error.what());
     }

@@ -8,6 +8,19 @@ namespace {
 ReadProblem read_objective(const std::string& lines) { return read(valid + "[objective]\n" + lines + "\n"); }
 ReadProblem read_objectives(const std::string& lines) { return read(valid + "[[objective]]\n" + lines + "\n"); }
 
+TEST(Pareto, NeedsTwoObjectives) {
+    const std::string pair =
+        "[[objective]]\nmaximize = \"transmission-angle-worst\"\n[[objective]]\nminimize = \"total-length\"\n";
+    const ReadProblem two = read(valid + pair + "[solver]\npareto = 20\n");
+    ASSERT_TRUE(accepted(two));
+    EXPECT_EQ(two.problem.solver.pareto, 20);
+    EXPECT_TRUE(says(read(valid + "[solver]\npareto = 20\n"), "p.toml:9:10", {"two", "[[objective]]"}));
+    EXPECT_TRUE(says(read(valid + "[objective]\nminimize = \"total-length\"\n[solver]\npareto = 20\n"), "p.toml:11:10",
+                     {"two"}));
+    EXPECT_TRUE(says(read(valid + pair + "[solver]\npareto = 1\n"), "p.toml:13:10", {"between 2 and 1000"}));
+    EXPECT_TRUE(says(read(valid + pair + "[solver]\npareto = \"many\"\n"), "p.toml:13:10", {"whole number"}));
+}
+
 }  // namespace
 
 TEST(Objective, OneQuantityIsMinimizedOrMaximized) {

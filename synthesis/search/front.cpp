@@ -1,0 +1,178 @@
+#include "synthesis/search/front.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "synthesis/local/local.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/report/document.h"
+#include "synthesis/verify/verify.h"
+
+namespace mechwright {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The limit at the far end lies this part of the whole span inside, where designs are still free to move.
+constexpr double inside = 1e-6;
+
+/// A measure of an error: of a path, a function or a line.
+bool is_error(const Problem& problem, const ObjectiveTerm& term) {
+    return !problem.mechanism->quantities[term.quantity].section.empty();
+}
+
+struct Front {
+    const Problem& problem;
+    const RunOptions& options;
+    Clock::time_point deadline;
+    ObjectiveTerm optimised;  ///< under limits on the other
+    ObjectiveTerm limited;
+    int done = 0;
+
+    Front(const Problem& p, const RunOptions& o, Clock::time_point d)
+        : problem(p), options(o), deadline(d), optimised(p.objective->terms[0]), limited(p.objective->terms[1]) {
+        // Limits on an error are the harder ones: many designs miss them at first.
+        if (!is_error(p, optimised) && is_error(p, limited)) std::swap(optimised, limited);
+    }
+
+    int points() const { return problem.solver.pareto; }
+    bool stopped() const { return (options.stop && options.stop->load()) || Clock::now() >= deadline; }
+
+    /// The term's value, its sign turned so that less is better.
+    double cost(const ObjectiveTerm& term, const Design& design) const {
+        const auto value = quantity_value(problem, term.quantity, design);
+        if (!value) return unlimited;
+        return term.maximize ? -*value : *value;
+    }
+
+    /// The problem of one objective, the other one limited where a limit is given.
+    Problem part(const ObjectiveTerm& term, std::optional<double> limit) const {
+        Problem sub = problem;
+        sub.solver.pareto = 0;
+        sub.objective = Objective{};
+        sub.objective->terms.push_back({term.quantity, term.maximize, 1});
+        if (limit) {
+            Requirement r;
+            r.quantity = limited.quantity;
+            if (limited.maximize)
+                r.min = -*limit;
+            else
+                r.max = *limit;
+            sub.requirements.push_back(r);
+        }
+        return sub;
+    }
+
+    std::optional<Design> searched(Problem sub) {
+        if (stopped()) return std::nullopt;
+        sub.solver.time_limit = std::chrono::duration<double>(deadline - Clock::now()).count();
+        RunOptions quiet = options;
+        quiet.progress = nullptr;
+        const Result result = solve(sub, quiet);
+        ++done;
+        if (options.progress) options.progress(done, points() + 2, std::nan(""));
+        if (!result.best || !result.best->feasible) return std::nullopt;
+        return result.best->design;
+    }
+
+    /// The best feasible design that a local search finds from another's, or nothing.
+    std::optional<Design> nearby(const Problem& sub, const Design& from) const {
+        LocalLimits limits;
+        limits.deadline = deadline;
+        limits.stop = options.stop;
+        std::optional<Solution> best;
+        for (const Variant& variant : variants(sub)) {
+            if (variant.assembly != from.assembly || limits.reached()) continue;
+            const Program program = build_program(sub, variant);
+            const LocalOutcome outcome = polish(program, slsqp(program, point_of(program, from), limits), limits);
+            if (outcome.x.size() == 0) continue;
+            Solution found = assess(sub, design_at(program, outcome.x));
+            if (found.feasible && (!best || preferred(sub, found, *best))) best = std::move(found);
+        }
+        return best ? std::optional(best->design) : std::nullopt;
+    }
+
+    struct Limited {
+        double limit;
+        std::optional<Design> design;
+    };
+
+    /// Takes over what a neighbour or a local search from it does better.
+    void improve(Limited& at, const std::optional<Design>& neighbour) const {
+        if (!neighbour || stopped()) return;
+        const auto consider = [&](const Design& candidate) {
+            if (cost(limited, candidate) > at.limit + std::abs(at.limit) * problem.solver.tolerance) return;
+            if (!at.design || cost(optimised, candidate) < cost(optimised, *at.design)) at.design = candidate;
+        };
+        consider(*neighbour);
+        if (const auto found = nearby(part(optimised, at.limit), *neighbour)) consider(*found);
+    }
+
+    std::vector<Design> designs() {
+        std::vector<Limited> all;
+        const auto first = searched(part(optimised, std::nullopt));
+        const auto last = searched(part(limited, std::nullopt));
+        if (!first || !last) return {};
+        const double from = cost(limited, *first), to = cost(limited, *last);
+        if (!(from > to)) return {*first};
+        all.push_back({from, first});
+        for (int k = 1; k < points(); ++k) {
+            const double share = k + 1 < points() ? static_cast<double>(k) / (points() - 1) : 1 - inside;
+            all.push_back({from + (to - from) * share, std::nullopt});
+            all.back().design = searched(part(optimised, all.back().limit));
+        }
+        improve(all.back(), last);
+        for (std::size_t i = 1; i < all.size(); ++i)
+            improve(all[i], all[i - 1].design);
+        for (std::size_t i = all.size() - 1; i > 0; --i)
+            improve(all[i - 1], all[i].design);
+        std::vector<Design> found;
+        for (Limited& at : all)
+            if (at.design) found.push_back(std::move(*at.design));
+        return found;
+    }
+
+    /// Whether a is as good as b in both objectives, and better in one.
+    bool dominates(const Design& a, const Design& b) const {
+        const double first = cost(optimised, a) - cost(optimised, b), second = cost(limited, a) - cost(limited, b);
+        return first <= 0 && second <= 0 && (first < 0 || second < 0);
+    }
+};
+
+}  // namespace
+
+std::vector<FrontPoint> front(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    Front search(problem, options, deadline);
+    std::vector<FrontPoint> points;
+    for (const Design& design : search.designs()) {
+        FrontPoint point{assess(problem, design), {}};
+        if (!point.solution.feasible) continue;
+        Result alone;
+        alone.status = Status::solved;
+        alone.best = point.solution;
+        point.verification = verify(document(problem, alone));
+        if (all_passed(point.verification)) points.push_back(std::move(point));
+    }
+    std::vector<FrontPoint> kept;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Design& design = points[i].solution.design;
+        bool beaten = false;
+        for (std::size_t k = 0; k < points.size() && !beaten; ++k) {
+            const Design& other = points[k].solution.design;
+            const bool same = k < i && search.cost(search.optimised, other) == search.cost(search.optimised, design) &&
+                              search.cost(search.limited, other) == search.cost(search.limited, design);
+            beaten = same || search.dominates(other, design);
+        }
+        if (!beaten) kept.push_back(points[i]);
+    }
+    const ObjectiveTerm& first = problem.objective->terms.front();
+    std::stable_sort(kept.begin(), kept.end(), [&](const FrontPoint& a, const FrontPoint& b) {
+        return search.cost(first, a.solution.design) < search.cost(first, b.solution.design);
+    });
+    return kept;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// The trade-off between two objectives.
+
+#include <chrono>
+#include <vector>
+
+#include "synthesis/search/solve.h"
+
+namespace mechwright {
+
+/// Designs of a problem with two objectives none of which is better in both than another, at most
+/// `problem.solver.pareto` of them, in order from the best in the first objective to the best in the second. Between
+/// the two best designs of one objective alone, one objective is optimised under evenly spaced limits on the other (the
+/// epsilon-constraint method of Haimes, Lasdon and Wismer), each time by a search of its own and from the neighbours on
+/// the front. Only verified designs are returned.
+std::vector<FrontPoint> front(const Problem& problem, const RunOptions& options,
+                              std::chrono::steady_clock::time_point deadline);
+
+}  // namespace mechwright
