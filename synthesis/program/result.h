@@ -42,7 +42,9 @@ struct SearchReport {
     double missed_chance = 1;  ///< estimated chance that a better local optimum was not seen
     long evaluations = 0;      ///< of the program's functions, over all local searches
     double seconds = 0;
-    long screened = 0;  ///< candidates that were ranked to find starts
+    long screened = 0;              ///< candidates that were ranked to find starts
+    std::optional<double> bound{};  ///< no design has a better objective than this
+    long boxes = 0;               ///< that were examined for it
 };
 
 /// A design on the trade-off front between two objectives.

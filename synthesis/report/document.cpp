@@ -205,6 +205,10 @@ Json search_of(const Problem& problem, const SearchReport& search) {
     json["local_optima"] = search.local_optima;
     json["hits"] = search.hits;
     put(json, "missed_chance", search.missed_chance);
+    if (search.bound) {
+        put(json, "bound", *search.bound);
+        json["boxes"] = search.boxes;
+    }
     json["evaluations"] = search.evaluations;
     json["seed"] = problem.solver.seed;
     put(json, "seconds", search.seconds);

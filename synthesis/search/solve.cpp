@@ -7,6 +7,7 @@
 
 #include "synthesis/exact/closed_form.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/proof/prove.h"
 #include "synthesis/report/document.h"
 #include "synthesis/search/front.h"
 #include "synthesis/search/multistart.h"
@@ -93,6 +94,14 @@ Found with_least_squares(const Problem& problem, const RunOptions& options, Cloc
     return found;
 }
 
+Found with_branch_and_bound(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    Found found = with_least_squares(problem, options, deadline);
+    found.report.method = "branch-and-bound";
+    if (found.candidates.empty() || !found.candidates.front().feasible || found.report.complete) return found;
+    found.stopped = !prove(problem, found.candidates.front(), found.report, options, deadline);
+    return found;
+}
+
 std::string why_no_least_squares(const Problem& problem) {
     const std::string why = why_no_path_search(problem);
     return why.empty() ? why_no_search(problem) : why;
@@ -107,7 +116,7 @@ Found automatic(const Problem& problem, const RunOptions& options, Clock::time_p
     return with_slsqp(problem, options, deadline);
 }
 
-constexpr std::array<Method, 5> methods{{
+constexpr std::array<Method, 6> methods{{
     {"auto", "a closed form where one covers the problem, least-squares for a path, else slsqp", why_no_search,
      automatic},
     {"closed-form",
@@ -118,6 +127,9 @@ constexpr std::array<Method, 5> methods{{
     {"least-squares",
      "paths: candidates screened many at a time, Levenberg-Marquardt from the best; slsqp where limits are active",
      why_no_least_squares, with_least_squares},
+    {"branch-and-bound",
+     "timed paths: least-squares, then a lower bound over all four-bars, within the time limit as close as it comes",
+     why_no_proof, with_branch_and_bound},
     {"slsqp", "sequential quadratic programming (NLopt) from many starts, exact gradients, Newton polish",
      why_no_search, with_slsqp},
     {"ipopt", "interior point (Ipopt) from many starts, exact Hessians, Newton polish; one thread", why_no_search,

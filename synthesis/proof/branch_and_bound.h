@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// Branch and bound: the least value over a box is bounded from below by bounds over ever smaller boxes, those with the
+/// least bound divided first (Land and Doig; Horst and Tuy, Global Optimization, chapter 4).
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "synthesis/search/solve.h"
+
+namespace mechwright {
+
+/// A box of up to four parameters in one of the parts that a problem falls into.
+struct Box {
+    static constexpr std::size_t most = 4;
+    std::size_t part = 0;
+    std::array<double, most> middle{};
+    std::array<double, most> half{};  ///< 0 for parameters that are not free
+};
+
+struct BoxBound {
+    double least;       ///< no value in the box is less; infinite where it holds no design
+    std::size_t split;  ///< the parameter by which the box is best divided
+};
+
+struct LowerBound {
+    double least;    ///< no value anywhere is less
+    bool reached;    ///< the target was
+    long boxes = 0;  ///< examined
+};
+
+/// Raises the lower bound over all boxes until it reaches `target`, or the deadline, a stop, or the memory that is
+/// allowed ends it. `bound` is called from several threads; the outcome does not depend on their number.
+LowerBound lower_bound(std::vector<Box> boxes, const std::function<BoxBound(const Box&)>& bound, double target,
+                       const RunOptions& options, std::chrono::steady_clock::time_point deadline);
+
+}  // namespace mechwright

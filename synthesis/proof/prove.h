@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// Lower bounds on what any design can reach: what turns the best design that was found into the best that there is.
+
+#include <chrono>
+#include <string>
+
+#include "synthesis/search/solve.h"
+
+namespace mechwright {
+
+/// Why there is no bound for a problem; empty if there is one.
+std::string why_no_proof(const Problem& problem);
+
+/// Bounds the objective from below and says in the report what came of it: `bound`, and where it meets the design's
+/// objective `complete` with the argument. The bound looks at the target alone, not at requirements or ranges that make
+/// the objective worse: where those are active a gap remains. Returns false where time or a stop ended it early.
+bool prove(const Problem& problem, const Solution& best, SearchReport& report, const RunOptions& options,
+           std::chrono::steady_clock::time_point deadline);
+
+}  // namespace mechwright
