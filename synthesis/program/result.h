@@ -44,7 +44,7 @@ struct SearchReport {
     double seconds = 0;
     long screened = 0;              ///< candidates that were ranked to find starts
     std::optional<double> bound{};  ///< no design has a better objective than this
-    long boxes = 0;               ///< that were examined for it
+    long boxes = 0;                 ///< that were examined for it
 };
 
 /// A design on the trade-off front between two objectives.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "synthesis/search/work_sharing.h"
 
@@ -11,75 +12,94 @@ namespace {
 
 /// Boxes that are divided together, and tasks that they are shared out in; fixed, so that the order in which boxes are
 /// divided is too.
-constexpr std::size_t most_at_once = 4096;
+constexpr std::size_t most_at_once = 2048;
 constexpr std::size_t per_task = 64;
-/// Boxes kept at most: about half a gigabyte.
-constexpr std::size_t most_boxes = 5000000;
-
-struct Open {
-    Box box;
-    double least;
-    std::size_t split;
-};
-
-bool later(const Open& a, const Open& b) { return a.least > b.least; }
+/// Boxes put aside for the next stage; where there are more, it starts anew.
+constexpr std::size_t most_aside = 4000000;
+/// Parts of the target that are reached one after the other.
+constexpr std::array<double, 5> stages{0.1, 0.3, 0.6, 0.9, 1};
 
 /// Both halves of a box.
-std::array<Box, 2> halves(const Open& open) {
-    std::array<Box, 2> both{open.box, open.box};
-    const std::size_t k = open.split;
-    const double quarter = 0.5 * open.box.half[k];
-    for (Box& box : both)
-        box.half[k] = quarter;
-    both[0].middle[k] -= quarter;
-    both[1].middle[k] += quarter;
+std::array<Box, 2> halves(const Box& box, std::size_t parameter) {
+    std::array<Box, 2> both{box, box};
+    const double quarter = 0.5 * box.half[parameter];
+    for (Box& half : both)
+        half.half[parameter] = quarter;
+    both[0].middle[parameter] -= quarter;
+    both[1].middle[parameter] += quarter;
     return both;
 }
 
-}  // namespace
+struct Search {
+    const std::function<BoxBound(const Box&)>& bound;
+    const RunOptions& options;
+    std::chrono::steady_clock::time_point deadline;
+    double target;
+    long boxes = 0;
 
-LowerBound lower_bound(std::vector<Box> boxes, const std::function<BoxBound(const Box&)>& bound, double target,
-                       const RunOptions& options, std::chrono::steady_clock::time_point deadline) {
-    LowerBound result{0, false};
-    std::vector<Open> open;  // a heap, the least bound first
-    std::vector<double> inherited(boxes.size(), 0);
-    const auto stopped = [&] {
-        return (options.stop && options.stop->load()) || std::chrono::steady_clock::now() >= deadline ||
-               open.size() > most_boxes;
-    };
-    while (true) {
-        std::vector<BoxBound> bounds(boxes.size());
-        const std::size_t tasks = (boxes.size() + per_task - 1) / per_task;
+    bool stopped() const {
+        return (options.stop && options.stop->load()) || std::chrono::steady_clock::now() >= deadline;
+    }
+
+    std::vector<BoxBound> bounds_of(const std::vector<Box>& some) {
+        std::vector<BoxBound> bounds(some.size());
+        const std::size_t tasks = (some.size() + per_task - 1) / per_task;
         share_work(static_cast<int>(tasks), options.jobs, [&](int task) {
             const std::size_t first = static_cast<std::size_t>(task) * per_task;
-            for (std::size_t i = first; i < std::min(first + per_task, boxes.size()); ++i)
-                bounds[i] = bound(boxes[i]);
+            for (std::size_t i = first; i < std::min(first + per_task, some.size()); ++i)
+                bounds[i] = bound(some[i]);
         });
-        result.boxes += static_cast<long>(boxes.size());
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            const double least = std::fmax(bounds[i].least, inherited[i]);
-            if (least >= target) continue;
-            open.push_back({boxes[i], least, bounds[i].split});
-            std::push_heap(open.begin(), open.end(), later);
+        boxes += static_cast<long>(some.size());
+        return bounds;
+    }
+
+    enum class Outcome { reached, missed, ended };
+
+    /// Whether every box is bounded by the stage, the last ones divided being looked at first: few are then open at a
+    /// time. Boxes without extension cannot be divided: with them it is missed. Boxes that are bounded by the stage but
+    /// not by the target are put aside; one more than is allowed says that some are missing.
+    Outcome reach(double stage, std::vector<Box> open, std::vector<Box>& aside) {
+        while (!open.empty()) {
+            if (stopped()) return Outcome::ended;
+            const std::size_t count = std::min(most_at_once, open.size());
+            const std::vector<Box> some(open.end() - static_cast<std::ptrdiff_t>(count), open.end());
+            open.resize(open.size() - count);
+            const std::vector<BoxBound> bounds = bounds_of(some);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (bounds[i].least >= target) continue;
+                if (bounds[i].least >= stage) {
+                    if (aside.size() <= most_aside) aside.push_back(some[i]);
+                    continue;
+                }
+                if (!(some[i].half[bounds[i].split] > 0)) return Outcome::missed;
+                for (const Box& half : halves(some[i], bounds[i].split))
+                    open.push_back(half);
+            }
         }
-        if (open.empty()) {
-            result.least = target;
-            result.reached = true;
+        return Outcome::reached;
+    }
+};
+
+}  // namespace
+
+LowerBound lower_bound(const std::vector<Box>& boxes, const std::function<BoxBound(const Box&)>& bound, double target,
+                       const RunOptions& options, std::chrono::steady_clock::time_point deadline) {
+    Search search{bound, options, deadline, target};
+    LowerBound result{0, false};
+    std::vector<Box> open = boxes;
+    for (const double part : stages) {
+        std::vector<Box> aside;
+        const Search::Outcome outcome = search.reach(part * target, std::move(open), aside);
+        result.boxes = search.boxes;
+        if (outcome != Search::Outcome::reached) {
+            result.ended = outcome == Search::Outcome::ended;
             return result;
         }
-        result.least = open.front().least;
-        if (stopped()) return result;
-        boxes.clear();
-        inherited.clear();
-        for (std::size_t k = 0; k < most_at_once && !open.empty(); ++k) {
-            std::pop_heap(open.begin(), open.end(), later);
-            for (const Box& half : halves(open.back())) {
-                boxes.push_back(half);
-                inherited.push_back(open.back().least);
-            }
-            open.pop_back();
-        }
+        result.least = part * target;
+        open = aside.size() > most_aside ? boxes : std::move(aside);
     }
+    result.reached = true;
+    return result;
 }
 
 }  // namespace mechwright

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Branch and bound: the least value over a box is bounded from below by bounds over ever smaller boxes, those with the
-/// least bound divided first (Land and Doig; Horst and Tuy, Global Optimization, chapter 4).
+/// Branch and bound: the least value over a box is bounded from below by bounds over ever smaller boxes (Land and Doig;
+/// Horst and Tuy, Global Optimization, chapter 4).
 
 #include <array>
 #include <chrono>
@@ -27,14 +27,16 @@ struct BoxBound {
 };
 
 struct LowerBound {
-    double least;    ///< no value anywhere is less
-    bool reached;    ///< the target was
-    long boxes = 0;  ///< examined
+    double least;        ///< no value anywhere is less
+    bool reached;        ///< the target was
+    bool ended = false;  ///< early, by time or a stop
+    long boxes = 0;      ///< examined
 };
 
-/// Raises the lower bound over all boxes until it reaches `target`, or the deadline, a stop, or the memory that is
-/// allowed ends it. `bound` is called from several threads; the outcome does not depend on their number.
-LowerBound lower_bound(std::vector<Box> boxes, const std::function<BoxBound(const Box&)>& bound, double target,
+/// Raises the lower bound over all boxes to a target > 0, in stages, until the deadline or a stop ends it: what it says
+/// then is the last stage that was reached. `bound` is called from several threads; the outcome does not depend on
+/// their number, and memory does not grow with the boxes examined.
+LowerBound lower_bound(const std::vector<Box>& boxes, const std::function<BoxBound(const Box&)>& bound, double target,
                        const RunOptions& options, std::chrono::steady_clock::time_point deadline);
 
 }  // namespace mechwright

@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "synthesis/mechanism/four_bar/timed_path_bound.h"
+#include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/proof/branch_and_bound.h"
+#include "synthesis/proof/function_bound.h"
+#include "synthesis/report/error_extremes.h"
 
 namespace mechwright {
 
@@ -16,26 +20,53 @@ namespace {
 /// The bound is raised to this part below the design's own value, and no further.
 constexpr double closed_within = 1e-6;
 
-}  // namespace
+/// The bound in the problem's unit, and whether it meets the design.
+bool report_bound(const LowerBound& found, double bound, std::string_view over, SearchReport& report) {
+    report.bound = bound;
+    report.boxes = found.boxes;
+    if (!found.reached) return !found.ended;
+    report.complete = true;
+    report.missed_chance = 0;
+    report.argument = fmt::format("branch and bound over {}, {} box{}: no design is better by a millionth", over,
+                                  found.boxes, found.boxes == 1 ? "" : "es");
+    return true;
+}
 
-std::string why_no_proof(const Problem& problem) { return four_bar::TimedPathBound::why_not(problem); }
-
-bool prove(const Problem& problem, const Solution& best, SearchReport& report, const RunOptions& options,
-           std::chrono::steady_clock::time_point deadline) {
+bool prove_path(const Problem& problem, const Solution& best, SearchReport& report, const RunOptions& options,
+                std::chrono::steady_clock::time_point deadline) {
     const four_bar::TimedPathBound bound(problem);
     const double sum = path_values(problem, best.design)->sum_of_squares;
     const LowerBound found = lower_bound(bound.boxes(), bound, (1 - closed_within) * sum, options, deadline);
     const Quantity& q = problem.mechanism->quantities[problem.objective->terms.front().quantity];
     const double weights = std::accumulate(problem.path->weights.begin(), problem.path->weights.end(), 0.0);
-    report.bound = q.path == PathMeasure::sum_of_squares ? found.least : std::sqrt(found.least / weights);
-    report.boxes = found.boxes;
-    if (!found.reached) return false;
-    report.complete = true;
-    report.missed_chance = 0;
-    report.argument = fmt::format("branch and bound over the ratios of the links, {} boxes: no design is better by a "
-                                  "millionth",
-                                  found.boxes);
-    return true;
+    const double least = q.path == PathMeasure::sum_of_squares ? found.least : std::sqrt(found.least / weights);
+    return report_bound(found, least, "the ratios of the links", report);
+}
+
+bool prove_function(const Problem& problem, const Solution& best, SearchReport& report, const RunOptions& options,
+                    std::chrono::steady_clock::time_point deadline) {
+    const FunctionBound bound(problem, best.design);
+    const LowerBound found = lower_bound(bound.boxes(), bound, (1 - closed_within) * bound.error(), options, deadline);
+    return report_bound(found, in_file_unit(found.least, error_unit(problem), problem.units), "the scales", report);
+}
+
+}  // namespace
+
+std::string why_no_proof(const Problem& problem) {
+    if (problem.function) return FunctionBound::why_not(problem);
+    return four_bar::TimedPathBound::why_not(problem);
+}
+
+bool is_quickly_proved(const Problem& problem) {
+    if (!FunctionBound::why_not(problem).empty()) return false;
+    const auto first = problem.dimensions.begin() + static_cast<std::ptrdiff_t>(problem.mechanism->function_scales);
+    return std::all_of(first, first + Box::most, [](const DimensionRange& scale) { return scale.fixed(); });
+}
+
+bool prove(const Problem& problem, const Solution& best, SearchReport& report, const RunOptions& options,
+           std::chrono::steady_clock::time_point deadline) {
+    return problem.function ? prove_function(problem, best, report, options, deadline)
+                            : prove_path(problem, best, report, options, deadline);
 }
 
 }  // namespace mechwright

@@ -12,6 +12,9 @@ namespace mechwright {
 /// Why there is no bound for a problem; empty if there is one.
 std::string why_no_proof(const Problem& problem);
 
+/// Whether the bound takes milliseconds: that of a function whose scales are given.
+bool is_quickly_proved(const Problem& problem);
+
 /// Bounds the objective from below and says in the report what came of it: `bound`, and where it meets the design's
 /// objective `complete` with the argument. The bound looks at the target alone, not at requirements or ranges that make
 /// the objective worse: where those are active a gap remains. Returns false where time or a stop ended it early.

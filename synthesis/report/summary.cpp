@@ -132,6 +132,9 @@ std::string search_section(const SearchReport& search, bool colour) {
     } else {
         how += '.';
     }
+    if (search.bound && !search.complete)
+        how += fmt::format(" No design has an objective below {}: {} boxes were examined.", number_text(*search.bound),
+                           search.boxes);
     how += fmt::format(" {} in {}.", counted(search.evaluations, "evaluation", "evaluations"),
                        duration_text(search.seconds));
     return '\n' + folded(emphasised("Search:", Emphasis::strong, colour) + " ", how);

@@ -69,6 +69,8 @@ Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) 
     return found;
 }
 
+bool found_feasible(const Found& found) { return !found.candidates.empty() && found.candidates.front().feasible; }
+
 Found search(std::string_view name, LocalMethod local, const Problem& problem, const RunOptions& options,
              Clock::time_point deadline) {
     Multistart m = multistart(problem, local, options, deadline);
@@ -79,7 +81,10 @@ Found search(std::string_view name, LocalMethod local, const Problem& problem, c
 }
 
 Found with_slsqp(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
-    return search("slsqp", slsqp, problem, options, deadline);
+    Found found = search("slsqp", slsqp, problem, options, deadline);
+    if (!found.stopped && found_feasible(found) && is_quickly_proved(problem))
+        prove(problem, found.candidates.front(), found.report, options, deadline);
+    return found;
 }
 
 Found with_ipopt(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
@@ -95,9 +100,10 @@ Found with_least_squares(const Problem& problem, const RunOptions& options, Cloc
 }
 
 Found with_branch_and_bound(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
-    Found found = with_least_squares(problem, options, deadline);
+    Found found =
+        problem.function ? with_slsqp(problem, options, deadline) : with_least_squares(problem, options, deadline);
     found.report.method = "branch-and-bound";
-    if (found.candidates.empty() || !found.candidates.front().feasible || found.report.complete) return found;
+    if (found.stopped || !found_feasible(found) || found.report.complete) return found;
     found.stopped = !prove(problem, found.candidates.front(), found.report, options, deadline);
     return found;
 }
@@ -128,7 +134,8 @@ constexpr std::array<Method, 6> methods{{
      "paths: candidates screened many at a time, Levenberg-Marquardt from the best; slsqp where limits are active",
      why_no_least_squares, with_least_squares},
     {"branch-and-bound",
-     "timed paths: least-squares, then a lower bound over all four-bars, within the time limit as close as it comes",
+     "timed paths and functions of least greatest error: the search, then a lower bound over all linkages, as close as "
+     "it comes within the time limit",
      why_no_proof, with_branch_and_bound},
     {"slsqp", "sequential quadratic programming (NLopt) from many starts, exact gradients, Newton polish",
      why_no_search, with_slsqp},

@@ -41,10 +41,10 @@ TEST(Methods, OfAProblemSayWhyTheyDoNotApply) {
     const TemporaryFolder folder;
     const Outcome of_path = run({"methods", folder.write("path.toml", long_search())});
     EXPECT_EQ(of_path.exit_code, 0);
-    expect_has(of_path.out, "slsqp          applies");
-    expect_has(of_path.out, "closed-form    no       ");
+    expect_has(of_path.out, "slsqp             applies");
+    expect_has(of_path.out, "closed-form       no       ");
     const Outcome of_crank_rocker = run({"methods", folder.write("a.toml", crank_rocker())});
-    expect_has(of_crank_rocker.out, "auto           applies");
+    expect_has(of_crank_rocker.out, "auto              applies");
     EXPECT_EQ(run({"methods", folder / "missing.toml"}).exit_code, 6);
     EXPECT_EQ(run({"methods", folder.write("bad.toml", "schema = 1\n")}).exit_code, 3);
 }

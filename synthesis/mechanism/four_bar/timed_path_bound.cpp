@@ -15,6 +15,7 @@ struct GuideTurn {
     double angle = 0;
     std::array<double, Box::most> slope{};
     double astray = 0;
+    std::array<double, Box::most> doubt{};  ///< what each parameter may contribute to that
 };
 
 namespace {
@@ -31,6 +32,8 @@ constexpr double rounding = 1e-13;
 constexpr double dependent_below = 1e-9;
 /// A direction that is known no better than this, in radians, is tried without.
 constexpr double unknown_from = 0.1;
+/// Where the coupler's direction may turn faster than this with a parameter, boxes are divided as if it did not.
+constexpr double steepest = 10;
 /// The range of a free start is cut into so many parts, each with base angles of its own.
 constexpr int start_parts = 24;
 
@@ -78,7 +81,9 @@ T square_of_diagonal(const T& t, const T& cosine) {
     return (T(1.0) - cosine) * T(0.5) + square(T(T(2.0) * t - T(1.0))) * (T(1.0) + cosine) * T(0.5);
 }
 
-/// |D| at a crank angle, and its derivatives by t and by the crank angle. T is a number or an interval.
+/// |D| at a crank angle. Its derivatives have factors that are the same at every target and are kept apart, so that
+/// intervals do not forget it: by t (2 t - 1) by_t, by the crank angle t (1 - t) by_angle. T is a number or an
+/// interval.
 template <class T>
 struct Diagonal {
     T cosine, sine;
@@ -90,13 +95,12 @@ template <class T>
 Diagonal<T> diagonal_at(const T& t, const T& angle) {
     using std::cos, std::sin, std::sqrt;
     Diagonal<T> d;
-    const T one(1.0), two(2.0);
     d.cosine = cos(angle);
     d.sine = sin(angle);
     d.square = square_of_diagonal(t, d.cosine);
     d.length = sqrt(d.square);
-    d.by_t = (two * t - one) * (one + d.cosine) / d.length;
-    d.by_angle = t * (one - t) * d.sine / d.length;
+    d.by_t = (T(1.0) + d.cosine) / d.length;
+    d.by_angle = d.sine / d.length;
     return d;
 }
 
@@ -115,10 +119,10 @@ Base<T> base_at(const Diagonal<T>& diagonal, const T& alpha) {
     return {diagonal, cos(alpha), sin(alpha), cos(half), sin(half)};
 }
 
-/// L = share L_greatest + (1 - share) L_least: its derivatives by the parameters, and |D| + L and |D| - L, which never
-/// cancel: as |D|^2 is linear in the cosine of the crank angle, |D| lies above its chord between the bases by
-/// share (1 - share) (|D|_greatest - |D|_least)^2 / (|D| + chord), and at a base they are 2 |D| cos^2 (alpha / 2) and
-/// 2 |D| sin^2 (alpha / 2).
+/// L = share L_greatest + (1 - share) L_least: |D| times the derivatives of L / |D| by the parameters, and |D| + L and
+/// |D| - L, which never cancel: as |D|^2 is linear in the cosine of the crank angle, |D| lies above its chord between
+/// the bases by share (1 - share) (|D|_greatest - |D|_least)^2 / (|D| + chord), and at a base they are 2 |D| cos^2
+/// (alpha / 2) and 2 |D| sin^2 (alpha / 2).
 template <class T>
 struct Between {
     T sum, difference;  ///< of |D| and L
@@ -126,28 +130,36 @@ struct Between {
 };
 
 template <class T>
-Between<T> between(const Diagonal<T>& d, const Base<T>& least, const Base<T>& greatest) {
-    const T one(1.0);
+Between<T> between(const T& t, const Diagonal<T>& d, const Base<T>& least, const Base<T>& greatest, bool obtuse) {
+    const T one(1.0), two(2.0);
     const T whole = greatest.diagonal.cosine - least.diagonal.cosine;
     const T part = d.cosine - least.diagonal.cosine;
     const T share = part / whole, rest = one - share;
     const T share_slope =
         ((least.diagonal.sine - d.sine) * whole - part * (least.diagonal.sine - greatest.diagonal.sine)) /
         square(whole);
-    const T at_least = least.diagonal.length * least.cosine, at_greatest = greatest.diagonal.length * greatest.cosine;
+    // |D|_greatest - |D|_least, and from it L_greatest - L_least.
+    const T steep = T(-2.0) * t * (one - t) * whole / (greatest.diagonal.length + least.diagonal.length);
+    const T cosines = two * (greatest.diagonal.length * square(greatest.half_cosine) -
+                             least.diagonal.length * square(least.half_cosine));
+    const T sines =
+        two * (greatest.diagonal.length * square(greatest.half_sine) - least.diagonal.length * square(least.half_sine));
+    const T rise = obtuse ? T(cosines - steep) : T(steep - sines);
     const T chord = share * greatest.diagonal.length + rest * least.diagonal.length;
-    const T two(2.0);
-    const T steep =
-        (greatest.diagonal.square - least.diagonal.square) / (greatest.diagonal.length + least.diagonal.length);
     const T above = share * rest * square(steep) / (d.length + chord);
-    return {above + two * (share * greatest.diagonal.length * square(greatest.half_cosine) +
-                           rest * least.diagonal.length * square(least.half_cosine)),
-            above + two * (share * greatest.diagonal.length * square(greatest.half_sine) +
-                           rest * least.diagonal.length * square(least.half_sine)),
-            {share * greatest.cosine * greatest.diagonal.by_t + rest * least.cosine * least.diagonal.by_t,
-             -rest * least.diagonal.length * least.sine, -share * greatest.diagonal.length * greatest.sine,
-             share_slope * (at_greatest - at_least) + share * greatest.cosine * greatest.diagonal.by_angle +
-                 rest * least.cosine * least.diagonal.by_angle}};
+    Between<T> l;
+    l.sum = above + two * (share * greatest.diagonal.length * square(greatest.half_cosine) +
+                           rest * least.diagonal.length * square(least.half_cosine));
+    l.difference = above + two * (share * greatest.diagonal.length * square(greatest.half_sine) +
+                                  rest * least.diagonal.length * square(least.half_sine));
+    const T ratio = (l.sum - l.difference) / (two * d.length);
+    l.slope = {(two * t - one) * (share * greatest.cosine * greatest.diagonal.by_t +
+                                  rest * least.cosine * least.diagonal.by_t - ratio * d.by_t),
+               -(rest * least.diagonal.length * least.sine), -(share * greatest.diagonal.length * greatest.sine),
+               share_slope * rise + t * (one - t) *
+                                        (share * greatest.cosine * greatest.diagonal.by_angle +
+                                         rest * least.cosine * least.diagonal.by_angle - ratio * d.by_angle)};
+    return l;
 }
 
 /// Derivatives of the direction of D by t and by the crank angle.
@@ -162,11 +174,9 @@ template <class T>
 std::array<T, parameters> slopes_between(double side, const T& t, const Diagonal<T>& d, const Between<T>& l,
                                          const T& root) {
     std::array<T, parameters> slope = slopes_of_diagonal(t, d);
-    const T ratio = (l.sum - l.difference) / (T(2.0) * d.length);
     const T per = T(-side) / (root * d.length);
-    const std::array<T, parameters> of_length{d.by_t, T(0.0), T(0.0), d.by_angle};
     for (std::size_t k = 0; k < parameters; ++k)
-        slope[k] = slope[k] + per * (l.slope[k] - ratio * of_length[k]);
+        slope[k] = slope[k] + per * l.slope[k];
     return slope;
 }
 
@@ -182,6 +192,7 @@ struct Ranges {
     Base<Interval> least, greatest;
     std::array<double, parameters> middle, half;
     Base<double> least_here, greatest_here;
+    bool obtuse;  ///< the angles alpha are nearer to half a turn than to none
 };
 
 /// Which of the two bases a target is.
@@ -208,8 +219,8 @@ GuideTurn turn_at(const Ranges& over, double angle, Role role) {
             slope[own] = slope_here[own] = over.side;
         }
     } else {
-        const Between<Interval> l = between(wide, over.least, over.greatest);
-        const Between<double> l_here = between(here, over.least_here, over.greatest_here);
+        const Between<Interval> l = between(over.t, wide, over.least, over.greatest, over.obtuse);
+        const Between<double> l_here = between(t, here, over.least_here, over.greatest_here, over.obtuse);
         const double alpha = alpha_of(l_here.sum, l_here.difference);
         result.angle = direction + over.side * alpha;
         const double root_here = std::sqrt(std::max(0.0, l_here.sum) * std::max(0.0, l_here.difference)) / here.length;
@@ -228,10 +239,15 @@ GuideTurn turn_at(const Ranges& over, double angle, Role role) {
         }
     }
     result.astray = std::min(by_range, pi);
+    for (std::size_t k = 0; k < parameters; ++k)
+        result.doubt[k] = std::min(over.half[k], result.astray);
     if (!has_slopes) return result;
     double by_slopes = 0;
-    for (std::size_t k = 0; k < parameters; ++k)
-        if (over.half[k] > 0) by_slopes += over.half[k] * (slope[k] - Interval(slope_here[k])).size();
+    for (std::size_t k = 0; k < parameters; ++k) {
+        if (!(over.half[k] > 0)) continue;
+        result.doubt[k] = over.half[k] * std::min(slope[k].size(), steepest);
+        by_slopes += over.half[k] * (slope[k] - Interval(slope_here[k])).size();
+    }
     if (!(by_slopes < result.astray)) return result;
     result.astray = by_slopes;
     for (std::size_t k = 0; k < parameters; ++k)
@@ -399,7 +415,7 @@ Movement movement_of(const std::vector<GuideTurn>& turns, const Box& box, const 
             const double slope = box.half[k] > 0 ? turns[i].slope[k] - common[k] : 0;
             shifts[k].push_back(slope * left_of(w));
             first += box.half[k] * std::abs(slope);
-            influence[k] += weight(i) * (square(slope) + square(std::min(1.0, turns[i].astray)));
+            influence[k] += weight(i) * (square(box.half[k] * slope) + square(turns[i].doubt[k]));
         }
         const double second = turns[i].astray + 0.5 * square(first + turns[i].astray);
         strayed += weight(i) * square(second);
@@ -408,7 +424,7 @@ Movement movement_of(const std::vector<GuideTurn>& turns, const Box& box, const 
     m.w = stacked(directions, root_weights);
     for (std::size_t k = 0; k < parameters; ++k) {
         if (box.half[k] > 0) m.by[k] = stacked(shifts[k], root_weights);
-        if (box.half[k] * std::sqrt(influence[k]) > box.half[m.split] * std::sqrt(influence[m.split])) m.split = k;
+        if (influence[k] > influence[m.split]) m.split = k;
     }
     m.strayed = std::sqrt(strayed);
     m.moved = std::sqrt(moved);
@@ -502,7 +518,8 @@ BoxBound TimedPathBound::operator()(const Box& box) const {
                       box.middle,
                       box.half,
                       base_here(angle_least, 1),
-                      base_here(angle_greatest, 2)};
+                      base_here(angle_greatest, 2),
+                      box.middle[1] + box.middle[2] > pi};
     // The coupler is longer than nothing: L falls as the cosine of the crank angle rises.
     const Interval fall =
         over.least.diagonal.length * over.least.cosine - over.greatest.diagonal.length * over.greatest.cosine;

@@ -1,0 +1,172 @@
+// Bounds of timed paths: never above what a linkage of the box reaches, by the analysis of the linkage and least
+// squares of their own; and the literature's cases, proven.
+
+#include <Eigen/Dense>
+#include <complex>
+#include <numbers>
+#include <random>
+
+#include "analysis/four_bar.h"
+#include "synthesis/mechanism/four_bar/timed_path_bound.h"
+#include "tests/known_optima/solved.h"
+
+namespace mechwright {
+
+namespace {
+
+using four_bar::TimedPathBound;
+using testing::shipped;
+using testing::solved;
+using Complex = std::complex<double>;
+
+Complex complex(const Vector<double>& v) { return {v.x, v.y}; }
+
+/// The least squares of P - O - A p - B w over complex O, A, B as far as they are free (`real_size`: A is real), by
+/// projections one after the other.
+struct Fitted {
+    double sum;
+    double crank;  ///< |A|
+    double point;  ///< |B|
+};
+
+Fitted fitted(const Problem& problem, const std::vector<Complex>& p, const std::vector<Complex>& w, bool origin,
+              bool real_size) {
+    const auto n = static_cast<Eigen::Index>(p.size());
+    Eigen::MatrixXd columns(2 * n, 0);
+    Eigen::VectorXd target(2 * n);
+    const auto add = [&](auto value) {
+        columns.conservativeResize(2 * n, columns.cols() + 1);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Complex z = value(static_cast<std::size_t>(i));
+            columns(2 * i, columns.cols() - 1) = z.real();
+            columns(2 * i + 1, columns.cols() - 1) = z.imag();
+        }
+    };
+    const Complex i1(0, 1);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        target[2 * i] = problem.path->points[static_cast<std::size_t>(i)].x;
+        target[2 * i + 1] = problem.path->points[static_cast<std::size_t>(i)].y;
+    }
+    if (origin) {
+        add([](std::size_t) { return Complex(1); });
+        add([&](std::size_t) { return i1; });
+    }
+    add([&](std::size_t i) { return p[i]; });
+    if (!real_size) add([&](std::size_t i) { return i1 * p[i]; });
+    add([&](std::size_t i) { return w[i]; });
+    add([&](std::size_t i) { return i1 * w[i]; });
+    const Eigen::VectorXd x = columns.completeOrthogonalDecomposition().solve(target);
+    const double crank = real_size ? std::abs(x[x.size() - 3]) : std::hypot(x[x.size() - 4], x[x.size() - 3]);
+    return {(target - columns * x).squaredNorm(), crank, std::hypot(x[x.size() - 2], x[x.size() - 1])};
+}
+
+/// The linkage of a point of a box, or nothing: ground, crank, coupler, rocker.
+std::optional<FourBar<double>> linkage_at(const Problem& problem, const std::array<double, 4>& at) {
+    const double t = at[0];
+    std::size_t least = 0, greatest = 0;
+    const auto cosine = [&](std::size_t i) { return std::cos(at[3] + problem.path->crank_angles[i]); };
+    for (std::size_t i = 0; i < problem.path->points.size(); ++i) {
+        if (cosine(i) < cosine(least)) least = i;
+        if (cosine(i) > cosine(greatest)) greatest = i;
+    }
+    const auto diagonal = [&](double c) { return std::sqrt(t * t + (1 - t) * (1 - t) - 2 * t * (1 - t) * c); };
+    const double low = diagonal(cosine(least)) * std::cos(at[1]), high = diagonal(cosine(greatest)) * std::cos(at[2]);
+    const double fall = (low - high) / (cosine(greatest) - cosine(least));
+    if (!(fall > 0)) return std::nullopt;
+    const double coupler = t * (1 - t) / fall;
+    const double square = std::pow(diagonal(cosine(least)), 2) + coupler * coupler - 2 * coupler * low;
+    if (!(square > 0)) return std::nullopt;
+    return FourBar<double>{t, 1 - t, coupler, std::sqrt(square)};
+}
+
+void expect_no_bound_above_a_linkage(const std::string& file, bool origin, bool real_size) {
+    ReadProblem read = parse_problem(shipped(file, "path"), MECHWRIGHT_SOURCE_DIR "/problems/path/p.toml");
+    ASSERT_TRUE(read.messages.empty());
+    Problem& problem = read.problem;
+    const TimedPathBound bound(problem);
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> unit(0, 1);
+    int compared = 0, positive = 0;
+    for (int i = 0; i < 40000; ++i) {
+        const auto all = bound.boxes();
+        Box box = all[static_cast<std::size_t>(i) % all.size()];
+        const Box whole = box;
+        const double size = std::pow(10, -4 * unit(random));
+        for (std::size_t k = 0; k < Box::most; ++k) {
+            box.half[k] = whole.half[k] * size * unit(random);
+            box.middle[k] = whole.middle[k] + (2 * unit(random) - 1) * (whole.half[k] - box.half[k]);
+        }
+        const double least = bound(box).least;
+        for (int draw = 0; draw < 3; ++draw) {
+            std::array<double, 4> at{};
+            for (std::size_t k = 0; k < at.size(); ++k)
+                at[k] = box.middle[k] + (2 * unit(random) - 1) * box.half[k];
+            // With a start of its own the part's base targets may differ from those of the point: skip those.
+            const auto m = linkage_at(problem, at);
+            if (!m) continue;
+            const Assembly assembly =
+                box.part < all.size() / problem.assemblies.size() ? Assembly::open : Assembly::crossed;
+            std::vector<Complex> p, w;
+            bool assembled = true;
+            for (const double angle : problem.path->crank_angles) {
+                const auto pose_at = pose(*m, at[3] + angle, assembly);
+                assembled = assembled && pose_at.assembled();
+                p.push_back(std::polar(1.0, at[3] + angle));
+                w.push_back(complex(pose_at.coupler));
+            }
+            if (!assembled) continue;
+            const bool same_bases = [&] {
+                const auto extreme = [&](double start, double sign) {
+                    std::size_t best = 0;
+                    for (std::size_t j = 0; j < problem.path->crank_angles.size(); ++j)
+                        if (sign * std::cos(start + problem.path->crank_angles[j]) >
+                            sign * std::cos(start + problem.path->crank_angles[best]))
+                            best = j;
+                    return best;
+                };
+                return extreme(at[3], 1) == extreme(whole.middle[3], 1) &&
+                       extreme(at[3], -1) == extreme(whole.middle[3], -1);
+            }();
+            if (!same_bases) continue;
+            const Fitted best = fitted(problem, p, w, origin, real_size);
+            // The bound speaks of what the problem allows: links and points of both cases up to 50.
+            if (best.point > 50 || best.crank > 50 || best.crank * at[0] > 50 * (1 - at[0])) continue;
+            ++compared;
+            positive += least > 0;
+            EXPECT_LE(least, best.sum * (1 + 1e-9) + 1e-12) << file << " " << i;
+        }
+    }
+    EXPECT_GT(compared, 5000);
+    EXPECT_GT(positive, 500);
+}
+
+TEST(TimedPathBound, IsNeverAboveALinkageOfGivenStart) { expect_no_bound_above_a_linkage("case-2.toml", false, true); }
+
+TEST(TimedPathBound, IsNeverAboveALinkageOfFreeStart) { expect_no_bound_above_a_linkage("case-3.toml", true, false); }
+
+TEST(TimedPathBound, ProvesTheSecondCaseOfTheLiterature) {
+    const auto s = solved(shipped("case-2.toml", "path"), "branch-and-bound");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_TRUE(s.result.search.complete);
+    EXPECT_FALSE(s.result.search.argument.empty());
+    EXPECT_NEAR(s.result.best->objective, 7.41575130678e-7, 1e-16);
+    EXPECT_GE(*s.result.search.bound, s.result.best->objective * (1 - 1.1e-6));
+    EXPECT_LE(*s.result.search.bound, s.result.best->objective);
+}
+
+/// A range that makes the best design worse leaves a gap: the bound does not know it.
+TEST(TimedPathBound, LeavesAGapWhereARangeIsActive) {
+    std::string text = shipped("case-2.toml", "path");
+    text.replace(text.find("rocker       = { min = 0, max = 50 }"), 36, "rocker       = { min = 0, max = 2.5 }");
+    text += "[solver]\ntime_limit = 6\n";
+    const auto s = solved(text, "branch-and-bound");
+    EXPECT_EQ(s.result.status, Status::limit);
+    EXPECT_FALSE(s.result.search.complete);
+    ASSERT_TRUE(s.result.search.bound);
+    EXPECT_LE(*s.result.search.bound, 7.41575130678e-7);
+    EXPECT_GT(s.result.best->objective, 7.42e-7);
+}
+
+}  // namespace
+
+}  // namespace mechwright
