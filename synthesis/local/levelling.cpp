@@ -15,7 +15,8 @@ using Eigen::VectorXd;
 
 /// What is made small along the input range; null where there is no such thing.
 const Quantity* errors_of(const Program& program) {
-    if (program.problem->line) return program.problem->mechanism->line_errors;
+    if (program.problem->followed)
+        return followed_shape_of(*program.problem->mechanism, *program.problem->followed).errors;
     return program.problem->function ? program.problem->mechanism->function_errors : nullptr;
 }
 

@@ -217,7 +217,9 @@ std::array<Quantity, 2> function_quantities(Unit unit, std::string_view greatest
               .section = "function"}}};
 }
 
-inline bool has_input_range(const Motion& motion) { return motion.function != nullptr || motion.line; }
+inline bool has_input_range(const Motion& motion) {
+    return motion.function != nullptr || motion.followed != Followed::nothing;
+}
 
 /// The transmission angle over the input range, whose ends are design variables: `Transmission` has `reads`, and
 /// `template <class T> static std::array<T, 4> angles(std::size_t assembly, const std::array<T, reads>&)`, which gives

@@ -63,6 +63,9 @@ struct MotionProgram;
 struct FunctionTarget;
 struct ErrorExtreme;
 
+/// What a guided point follows for a stretch of its path.
+enum class Followed { nothing, line, arc };
+
 /// The discrete data of a design and the motion over which it is judged.
 struct Motion {
     std::size_t assembly = 0;  ///< index into Mechanism::assemblies
@@ -73,7 +76,7 @@ struct Motion {
     std::array<double, Setting::most> settings{};  ///< values of Mechanism::settings
     const MotionProgram* program = nullptr;        ///< what the follower of a cam does; null for linkages
     const FunctionTarget* function = nullptr;      ///< what a function generator does; null without one
-    bool line = false;                             ///< a guided point follows a straight line
+    Followed followed = Followed::nothing;         ///< by a guided point, over an input range
 };
 
 /// Where a measure writes its smooth components. Derivatives are with respect to the first `reads` dimensions of the
@@ -172,6 +175,18 @@ struct Check {
     std::string detail;  ///< what was found, with numbers
 };
 
+/// A line or an arc as a mechanism's point follows it.
+struct FollowedShape {
+    std::string_view deviation;  ///< the quantity that is its greatest distance
+    std::size_t place = 0;       ///< its dimensions start here
+    std::size_t parameters = 0;  ///< and are so many, three at most
+    /// The extremes of the distance, in order along the input range.
+    std::vector<ErrorExtreme> (*extremes)(std::size_t assembly, std::span<const double> dimensions) = nullptr;
+    /// Sets those of its dimensions that are free to what comes close to the path.
+    void (*fit)(std::size_t assembly, std::span<double> dimensions, const std::array<bool, 3>& free) = nullptr;
+    const Quantity* errors = nullptr;  ///< the distance along the range, as a component for each of many places
+};
+
 struct Mechanism {
     std::string_view name;
     std::string_view meaning;
@@ -221,12 +236,9 @@ struct Mechanism {
     std::size_t function_scales = 0;
     /// The error along the range, as a component for each of many places.
     const Quantity* function_errors = nullptr;
-    /// Straight lines: the extremes of the distance, and a line close to the path over the input range, as far as its
-    /// direction and its offset are free. The line's two dimensions, direction and offset, start at `line_place`.
-    std::vector<ErrorExtreme> (*line_extremes)(std::size_t assembly, std::span<const double> dimensions) = nullptr;
-    void (*line_fit)(std::size_t assembly, std::span<double> dimensions, bool free_angle) = nullptr;
-    std::size_t line_place = 0;
-    const Quantity* line_errors = nullptr;
+    /// What a guided point can follow; without `extremes` it cannot.
+    FollowedShape line{};
+    FollowedShape arc{};
     /// Quantities of the same names that know that the ends of the motion move with the input range.
     std::span<const Quantity> over_input{};
 

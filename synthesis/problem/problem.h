@@ -75,8 +75,9 @@ struct PathTarget {
     bool guides_body() const { return !directions.empty(); }
 };
 
-/// A straight line that the guided point follows over an input range of the crank.
-struct LineTarget {
+/// A line or an arc that the guided point follows over an input range of the crank.
+struct FollowedTarget {
+    Followed shape = Followed::line;
     bool full_turn = false;  ///< the crank has to turn fully
 };
 
@@ -104,13 +105,17 @@ struct Problem {
     std::array<double, Setting::most> settings{};  ///< of the mechanism, in the order of Mechanism::settings
     std::shared_ptr<const MotionProgram> program;  ///< of a cam
     std::shared_ptr<const FunctionTarget> function;
-    std::optional<LineTarget> line;
+    std::optional<FollowedTarget> followed;
     std::size_t cam_rotation = 0;  ///< of a cam: ccw, cw, or either
     SolverOptions solver;
 };
 
 /// Whether the motion is that over an input range, whose ends are dimensions.
-inline bool has_input_range(const Problem& problem) { return problem.function != nullptr || problem.line; }
+inline bool has_input_range(const Problem& problem) { return problem.function != nullptr || problem.followed; }
+
+inline const FollowedShape& followed_shape_of(const Mechanism& mechanism, const FollowedTarget& target) {
+    return target.shape == Followed::line ? mechanism.line : mechanism.arc;
+}
 
 inline bool has_ties(const Problem& problem) {
     return std::any_of(problem.dimensions.begin(), problem.dimensions.end(),

@@ -64,7 +64,7 @@ void read_table(const toml::table& table, Problem& problem, Messages& messages) 
     read_objective(file, problem, messages);
     read_motion(file, problem, messages);
     read_function(file, problem, messages);
-    read_line(file, problem, messages);
+    read_followed(file, problem, messages);
     read_settings(file, problem, messages);
     read_solver(file, problem, messages);
     read_requirements(file, problem, messages);

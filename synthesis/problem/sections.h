@@ -28,8 +28,8 @@ void read_objective(Section& file, Problem& problem, Messages& messages);
 void read_path(Section& file, Problem& problem, Messages& messages);
 /// The function to be generated; after [motion], whose crank range it sets where that is known and not given.
 void read_function(Section& file, Problem& problem, Messages& messages);
-/// The straight line that a guided point follows; after [motion] too.
-void read_line(Section& file, Problem& problem, Messages& messages);
+/// The line or the arc that a guided point follows; after [motion] too.
+void read_followed(Section& file, Problem& problem, Messages& messages);
 /// A start and a range, as the two dimensions from `first` on.
 void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& messages);
 /// The crank range that follows from the input range, where that is known and none is given.

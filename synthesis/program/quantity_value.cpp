@@ -49,7 +49,7 @@ Motion motion_of(const Problem& problem, const Design& design) {
     motion.settings = problem.settings;
     motion.program = problem.program.get();
     motion.function = problem.function.get();
-    motion.line = problem.line.has_value();
+    motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
     return motion;
 }
 

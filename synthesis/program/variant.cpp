@@ -12,7 +12,7 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     motion.settings = problem.settings;
     motion.program = problem.program.get();
     motion.function = problem.function.get();
-    motion.line = problem.line.has_value();
+    motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
     motion.full_turn =
         problem.mechanism->families[family].full_turn && !problem.crank_range && !has_input_range(problem);
     if (problem.crank_range) {
@@ -96,7 +96,7 @@ std::vector<std::size_t> families_of(const Problem& problem) {
         const Motion motion = motion_of(problem, f, 0);
         const bool range_known =
             families[f].full_turn || problem.crank_range || problem.path || has_input_range(problem);
-        const bool must_turn = problem.line && problem.line->full_turn;
+        const bool must_turn = problem.followed && problem.followed->full_turn;
         if (has_input_range(problem) && families[f].full_turn != must_turn) continue;
         if (problem.path && problem.path->closed && !families[f].full_turn) continue;
         if (range_known && all_defined(problem, motion)) usable.push_back(f);

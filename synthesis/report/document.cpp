@@ -7,8 +7,8 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
 #include "synthesis/report/cam_document.h"
+#include "synthesis/report/followed_document.h"
 #include "synthesis/report/function_document.h"
-#include "synthesis/report/line_document.h"
 #include "synthesis/report/versions.h"
 
 namespace mechwright {
@@ -174,7 +174,8 @@ void put_targets(Json& json, const Problem& problem, const Solution* best) {
     const Design* design = best ? &best->design : nullptr;
     if (problem.path) json[problem.path->guides_body() ? "poses" : "path"] = path_of(problem, best);
     if (problem.function) json["function"] = function_document(problem, design);
-    if (problem.line) json["line"] = line_document(problem, design);
+    if (problem.followed)
+        json[problem.followed->shape == Followed::line ? "line" : "arc"] = followed_document(problem, design);
 }
 
 /// The members that are about one design.

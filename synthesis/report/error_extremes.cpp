@@ -20,12 +20,15 @@ constexpr double as_great_within = 1e-6;
 /// Columns of sensitivities are independent if they differ by more than this.
 constexpr double independent_beyond = 1e-7;
 
+std::string_view deviation_of(const Problem& problem) {
+    return problem.followed ? followed_shape_of(*problem.mechanism, *problem.followed).deviation : "function-max";
+}
+
 /// How many of the dimensions left open the error depends on independently: the size of a linkage does not count where
 /// only angles matter.
 int free_dimensions(const Problem& problem, const Design& design) {
     const Mechanism& mechanism = *problem.mechanism;
-    const Quantity& q = mechanism.quantities[static_cast<std::size_t>(
-        find_quantity(mechanism, problem.line ? "line-deviation" : "function-max"))];
+    const Quantity& q = mechanism.quantities[static_cast<std::size_t>(find_quantity(mechanism, deviation_of(problem)))];
     const Motion motion = motion_of(problem, design);
     const auto count = static_cast<Eigen::Index>(q.components(motion)), reads = static_cast<Eigen::Index>(q.reads);
     std::vector<double> value(static_cast<std::size_t>(count));
@@ -49,7 +52,7 @@ int free_dimensions(const Problem& problem, const Design& design) {
 }  // namespace
 
 Unit error_unit(const Problem& problem) {
-    if (problem.line) return Unit::length;
+    if (problem.followed) return Unit::length;
     const DimensionKind kind = problem.mechanism->dimensions[problem.mechanism->function_scales + 2].kind;
     return kind == DimensionKind::angle ? Unit::angle : Unit::length;
 }
@@ -57,8 +60,9 @@ Unit error_unit(const Problem& problem) {
 ErrorExtremes error_extremes_of(const Problem& problem, const Design& design) {
     ErrorExtremes e;
     const Mechanism& mechanism = *problem.mechanism;
-    e.all = problem.line ? mechanism.line_extremes(design.assembly, design.dimensions)
-                         : mechanism.function_extremes(*problem.function, design.assembly, design.dimensions);
+    e.all = problem.followed
+                ? followed_shape_of(mechanism, *problem.followed).extremes(design.assembly, design.dimensions)
+                : mechanism.function_extremes(*problem.function, design.assembly, design.dimensions);
     double greatest = 0;
     for (const auto& extreme : e.all)
         greatest = std::max(greatest, std::abs(extreme.error));

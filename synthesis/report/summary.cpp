@@ -10,8 +10,8 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
 #include "synthesis/report/document.h"
+#include "synthesis/report/followed_document.h"
 #include "synthesis/report/function_document.h"
-#include "synthesis/report/line_document.h"
 #include "synthesis/report/sections.h"
 #include "synthesis/report/table.h"
 
@@ -181,10 +181,10 @@ std::string motion_line(const Problem& problem, const Design& design) {
                        value_with_unit(motion.to, Unit::angle, problem.units));
 }
 
-/// What is said of a function or a line.
+/// What is said of a function, a line or an arc.
 std::string generated_section(const Problem& problem, const Design& design, bool colour) {
     if (problem.function) return function_section(problem, design, colour);
-    return problem.line ? line_section(problem, design, colour) : std::string();
+    return problem.followed ? followed_section(problem, design, colour) : std::string();
 }
 
 }  // namespace

@@ -173,22 +173,22 @@ void fit_function(const Program& program, VectorXd& x) {
     }
 }
 
-/// The line that the guided point of x is closest to, as far as it is free.
-void fit_line(const Program& program, VectorXd& x) {
-    const Mechanism& mechanism = *program.problem->mechanism;
-    const std::ptrdiff_t angle = program.variable_of[mechanism.line_place];
-    const std::ptrdiff_t offset = program.variable_of[mechanism.line_place + 1];
+/// The line or arc that the guided point of x is closest to, as far as it is free.
+void fit_followed(const Program& program, VectorXd& x) {
+    const FollowedShape& shape = followed_shape_of(*program.problem->mechanism, *program.problem->followed);
     std::vector<double> dimensions = program.dimensions;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
         if (program.variable_of[i] >= 0) dimensions[i] = program.times[i] * x[program.variable_of[i]];
-    mechanism.line_fit(program.variant.assembly, dimensions, angle >= 0);
-    const auto set = [&](std::ptrdiff_t v, double value) {
-        if (v < 0) return;
+    std::array<bool, 3> free{};
+    for (std::size_t k = 0; k < shape.parameters; ++k)
+        free[k] = program.variable_of[shape.place + k] >= 0;
+    shape.fit(program.variant.assembly, dimensions, free);
+    for (std::size_t k = 0; k < shape.parameters; ++k) {
+        if (!free[k]) continue;
+        const std::ptrdiff_t v = program.variable_of[shape.place + k];
         const Variable& variable = program.variables[static_cast<std::size_t>(v)];
-        x[v] = std::clamp(value, variable.lower, variable.upper);
-    };
-    set(angle, dimensions[mechanism.line_place]);
-    set(offset, dimensions[mechanism.line_place + 1]);
+        x[v] = std::clamp(dimensions[shape.place + k], variable.lower, variable.upper);
+    }
 }
 
 }  // namespace
@@ -206,7 +206,7 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
     const auto consider = [&](VectorXd x) {
         if (program.path) fit_placement(program, x);
         if (program.problem->function) fit_function(program, x);
-        if (program.problem->line) fit_line(program, x);
+        if (program.problem->followed) fit_followed(program, x);
         settle_epigraphs(program, x);
         const double m = merit(program, x);
         if (found && !(m < least)) return;

@@ -267,12 +267,16 @@ void read_function(Reader& in, const Json& document, Claim& claim) {
     claim.function = std::move(target);
 }
 
-void read_line(Reader& in, const Json& document, Claim& claim) {
-    const Json* json = member(document, "line");
-    if (!json || !in.object(json, "line")) return;
-    if (!claim.mechanism->line_extremes) return in.fail(fmt::format("a {} follows no line", claim.mechanism->name));
-    claim.line.emplace();
-    if (const Json* turns = member(*json, "full_turn")) claim.line->full_turn = in.flag(turns, "line.full_turn");
+void read_followed(Reader& in, const Json& document, Claim& claim) {
+    for (const auto& [name, shape] : {std::pair{"line", Followed::line}, std::pair{"arc", Followed::arc}}) {
+        const Json* json = member(document, name);
+        if (!json || !in.object(json, name)) continue;
+        claim.followed = FollowedTarget{shape};
+        if (!followed_shape_of(*claim.mechanism, *claim.followed).extremes)
+            return in.fail(fmt::format("a {} follows no {}", claim.mechanism->name, name));
+        if (const Json* turns = member(*json, "full_turn"))
+            claim.followed->full_turn = in.flag(turns, std::string(name) + ".full_turn");
+    }
 }
 
 }  // namespace
@@ -283,7 +287,7 @@ ReadClaim read_claim(const Json& document) {
     if (!document.is_object()) return {{}, "it is not a JSON object"};
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
-    for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_function, read_line,
+    for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_function, read_followed,
                             read_requirements, read_objective, read_quantities, read_path})
         if (in.understood()) read(in, document, claim);
     return {std::move(claim), in.defect};

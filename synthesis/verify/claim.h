@@ -71,7 +71,7 @@ struct Claim {
     std::array<double, Setting::most> settings{};  ///< presets where they are not stated
     std::shared_ptr<const MotionProgram> program;  ///< of a cam
     std::shared_ptr<const FunctionTarget> function;
-    std::optional<LineTarget> line;
+    std::optional<FollowedTarget> followed;
     std::vector<ClaimedRequirement> requirements;
     std::optional<ClaimedObjective> objective;
     std::vector<std::pair<std::size_t, double>> quantities;  ///< quantity and its value

@@ -120,12 +120,12 @@ Rebuilt rebuilt(const Claim& claim) {
     if (claim.crank_range)
         given = {plain(from_document(claim.crank_range->x, Unit::angle, claim.units)),
                  plain(from_document(claim.crank_range->y, Unit::angle, claim.units))};
-    const auto range = crank_range_of(mechanism, given, claim.function || claim.line, design.rounded);
+    const auto range = crank_range_of(mechanism, given, claim.function || claim.followed, design.rounded);
     design.motion = mechanism.motion(design.rounded, claim.assembly, range ? range->data() : nullptr);
     design.motion.settings = claim.settings;
     design.motion.program = claim.program.get();
     design.motion.function = claim.function.get();
-    design.motion.line = claim.line.has_value();
+    design.motion.followed = claim.followed ? claim.followed->shape : Followed::nothing;
     if (claim.path && claim.path->crank_angles.size() == claim.path->points.size()) design.path = rebuilt_path(design);
     return design;
 }

@@ -198,7 +198,7 @@ std::vector<Check> checks_of(const Claim& claim) {
             defects.push_back(stated_defect(quantity, value, measurements));
         checks.push_back(stated_check("all listed quantities are as stated", std::move(defects)));
     }
-    if (claim.line && claim.line->full_turn) checks.push_back(check_full_turn(design));
+    if (claim.followed && claim.followed->full_turn) checks.push_back(check_full_turn(design));
     if (claim.path)
         for (Check& check : check_path(design))
             checks.push_back(std::move(check));

@@ -118,6 +118,48 @@ minimize = "line-deviation"
     EXPECT_NEAR(s.result.best->objective, 0, 1e-7);
 }
 
+/// The crank pin moves on a circle about the crank pivot: known without a search.
+TEST(Arcs, OfTheCrankPinAreExact) {
+    const Solved s = solved(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 100
+crank = 40
+coupler = 90
+rocker = 80
+origin-x = 7
+origin-y = -3
+[arc]
+start = 20
+range = 100
+[objective]
+minimize = "arc-deviation"
+)");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.result.best->objective, 0, 1e-9);
+    EXPECT_NEAR(s.dimension("arc-x"), 7, 1e-8);
+    EXPECT_NEAR(s.dimension("arc-y"), -3, 1e-8);
+    EXPECT_NEAR(s.dimension("arc-radius"), 40, 1e-8);
+    EXPECT_NEAR(s.value("arc-angle") * 180 / std::numbers::pi, 100, 1e-8);
+}
+
+/// The other end of a link of the arc's radius stays within the deviation of the arc's centre.
+TEST(Arcs, MakeALinkDwell) {
+    const Solved s = solved(shipped("dwell.toml", "line"));
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_LT(s.result.best->objective, 0.2);
+    const Mechanism& mechanism = *s.problem.mechanism;
+    const Design& d = s.result.best->design;
+    double greatest = 0;
+    for (int i = 0; i <= 20000; ++i) {
+        const double angle = s.dimension("input-start") + s.dimension("input-range") * i / 20000.0;
+        PathMiss miss{};
+        mechanism.path_miss(d.assembly, d.dimensions, angle, {s.dimension("arc-x"), s.dimension("arc-y")}, miss);
+        greatest = std::max(greatest, std::abs(std::hypot(miss.miss.x, miss.miss.y) - s.dimension("arc-radius")));
+    }
+    EXPECT_NEAR(greatest / s.result.best->objective, 1, 1e-6);
+}
+
 /// The error along the range falls by least squares, whatever the start.
 TEST(Lines, LevellingNeverRaisesTheErrorAlongTheRange) {
     const Solved s = solved(lambda(120));

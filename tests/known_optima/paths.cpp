@@ -69,7 +69,9 @@ INSTANTIATE_TEST_SUITE_P(Literature, KnownPaths,
                                            PathCase{"case-5.toml", 4.01992064e-4, 1e-8},
                                            PathCase{"yu1.toml", 0.2068, 0}, PathCase{"yu2.toml", 0.623061, 0},
                                            PathCase{"mkh1.toml", 0.01321, 0}, PathCase{"mcgarva.toml", 0.758, 0},
-                                           PathCase{"mkh1-compact.toml", 0.0130692101, 1e-6}),
+                                           PathCase{"mkh1-compact.toml", 0.0130692101, 1e-6},
+                                           PathCase{"yu2-compact.toml", 0.625801900, 1e-6},
+                                           PathCase{"mcgarva-compact.toml", 0.415820110, 1e-6}),
                          [](const auto& test) {
                              std::string name = test.param.file;
                              std::erase_if(name, [](char ch) { return !std::isalnum(ch); });

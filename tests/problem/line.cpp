@@ -13,8 +13,8 @@ TEST(Line, IsReadWithItsInputRange) {
     const ReadProblem read = read_line("start = 120\nrange = 120");
     ASSERT_TRUE(accepted(read));
     const Problem& p = read.problem;
-    ASSERT_TRUE(p.line);
-    EXPECT_FALSE(p.line->full_turn);
+    ASSERT_TRUE(p.followed);
+    EXPECT_FALSE(p.followed->full_turn);
     ASSERT_TRUE(p.crank_range);
     EXPECT_NEAR(p.crank_range->y, std::acos(-1.0) * 4 / 3, 1e-15);
     EXPECT_TRUE(p.dimensions[15].any_angle());
@@ -25,7 +25,7 @@ TEST(Line, MayBeGivenWhole) {
     const ReadProblem read =
         read_line("start = { min = 0, max = 360 }\nrange = 90\nangle = 45\noffset = -3\nfull_turn = true");
     ASSERT_TRUE(accepted(read));
-    EXPECT_TRUE(read.problem.line->full_turn);
+    EXPECT_TRUE(read.problem.followed->full_turn);
     EXPECT_FALSE(read.problem.crank_range);
     EXPECT_NEAR(read.problem.dimensions[15].min, std::acos(-1.0) / 4, 1e-15);
     EXPECT_EQ(read.problem.dimensions[16].max, -3);
@@ -42,6 +42,31 @@ TEST(Line, NeedsItsInputRange) {
 TEST(Line, GoesWithNoOtherTarget) {
     EXPECT_TRUE(only_says(read_line("start = 3\nrange = 3\n[path]\npoints = [[1, 1], [2, 2], [3, 1]]"), "p.toml:8:1",
                           {"not both"}));
+}
+
+TEST(Arc, IsReadWithItsInputRange) {
+    const ReadProblem read =
+        test::read(valid +
+                   "[arc]\nstart = 10\nrange = { min = 60, max = 90 }\nradius = { min = 5, max = 50 }\n"
+                   "centre-y = 3\nfull_turn = true\n");
+    ASSERT_TRUE(accepted(read));
+    const Problem& p = read.problem;
+    ASSERT_TRUE(p.followed);
+    EXPECT_EQ(p.followed->shape, Followed::arc);
+    EXPECT_TRUE(p.followed->full_turn);
+    EXPECT_FALSE(p.crank_range);
+    EXPECT_FALSE(p.dimensions[17].fixed());
+    EXPECT_EQ(p.dimensions[18].max, 3);
+    EXPECT_EQ(p.dimensions[19].max, 50);
+}
+
+TEST(Arc, HasARadiusGreaterThanZero) {
+    EXPECT_TRUE(
+        only_says(read(valid + "[arc]\nstart = 1\nrange = 9\nradius = -4\n"), "p.toml:11:10", {"greater than 0"}));
+    EXPECT_TRUE(only_says(read(valid + "[arc]\nstart = 1\nrange = 9\nradius = { min = -1, max = 3 }\n"), "p.toml:11:10",
+                          {"greater than 0"}));
+    EXPECT_TRUE(
+        says(read(valid + "[arc]\nstart = 1\nrange = 9\n[line]\nstart = 1\nrange = 9\n"), "p.toml:8:1", {"not both"}));
 }
 
 TEST(Line, ItsQuantitiesNeedIt) {

@@ -100,7 +100,7 @@ TEST(WholeFile, EveryHeadValueIsRead) {
 TEST(WholeFile, EveryDimensionIsReadInTheOrderOfTheMechanism) {
     const Problem problem = read(everything).problem;
     const auto& d = problem.dimensions;
-    ASSERT_EQ(d.size(), 17u);
+    ASSERT_EQ(d.size(), 20u);
     expect_range(d[0], 100, 100, {});
     expect_range(d[1], 5, 60.5, {});
     expect_range(d[2], 0, 300, 90);

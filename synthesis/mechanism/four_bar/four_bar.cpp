@@ -4,12 +4,12 @@
 #include <numbers>
 
 #include "analysis/four_bar.h"
+#include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/mechanism/four_bar/function.h"
 #include "synthesis/mechanism/four_bar/measure_again.h"
 #include "synthesis/mechanism/four_bar/screening.h"
-#include "synthesis/mechanism/line_formulas.h"
 
 namespace mechwright {
 
@@ -17,7 +17,7 @@ namespace {
 
 using namespace four_bar;
 
-constexpr std::array<Dimension, 17> dimensions{{
+constexpr std::array<Dimension, 20> dimensions{{
     {"ground", DimensionKind::length, true, "ground link, crank pivot to rocker pivot"},
     {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
     {"coupler", DimensionKind::length, true, "coupler, crank pin to rocker pin"},
@@ -28,15 +28,18 @@ constexpr std::array<Dimension, 17> dimensions{{
     {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
     {"tilt", DimensionKind::angle, false, "direction of the ground link in the drawing"},
     {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
-    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's or line's range", false,
-     true},
-    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function or line", false, true},
+    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's, line's or arc's range",
+     false, true},
+    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function, line or arc", false, true},
     {"output-start", DimensionKind::angle, false, "rocker angle at the start of a function's range", false, true},
     {"output-range", DimensionKind::angle, false, "rocker angle over the range of a function", false, true},
     {"body-angle", DimensionKind::angle, false, "direction of a guided body, from the line of the coupler's pins"},
     {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
     {"line-offset", DimensionKind::coordinate, false, "distance of that line from the drawing's origin, to its left",
      false, true},
+    {"arc-x", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
+    {"arc-y", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
+    {"arc-radius", DimensionKind::coordinate, false, "radius of that arc", false, true},
 }};
 
 constexpr std::array<std::string_view, 2> assemblies{"open", "crossed"};
@@ -63,15 +66,18 @@ const std::array<Quantity, 2> rocker_function = function_quantities<RockerAngle,
     "root mean square difference of the rocker angle from the function");
 
 constexpr std::size_t line_angle = 15;
+constexpr std::size_t arc_x = 17;
 const std::array<Quantity, 2> coupler_line =
     line_quantities<CouplerPath, four_bar_path_point, input_start, line_angle>();
+
+const std::array<Quantity, 2> coupler_arc = arc_quantities<CouplerPath, four_bar_path_point, input_start, arc_x>();
 
 const std::array<Quantity, 3> over_input{
     {input_transmission_quantity<RockerTransmission, TransmissionExtreme::least>("transmission-angle-min"),
      input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max"),
      input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst")}};
 
-const std::array<Quantity, 19> quantities{{
+const std::array<Quantity, 21> quantities{{
     {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest, links,
      of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
     {"swing", Unit::angle, "angle through which the rocker swings over a full turn of the crank", Reduce::only, links,
@@ -106,10 +112,13 @@ const std::array<Quantity, 19> quantities{{
     rocker_function[1],
     coupler_line[0],
     coupler_line[1],
+    coupler_arc[0],
+    coupler_arc[1],
 }};
 
 const Quantity function_errors = error_quantity<RockerAngle>();
-const Quantity line_errors = error_quantity<LineDistance<CouplerPath, input_start, line_angle>>();
+const Quantity line_errors = error_quantity<ShapeDistance<CouplerPath, LineShape, input_start, line_angle>>();
+const Quantity arc_errors = error_quantity<ShapeDistance<CouplerPath, ArcShape, input_start, arc_x>>();
 
 const Quantity input_margin = input_margin_quantity<InputMargin>();
 
@@ -200,35 +209,34 @@ bool motion_row(const Motion& motion, std::span<const double> d, double crank_an
 }  // namespace
 
 const Mechanism& four_bar_mechanism() {
-    static const Mechanism mechanism{.name = "four-bar",
-                                     .meaning = "four links, four pins: crank, coupler, rocker on a ground link",
-                                     .dimensions = dimensions,
-                                     .assemblies = assemblies,
-                                     .quantities = quantities,
-                                     .families = families,
-                                     .motion = motion_of,
-                                     .describe = describe,
-                                     .check_motion = four_bar_check_motion,
-                                     .path_reads = CouplerPath::reads,
-                                     .path_roles = {4, 5, 6, 7, 8, 9, 14},
-                                     .path_miss = path_miss_by<CouplerPath>,
-                                     .pose_reads = CouplerPose::reads,
-                                     .pose_miss = pose_miss_by<CouplerPose>,
-                                     .path_screening = four_bar_screening,
-                                     .path_point = four_bar_path_point,
-                                     .input_margin = &input_margin,
-                                     .function_fit = fit_function,
-                                     .function_extremes = function_extremes_by<RockerAngle>,
-                                     .function_scales = input_start,
-                                     .function_errors = &function_errors,
-                                     .line_extremes = line_extremes_by<CouplerPath, input_start, line_angle>,
-                                     .line_fit = line_fit_by<CouplerPath, input_start, line_angle>,
-                                     .line_place = line_angle,
-                                     .line_errors = &line_errors,
-                                     .over_input = over_input,
-                                     .motion_columns = motion_columns,
-                                     .motion_units = motion_units,
-                                     .motion_row = motion_row};
+    static const Mechanism mechanism{
+        .name = "four-bar",
+        .meaning = "four links, four pins: crank, coupler, rocker on a ground link",
+        .dimensions = dimensions,
+        .assemblies = assemblies,
+        .quantities = quantities,
+        .families = families,
+        .motion = motion_of,
+        .describe = describe,
+        .check_motion = four_bar_check_motion,
+        .path_reads = CouplerPath::reads,
+        .path_roles = {4, 5, 6, 7, 8, 9, 14},
+        .path_miss = path_miss_by<CouplerPath>,
+        .pose_reads = CouplerPose::reads,
+        .pose_miss = pose_miss_by<CouplerPose>,
+        .path_screening = four_bar_screening,
+        .path_point = four_bar_path_point,
+        .input_margin = &input_margin,
+        .function_fit = fit_function,
+        .function_extremes = function_extremes_by<RockerAngle>,
+        .function_scales = input_start,
+        .function_errors = &function_errors,
+        .line = followed_shape<CouplerPath, LineShape, input_start, line_angle>(line_errors, "line-deviation"),
+        .arc = followed_shape<CouplerPath, ArcShape, input_start, arc_x>(arc_errors, "arc-deviation"),
+        .over_input = over_input,
+        .motion_columns = motion_columns,
+        .motion_units = motion_units,
+        .motion_row = motion_row};
     return mechanism;
 }
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "synthesis/mechanism/line_formulas.h"
+#include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
@@ -13,7 +13,7 @@ namespace {
 
 using namespace quick_return;
 
-constexpr std::array<Dimension, 15> dimensions{{
+constexpr std::array<Dimension, 18> dimensions{{
     {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
     {"rod", DimensionKind::length, true, "rod, crank pin to ram"},
     {"offset", DimensionKind::coordinate, true,
@@ -24,15 +24,18 @@ constexpr std::array<Dimension, 15> dimensions{{
     {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
     {"tilt", DimensionKind::angle, false, "direction of the slide in the drawing"},
     {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
-    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's or line's range", false,
-     true},
-    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function or line", false, true},
+    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's, line's or arc's range",
+     false, true},
+    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function, line or arc", false, true},
     {"output-start", DimensionKind::coordinate, false, "position of the ram at the start of a function's range", false,
      true},
     {"output-range", DimensionKind::coordinate, false, "way of the ram over the range of a function", false, true},
     {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
     {"line-offset", DimensionKind::coordinate, false, "distance of that line from the drawing's origin, to its left",
      false, true},
+    {"arc-x", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
+    {"arc-y", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
+    {"arc-radius", DimensionKind::coordinate, false, "radius of that arc", false, true},
 }};
 
 const Quantity assembly_margin = assembly_margin_quantity<SliderCrank>();
@@ -41,8 +44,10 @@ const std::array<Quantity, 2> over_input{
     {input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min"),
      input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst")}};
 constexpr std::size_t line_angle = 13;
+constexpr std::size_t arc_x = 15;
 const Quantity function_errors = error_quantity<RamPosition>();
-const Quantity line_errors = error_quantity<LineDistance<RodPath, input_start, line_angle>>();
+const Quantity line_errors = error_quantity<ShapeDistance<RodPath, LineShape, input_start, line_angle>>();
+const Quantity arc_errors = error_quantity<ShapeDistance<RodPath, ArcShape, input_start, arc_x>>();
 
 // Coefficients of crank, rod, offset.
 const std::array<Family, 2> families{{
@@ -104,6 +109,8 @@ std::vector<Quantity> all_quantities() {
         all.push_back(q);
     for (const Quantity& q : line_quantities<RodPath, rod_path_point, input_start, line_angle>())
         all.push_back(q);
+    for (const Quantity& q : arc_quantities<RodPath, rod_path_point, input_start, arc_x>())
+        all.push_back(q);
     return all;
 }
 
@@ -111,33 +118,32 @@ std::vector<Quantity> all_quantities() {
 
 const Mechanism& slider_crank_mechanism() {
     static const std::vector<Quantity> quantities = all_quantities();
-    static const Mechanism mechanism{.name = "slider-crank",
-                                     .meaning = "a crank drives a ram on a straight slide through a rod",
-                                     .dimensions = dimensions,
-                                     .assemblies = {},
-                                     .quantities = quantities,
-                                     .families = families,
-                                     .settings = settings,
-                                     .motion = motion_of<SliderCrank>,
-                                     .describe = describe,
-                                     .check_motion = SliderCrankAgain::check_motion,
-                                     .path_reads = RodPath::reads,
-                                     .path_roles = {3, 4, 5, 6, 7, 8},
-                                     .path_miss = path_miss_by<RodPath>,
-                                     .path_point = rod_path_point,
-                                     .input_margin = &input_margin,
-                                     .function_fit = fit_ram_function,
-                                     .function_extremes = function_extremes_by<RamPosition>,
-                                     .function_scales = input_start,
-                                     .function_errors = &function_errors,
-                                     .line_extremes = line_extremes_by<RodPath, input_start, line_angle>,
-                                     .line_fit = line_fit_by<RodPath, input_start, line_angle>,
-                                     .line_place = line_angle,
-                                     .line_errors = &line_errors,
-                                     .over_input = over_input,
-                                     .motion_columns = motion_columns,
-                                     .motion_units = motion_units,
-                                     .motion_row = motion_row};
+    static const Mechanism mechanism{
+        .name = "slider-crank",
+        .meaning = "a crank drives a ram on a straight slide through a rod",
+        .dimensions = dimensions,
+        .assemblies = {},
+        .quantities = quantities,
+        .families = families,
+        .settings = settings,
+        .motion = motion_of<SliderCrank>,
+        .describe = describe,
+        .check_motion = SliderCrankAgain::check_motion,
+        .path_reads = RodPath::reads,
+        .path_roles = {3, 4, 5, 6, 7, 8},
+        .path_miss = path_miss_by<RodPath>,
+        .path_point = rod_path_point,
+        .input_margin = &input_margin,
+        .function_fit = fit_ram_function,
+        .function_extremes = function_extremes_by<RamPosition>,
+        .function_scales = input_start,
+        .function_errors = &function_errors,
+        .line = followed_shape<RodPath, LineShape, input_start, line_angle>(line_errors, "line-deviation"),
+        .arc = followed_shape<RodPath, ArcShape, input_start, arc_x>(arc_errors, "arc-deviation"),
+        .over_input = over_input,
+        .motion_columns = motion_columns,
+        .motion_units = motion_units,
+        .motion_row = motion_row};
     return mechanism;
 }
 

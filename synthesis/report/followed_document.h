@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is said of a straight line that a guided point follows beside the design.
+/// What is said of a line or an arc that a guided point follows beside the design.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,9 +10,9 @@
 namespace mechwright {
 
 /// {full_turn}; with a design also extremes: [{crank_angle, distance}], `alternating` and `free` as for a function.
-nlohmann::ordered_json line_document(const Problem& problem, const Design* design);
+nlohmann::ordered_json followed_document(const Problem& problem, const Design* design);
 
 /// The same for reading: a line for each extreme, and what their number says.
-std::string line_section(const Problem& problem, const Design& design, bool colour);
+std::string followed_section(const Problem& problem, const Design& design, bool colour);
 
 }  // namespace mechwright

@@ -1,4 +1,4 @@
-#include "synthesis/report/line_document.h"
+#include "synthesis/report/followed_document.h"
 
 #include <fmt/format.h>
 
@@ -21,9 +21,9 @@ double crank_angle_at(const Problem& problem, const Design& design, double share
 
 }  // namespace
 
-Json line_document(const Problem& problem, const Design* design) {
+Json followed_document(const Problem& problem, const Design* design) {
     Json json = Json::object();
-    json["full_turn"] = problem.line->full_turn;
+    json["full_turn"] = problem.followed->full_turn;
     if (!design) return json;
     const ErrorExtremes extremes = error_extremes_of(problem, *design);
     json["extremes"] = Json::array();
@@ -34,10 +34,11 @@ Json line_document(const Problem& problem, const Design* design) {
     return json;
 }
 
-std::string line_section(const Problem& problem, const Design& design, bool colour) {
+std::string followed_section(const Problem& problem, const Design& design, bool colour) {
     const ErrorExtremes extremes = error_extremes_of(problem, design);
     std::string text =
-        heading(fmt::format("Line from crank angle {} to {}", number_text(crank_angle_at(problem, design, 0), 6),
+        heading(fmt::format("{} from crank angle {} to {}", problem.followed->shape == Followed::line ? "Line" : "Arc",
+                            number_text(crank_angle_at(problem, design, 0), 6),
                             number_text(crank_angle_at(problem, design, 1), 6)),
                 colour);
     Table table{{Align::left, Align::point, Align::left, Align::point}, {}};

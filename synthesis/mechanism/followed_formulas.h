@@ -1,0 +1,247 @@
+#pragma once
+/// \file
+/// A guided point that is to follow a straight line or a circular arc over an input range of the crank: a function
+/// generator (function_formulas.h) whose output, the distance from the curve, ought to stay 0. The curve's own
+/// dimensions may be design variables; then the greatest distance is half the width of the narrowest band that holds
+/// the stretch. What is pinned to the point by a link of the arc's radius dwells at the arc's centre.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "analysis/numbers/scalar.h"
+#include "synthesis/mechanism/function_formulas.h"
+#include "synthesis/mechanism/guided_point.h"
+
+namespace mechwright {
+
+using StretchPoints = std::array<Vector<double>, 33>;
+
+/// A line by its direction in the drawing and its offset: the distance from the drawing's origin, positive to the left.
+struct LineShape {
+    static constexpr std::size_t parameters = 2;
+    static bool is_followed(const Motion& motion) { return motion.followed == Followed::line; }
+
+    /// Positive to the left of the line's direction.
+    template <class T>
+    static T distance(const std::array<T, parameters>& line, const Vector<T>& p) {
+        using std::cos, std::sin;
+        return cross(Vector<T>{cos(line[0]), sin(line[0])}, p) - line[1];
+    }
+
+    /// The way along the line from one point to another.
+    template <class T>
+    static T extent(const std::array<T, parameters>& line, const Vector<T>& from, const Vector<T>& to) {
+        using std::abs, std::cos, std::sin;
+        return abs(dot(Vector<T>{cos(line[0]), sin(line[0])}, to - from));
+    }
+
+    /// The principal axis of the points, in the middle of their band.
+    static void fit(const StretchPoints& points, std::array<bool, parameters> free,
+                    std::array<double, parameters>& line) {
+        Vector<double> mean{0, 0};
+        for (const Vector<double>& p : points)
+            mean = mean + (1 / static_cast<double>(points.size())) * p;
+        double xx = 0, xy = 0, yy = 0;
+        for (const Vector<double>& p : points) {
+            const Vector<double> d = p - mean;
+            xx += d.x * d.x;
+            xy += d.x * d.y;
+            yy += d.y * d.y;
+        }
+        if (free[0]) line[0] = 0.5 * std::atan2(2 * xy, xx - yy);
+        double least = std::numeric_limits<double>::infinity(), greatest = -least;
+        for (const Vector<double>& p : points) {
+            const double d = distance({line[0], 0.0}, p);
+            least = std::min(least, d);
+            greatest = std::max(greatest, d);
+        }
+        if (free[1]) line[1] = 0.5 * (least + greatest);
+    }
+};
+
+/// An arc by its centre and its radius.
+struct ArcShape {
+    static constexpr std::size_t parameters = 3;
+    static bool is_followed(const Motion& motion) { return motion.followed == Followed::arc; }
+
+    /// Positive outside the circle.
+    template <class T>
+    static T distance(const std::array<T, parameters>& arc, const Vector<T>& p) {
+        const Vector<T> away = p - Vector<T>{arc[0], arc[1]};
+        return hypotenuse(away.x, away.y) - arc[2];
+    }
+
+    /// The angle between two points, seen from the centre, in [0, pi].
+    template <class T>
+    static T extent(const std::array<T, parameters>& arc, const Vector<T>& from, const Vector<T>& to) {
+        using std::abs, std::atan2;
+        const Vector<T> a = from - Vector<T>{arc[0], arc[1]}, b = to - Vector<T>{arc[0], arc[1]};
+        return atan2(abs(cross(a, b)), dot(a, b));
+    }
+
+    /// The circle through the first, the middle and the last point.
+    static void fit(const StretchPoints& points, std::array<bool, parameters> free,
+                    std::array<double, parameters>& arc) {
+        const Vector<double>&a = points.front(), &b = points[points.size() / 2], &c = points.back();
+        const Vector<double> u = b - a, v = c - a;
+        const double twice_area = cross(u, v);
+        if (twice_area != 0) {
+            const Vector<double> centre = a + (0.5 / twice_area) * (dot(v, v) * left_of(u) - dot(u, u) * left_of(v));
+            if (free[0]) arc[0] = centre.x;
+            if (free[1]) arc[1] = centre.y;
+        }
+        double least = std::numeric_limits<double>::infinity(), greatest = 0;
+        for (const Vector<double>& p : points) {
+            const double d = distance({arc[0], arc[1], 0.0}, p);
+            least = std::min(least, d);
+            greatest = std::max(greatest, d);
+        }
+        if (free[2]) arc[2] = 0.5 * (least + greatest);
+    }
+};
+
+/// The place of the guided point of `Path` (guided_point.h) at a crank angle.
+template <class Path, class T, std::size_t N>
+Vector<T> guided_point(std::size_t assembly, const std::array<T, N>& x, const T& crank_angle) {
+    std::array<T, Path::reads + 1> at;
+    std::copy_n(x.begin(), Path::reads, at.begin());
+    at[Path::reads] = crank_angle;
+    return -Path::miss(assembly, at, Vector<double>{0, 0}).miss;
+}
+
+/// The dimensions of the shape, which start at `place`.
+template <class Shape, std::size_t place, class Dimensions>
+auto shape_of(const Dimensions& x) {
+    std::array<std::remove_cvref_t<decltype(x[0])>, Shape::parameters> shape;
+    std::copy_n(x.begin() + place, Shape::parameters, shape.begin());
+    return shape;
+}
+
+/// The generator: the distance from the shape. `input` is the first of the two dimensions of the input range.
+template <class Path, class Shape, std::size_t input, std::size_t place>
+struct ShapeDistance {
+    static constexpr std::size_t reads = place + Shape::parameters;
+    template <class T>
+    static T error(const std::array<T, reads>& x, std::size_t assembly, const T& share, const T&) {
+        return Shape::distance(shape_of<Shape, place>(x),
+                               guided_point<Path>(assembly, x, T(x[input] + x[input + 1] * share)));
+    }
+};
+
+/// How far the shape is followed, from the first point of the stretch to the last.
+template <class Path, class Shape, std::size_t input, std::size_t place>
+struct ShapeExtent {
+    static constexpr std::size_t reads = place + Shape::parameters;
+    static constexpr std::size_t most = 1;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        out[0] = Shape::extent(shape_of<Shape, place>(x), guided_point<Path>(motion.assembly, x, x[input]),
+                               guided_point<Path>(motion.assembly, x, T(x[input] + x[input + 1])));
+        return most;
+    }
+};
+
+/// Both again, in fifty digits, by the mechanism's path_point.
+template <auto path_point, class Shape, std::size_t input, std::size_t place>
+struct ShapeAgain {
+    static constexpr std::size_t scales = input;
+    std::size_t assembly;
+    std::span<const Digits50> dimensions;
+
+    ShapeAgain(std::size_t a, std::span<const Digits50> d) : assembly(a), dimensions(d) {}
+
+    template <class T>
+    T error(const T& crank_angle, const T&) const {
+        return T(Shape::distance(shape_of<Shape, place>(dimensions),
+                                 path_point(assembly, dimensions, Digits50(crank_angle))));
+    }
+
+    static Digits50 extent(const Motion& motion, std::span<const Digits50> d) {
+        return Shape::extent(shape_of<Shape, place>(d), path_point(motion.assembly, d, d[input]),
+                             path_point(motion.assembly, d, Digits50(d[input] + d[input + 1])));
+    }
+};
+
+/// The names and texts of a shape's two quantities.
+struct ShapeTexts {
+    std::string_view section;
+    std::string_view deviation;
+    std::string_view extent;
+    std::string_view meaning_of_extent;
+    Unit unit_of_extent;
+};
+
+template <class Path, auto path_point, class Shape, std::size_t input, std::size_t place>
+std::array<Quantity, 2> shape_quantities(const ShapeTexts& texts) {
+    using Distance = ShapeDistance<Path, Shape, input, place>;
+    using Again = ShapeAgain<path_point, Shape, input, place>;
+    return {{{.name = texts.deviation,
+              .unit = Unit::length,
+              .meaning = "greatest distance of a stretch of the guided point's path from what it follows",
+              .reduce = Reduce::greatest,
+              .reads = Distance::reads,
+              .defined = Shape::is_followed,
+              .components = always<FunctionMax<Distance>::most>,
+              .measure = measure_by<FunctionMax<Distance>>,
+              .measure_again = function_max_again<Again>,
+              .section = texts.section},
+             {.name = texts.extent,
+              .unit = texts.unit_of_extent,
+              .meaning = texts.meaning_of_extent,
+              .reduce = Reduce::only,
+              .reads = Distance::reads,
+              .defined = Shape::is_followed,
+              .components = always<1>,
+              .measure = measure_by<ShapeExtent<Path, Shape, input, place>>,
+              .measure_again = Again::extent,
+              .section = texts.section}}};
+}
+
+template <class Path, auto path_point, std::size_t input, std::size_t place>
+std::array<Quantity, 2> line_quantities() {
+    return shape_quantities<Path, path_point, LineShape, input, place>(
+        {"line", "line-deviation", "line-length", "way along the line between the two ends of the stretch",
+         Unit::length});
+}
+
+template <class Path, auto path_point, std::size_t input, std::size_t place>
+std::array<Quantity, 2> arc_quantities() {
+    return shape_quantities<Path, path_point, ArcShape, input, place>(
+        {"arc", "arc-deviation", "arc-angle", "angle between the two ends of the stretch, seen from the arc's centre",
+         Unit::angle});
+}
+
+/// The registry's entry of a shape; `errors` is its error_quantity.
+template <class Path, class Shape, std::size_t input, std::size_t place>
+FollowedShape followed_shape(const Quantity& errors, std::string_view deviation) {
+    FollowedShape shape;
+    shape.deviation = deviation;
+    shape.place = place;
+    shape.parameters = Shape::parameters;
+    shape.errors = &errors;
+    shape.extremes = [](std::size_t assembly, std::span<const double> dimensions) {
+        std::array<double, place + Shape::parameters> x;
+        std::copy_n(dimensions.begin(), x.size(), x.begin());
+        return error_extremes<ShapeDistance<Path, Shape, input, place>>(nullptr, x, assembly);
+    };
+    shape.fit = [](std::size_t assembly, std::span<double> dimensions, const std::array<bool, 3>& free) {
+        std::array<double, place> x;
+        std::copy_n(dimensions.begin(), x.size(), x.begin());
+        StretchPoints points;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i] = guided_point<Path>(
+                assembly, x, x[input] + x[input + 1] * static_cast<double>(i) / static_cast<double>(points.size() - 1));
+        std::array<bool, Shape::parameters> own;
+        std::copy_n(free.begin(), own.size(), own.begin());
+        auto fitted = shape_of<Shape, place>(dimensions);
+        Shape::fit(points, own, fitted);
+        std::copy(fitted.begin(), fitted.end(), dimensions.begin() + place);
+    };
+    return shape;
+}
+
+}  // namespace mechwright
