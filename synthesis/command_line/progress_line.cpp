@@ -23,23 +23,34 @@ std::string cut(std::string text) {
     return text;
 }
 
-}  // namespace
-
-void draw(ProgressLine& line, int done, int total, double best) {
+/// Draws what `text_of` makes of the seconds since the start, ten times a second at most.
+template <class Text>
+void redraw(ProgressLine& line, const Text& text_of) {
     using namespace std::chrono;
     const steady_clock::time_point now = steady_clock::now();
     if (line.width > 0 && now - line.drawn < milliseconds(100)) return;
     line.drawn = now;
-
-    const double seconds = duration<double>(now - line.started).count();
-    std::string value = std::isnan(best) ? "no design yet" : "best " + number_text(best, 6);
-    if (!std::isnan(best) && !line.unit.empty()) value += " " + line.unit;
-    const std::string text =
-        cut(fmt::format("{}/{} starts  {}  {:.1f} s  {}", done, total, value, seconds, line.label));
+    const std::string text = cut(text_of(duration<double>(now - line.started).count()));
     const std::size_t width = width_of(text);
     const std::size_t left_over = line.width > width ? line.width - width : 0;
     line.console->err << '\r' << text << std::string(left_over, ' ') << std::flush;
     line.width = std::max(width, std::size_t{1});
+}
+
+}  // namespace
+
+void draw(ProgressLine& line, int done, int total, double best) {
+    std::string value = std::isnan(best) ? "no design yet" : "best " + number_text(best, 6);
+    if (!std::isnan(best) && !line.unit.empty()) value += " " + line.unit;
+    redraw(line, [&](double seconds) {
+        return fmt::format("{}/{} starts  {}  {:.1f} s  {}", done, total, value, seconds, line.label);
+    });
+}
+
+void draw_bound(ProgressLine& line, double part, long boxes) {
+    redraw(line, [&](double seconds) {
+        return fmt::format("bound {:.0f}% of the best  {} boxes  {:.1f} s  {}", 100 * part, boxes, seconds, line.label);
+    });
 }
 
 void erase(ProgressLine& line) {

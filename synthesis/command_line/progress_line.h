@@ -22,6 +22,9 @@ struct ProgressLine {
 /// Draws the line, but not more than ten times a second. `best` is NaN while there is no design.
 void draw(ProgressLine& line, int done, int total, double best);
 
+/// The same while a lower bound is raised: the part of the objective that it has reached, the boxes examined.
+void draw_bound(ProgressLine& line, double part, long boxes);
+
 void erase(ProgressLine& line);
 
 }  // namespace mechwright

@@ -71,6 +71,7 @@ Result solve_task(const Task& task, const SolvingOptions& options, const std::st
     run.stop = &Interrupt::requested();
     if (!options.quiet && progress_wanted(console))
         run.progress = [&line](int done, int total, double best) { draw(line, done, total, best); };
+    if (run.progress) run.bounding = [&line](double part, long boxes) { draw_bound(line, part, boxes); };
     Result result = solve(task.problem, run);
     erase(line);
     return result;

@@ -36,6 +36,7 @@ struct Search {
     std::chrono::steady_clock::time_point deadline;
     double target;
     long boxes = 0;
+    double reached = 0;  ///< part of the target
 
     bool stopped() const {
         return (options.stop && options.stop->load()) || std::chrono::steady_clock::now() >= deadline;
@@ -65,6 +66,7 @@ struct Search {
             const std::vector<Box> some(open.end() - static_cast<std::ptrdiff_t>(count), open.end());
             open.resize(open.size() - count);
             const std::vector<BoxBound> bounds = bounds_of(some);
+            if (options.bounding) options.bounding(reached, boxes);
             for (std::size_t i = 0; i < count; ++i) {
                 if (bounds[i].least >= target) continue;
                 if (bounds[i].least >= stage) {
@@ -96,6 +98,7 @@ LowerBound lower_bound(const std::vector<Box>& boxes, const std::function<BoxBou
             return result;
         }
         result.least = part * target;
+        search.reached = part;
         open = aside.size() > most_aside ? boxes : std::move(aside);
     }
     result.reached = true;

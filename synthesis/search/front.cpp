@@ -71,6 +71,7 @@ struct Front {
         sub.solver.time_limit = std::chrono::duration<double>(deadline - Clock::now()).count();
         RunOptions quiet = options;
         quiet.progress = nullptr;
+        quiet.bounding = nullptr;
         const Result result = solve(sub, quiet);
         ++done;
         if (options.progress) options.progress(done, points() + 2, std::nan(""));

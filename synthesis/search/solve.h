@@ -18,6 +18,9 @@ struct RunOptions {
     /// Called now and then, one call at a time: local searches done, their number, the best objective so far (NaN if
     /// there is none).
     std::function<void(int done, int total, double best)> progress;
+    /// Called now and then while a lower bound is raised: the part of the objective that it has reached, the boxes
+    /// examined.
+    std::function<void(double part, long boxes)> bounding;
 };
 
 /// Solves, then verifies. Never throws for anything a problem file can contain.
