@@ -59,6 +59,7 @@ inline Interval& operator+=(Interval& a, const Interval& b) { return a = a + b; 
 inline Interval& operator-=(Interval& a, const Interval& b) { return a = a - b; }
 inline Interval& operator*=(Interval& a, const Interval& b) { return a = a * b; }
 
+inline double square(double x) { return x * x; }
 inline Interval square(const Interval& a) {
     const double greatest = a.size();
     const double least = a.holds(0) ? 0 : std::min(std::abs(a.low), std::abs(a.high));

@@ -53,13 +53,6 @@ struct Errors {
     }
 };
 
-VectorXd within_bounds(const Program& program, VectorXd x) {
-    for (std::size_t i = 0; i < program.size(); ++i)
-        x[static_cast<Index>(i)] =
-            std::clamp(x[static_cast<Index>(i)], program.variables[i].lower, program.variables[i].upper);
-    return x;
-}
-
 /// The step that makes the linearised values least, held back by `damping` in units of each column.
 VectorXd damped_step(const MatrixXd& jacobian, const VectorXd& value, double damping) {
     const Index m = jacobian.rows(), n = jacobian.cols();

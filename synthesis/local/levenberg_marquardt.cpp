@@ -156,14 +156,6 @@ struct Fit {
         return change;
     }
 
-    VectorXd within_bounds(VectorXd x) const {
-        for (Index i = 0; i < x.size(); ++i) {
-            const Variable& v = program.variables[static_cast<std::size_t>(i)];
-            x[i] = std::clamp(x[i], v.lower, v.upper);
-        }
-        return x;
-    }
-
     /// The sum of squares that the linearised residuals promise after a change.
     double promised(const Place& at, const VectorXd& change) const {
         VectorXd r = at.residuals.value + at.residuals.jacobian * change.head(dimensions);
@@ -178,7 +170,7 @@ struct Fit {
 LocalOutcome levenberg_marquardt(const Program& program, const VectorXd& start, const LocalLimits& limits) {
     LocalOutcome outcome;
     Fit fit(program);
-    Place at{fit.within_bounds(start), {}, unlimited};
+    Place at{within_bounds(program, start), {}, unlimited};
     Place next;
     double damping = 1e-2;
     double growth = 2;
@@ -192,7 +184,7 @@ LocalOutcome levenberg_marquardt(const Program& program, const VectorXd& start, 
         fit.update_scales(at.residuals);
         const Free free = fit.free_variables(at);
         while (outcome.evaluations < limits.most_evaluations && damping < 1e20) {
-            next.x = fit.within_bounds(at.x + fit.step(at, free, damping));
+            next.x = within_bounds(program, at.x + fit.step(at, free, damping));
             const double promised = fit.promised(at, next.x - at.x);
             known = next.x.allFinite() && path_residuals(program, next.x, true, next.residuals);
             ++outcome.evaluations;

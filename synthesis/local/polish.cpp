@@ -121,14 +121,6 @@ NewtonStep newton_step(const MatrixXd& hessian, const VectorXd& gradient, const 
     return step;
 }
 
-VectorXd within_bounds(const Program& program, VectorXd x) {
-    for (std::size_t i = 0; i < program.size(); ++i) {
-        double& v = x[static_cast<Index>(i)];
-        v = std::clamp(v, program.variables[i].lower, program.variables[i].upper);
-    }
-    return x;
-}
-
 /// Whether a step was worth taking: much closer to the constraints, at a price in the objective that the way back onto
 /// them explains; or as close, and lower.
 bool better(double violation, double objective, double old_violation, double old_objective) {

@@ -22,6 +22,7 @@ using StretchPoints = std::array<Vector<double>, 33>;
 
 /// A line by its direction in the drawing and its offset: the distance from the drawing's origin, positive to the left.
 struct LineShape {
+    static constexpr std::string_view name = "line";
     static constexpr std::size_t parameters = 2;
     static bool is_followed(const Motion& motion) { return motion.followed == Followed::line; }
 
@@ -65,6 +66,7 @@ struct LineShape {
 
 /// An arc by its centre and its radius.
 struct ArcShape {
+    static constexpr std::string_view name = "arc";
     static constexpr std::size_t parameters = 3;
     static bool is_followed(const Motion& motion) { return motion.followed == Followed::arc; }
 
@@ -168,7 +170,6 @@ struct ShapeAgain {
 
 /// The names and texts of a shape's two quantities.
 struct ShapeTexts {
-    std::string_view section;
     std::string_view deviation;
     std::string_view extent;
     std::string_view meaning_of_extent;
@@ -188,7 +189,7 @@ std::array<Quantity, 2> shape_quantities(const ShapeTexts& texts) {
               .components = always<FunctionMax<Distance>::most>,
               .measure = measure_by<FunctionMax<Distance>>,
               .measure_again = function_max_again<Again>,
-              .section = texts.section},
+              .section = Shape::name},
              {.name = texts.extent,
               .unit = texts.unit_of_extent,
               .meaning = texts.meaning_of_extent,
@@ -198,28 +199,27 @@ std::array<Quantity, 2> shape_quantities(const ShapeTexts& texts) {
               .components = always<1>,
               .measure = measure_by<ShapeExtent<Path, Shape, input, place>>,
               .measure_again = Again::extent,
-              .section = texts.section}}};
+              .section = Shape::name}}};
 }
 
 template <class Path, auto path_point, std::size_t input, std::size_t place>
 std::array<Quantity, 2> line_quantities() {
     return shape_quantities<Path, path_point, LineShape, input, place>(
-        {"line", "line-deviation", "line-length", "way along the line between the two ends of the stretch",
-         Unit::length});
+        {"line-deviation", "line-length", "way along the line between the two ends of the stretch", Unit::length});
 }
 
 template <class Path, auto path_point, std::size_t input, std::size_t place>
 std::array<Quantity, 2> arc_quantities() {
     return shape_quantities<Path, path_point, ArcShape, input, place>(
-        {"arc", "arc-deviation", "arc-angle", "angle between the two ends of the stretch, seen from the arc's centre",
+        {"arc-deviation", "arc-angle", "angle between the two ends of the stretch, seen from the arc's centre",
          Unit::angle});
 }
 
 /// The registry's entry of a shape; `errors` is its error_quantity.
 template <class Path, class Shape, std::size_t input, std::size_t place>
-FollowedShape followed_shape(const Quantity& errors, std::string_view deviation) {
+FollowedShape followed_shape(const Quantity& errors) {
     FollowedShape shape;
-    shape.deviation = deviation;
+    shape.name = Shape::name;
     shape.place = place;
     shape.parameters = Shape::parameters;
     shape.errors = &errors;

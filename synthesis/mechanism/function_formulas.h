@@ -221,6 +221,13 @@ inline bool has_input_range(const Motion& motion) {
     return motion.function != nullptr || motion.followed != Followed::nothing;
 }
 
+/// Whether a crank that turns from one angle to another, either way, passes a third.
+inline bool passes(double from, double to, double angle) {
+    constexpr double turn = 2 * std::numbers::pi;
+    const double low = std::min(from, to);
+    return std::ceil((low - angle) / turn) * turn + angle <= std::max(from, to);
+}
+
 /// The transmission angle over the input range, whose ends are design variables: `Transmission` has `reads`, and
 /// `template <class T> static std::array<T, 4> angles(std::size_t assembly, const std::array<T, reads>&)`, which gives
 /// it wherever it can be extreme. The worst is the least of the angle and its supplement.
@@ -241,43 +248,36 @@ struct InputTransmission {
     }
 };
 
-template <class Transmission, TransmissionExtreme extreme>
-Quantity input_transmission_quantity(std::string_view name) {
-    using Formula = InputTransmission<Transmission, extreme>;
+/// A quantity over the input range by a formula of measured.h; not one of the contract's list, but what stands in for
+/// one there, or what a search needs.
+template <class Formula>
+Quantity input_quantity(std::string_view name, Unit unit, Reduce reduce) {
     return {.name = name,
-            .unit = Unit::angle,
-            .meaning = "transmission angle over the input range",
-            .reduce = extreme == TransmissionExtreme::greatest ? Reduce::greatest : Reduce::least,
+            .unit = unit,
+            .meaning = "over the input range",
+            .reduce = reduce,
             .reads = Formula::reads,
             .defined = has_input_range,
             .components = always<Formula::most>,
             .measure = measure_by<Formula>};
 }
 
-/// The errors of a generator at fixed places, for least squares: not a quantity of the contract.
-template <class Generator>
-Quantity error_quantity() {
-    return {.name = "error along the input range",
-            .unit = Unit::none,
-            .meaning = "what a least-squares start makes small",
-            .reduce = Reduce::greatest,
-            .reads = Generator::reads,
-            .defined = has_input_range,
-            .components = always<FunctionErrors<Generator>::most>,
-            .measure = measure_by<FunctionErrors<Generator>>};
+template <class Transmission, TransmissionExtreme extreme>
+Quantity input_transmission_quantity(std::string_view name) {
+    return input_quantity<InputTransmission<Transmission, extreme>>(
+        name, Unit::angle, extreme == TransmissionExtreme::greatest ? Reduce::greatest : Reduce::least);
 }
 
-/// What keeps a design assembled over its input range; `Margin` is a formula of measured.h.
+/// The errors of a generator at fixed places, for least squares.
+template <class Generator>
+Quantity error_quantity() {
+    return input_quantity<FunctionErrors<Generator>>("error along the input range", Unit::none, Reduce::greatest);
+}
+
+/// What keeps a design assembled over its input range.
 template <class Margin>
 Quantity input_margin_quantity() {
-    return {.name = "assembly margin over the input range",
-            .unit = Unit::length,
-            .meaning = "least length by which the mechanism closes",
-            .reduce = Reduce::least,
-            .reads = Margin::reads,
-            .defined = has_input_range,
-            .components = always<Margin::most>,
-            .measure = measure_by<Margin>};
+    return input_quantity<Margin>("assembly margin over the input range", Unit::length, Reduce::least);
 }
 
 }  // namespace mechwright

@@ -60,6 +60,11 @@ int find_quantity(const Mechanism& mechanism, std::string_view name) {
     return find_by_name(mechanism.quantities, name);
 }
 
+const Quantity& deviation_from(const Mechanism& mechanism, std::string_view section) {
+    return *std::find_if(mechanism.quantities.begin(), mechanism.quantities.end(),
+                         [&](const Quantity& q) { return q.section == section && q.reduce == Reduce::greatest; });
+}
+
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
     constexpr std::size_t longest_name = 64;  // names longer than any of ours are not misspelt ones
     if (name.size() > longest_name) return {};

@@ -62,6 +62,9 @@ struct Setting {
 struct MotionProgram;
 struct FunctionTarget;
 struct ErrorExtreme;
+struct Interval;
+template <class T>
+struct LoopRow;
 
 /// What a guided point follows for a stretch of its path.
 enum class Followed { nothing, line, arc };
@@ -177,7 +180,7 @@ struct Check {
 
 /// A line or an arc as a mechanism's point follows it.
 struct FollowedShape {
-    std::string_view deviation;  ///< the quantity that is its greatest distance
+    std::string_view name;       ///< of its section in problem files and documents
     std::size_t place = 0;       ///< its dimensions start here
     std::size_t parameters = 0;  ///< and are so many, three at most
     /// The extremes of the distance, in order along the input range.
@@ -236,6 +239,8 @@ struct Mechanism {
     std::size_t function_scales = 0;
     /// The error along the range, as a component for each of many places.
     const Quantity* function_errors = nullptr;
+    /// The loop equation (loop_row.h) over ranges of input and output.
+    LoopRow<Interval> (*loop_row)(const Interval& input, const Interval& output) = nullptr;
     /// What a guided point can follow; without `extremes` it cannot.
     FollowedShape line{};
     FollowedShape arc{};
@@ -259,6 +264,9 @@ const Mechanism* find_mechanism(std::string_view name);
 /// The index of a dimension or quantity of this name, or -1.
 int find_dimension(const Mechanism& mechanism, std::string_view name);
 int find_quantity(const Mechanism& mechanism, std::string_view name);
+
+/// The quantity that is the greatest error of what a section asks for: "function", "line" or "arc".
+const Quantity& deviation_from(const Mechanism& mechanism, std::string_view section);
 
 /// The candidate closest to a misspelt name by edit distance, or empty if none is close enough to be meant.
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates);

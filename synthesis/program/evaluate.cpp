@@ -171,6 +171,14 @@ double violation(const Program& program, const VectorXd& x, const ProgramValues&
     return worst;
 }
 
+VectorXd within_bounds(const Program& program, VectorXd x) {
+    for (std::size_t i = 0; i < program.size(); ++i) {
+        double& v = x[static_cast<Index>(i)];
+        v = std::clamp(v, program.variables[i].lower, program.variables[i].upper);
+    }
+    return x;
+}
+
 void settle_epigraphs(const Program& program, VectorXd& x) {
     if (program.epigraphs.empty()) return;
     Outputs outputs;

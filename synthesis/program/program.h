@@ -146,6 +146,9 @@ Eigen::MatrixXd lagrangian_hessian(const Program& program, const Eigen::VectorXd
 /// The greatest violation of rows and bounds; infinite where the mechanism does not assemble.
 double violation(const Program& program, const Eigen::VectorXd& x, const ProgramValues& values);
 
+/// x with every variable that leaves its range at the end of it.
+Eigen::VectorXd within_bounds(const Program& program, Eigen::VectorXd x);
+
 /// Sets the epigraph variables of x to the worst of what they bound.
 void settle_epigraphs(const Program& program, Eigen::VectorXd& x);
 

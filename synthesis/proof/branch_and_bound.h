@@ -13,6 +13,9 @@
 
 namespace mechwright {
 
+/// Bounds are raised to this part below the value of the best design, and no further.
+inline constexpr double closed_within = 1e-6;
+
 /// A box of up to four parameters in one of the parts that a problem falls into.
 struct Box {
     static constexpr std::size_t most = 4;

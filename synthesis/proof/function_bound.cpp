@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "synthesis/mechanism/function_target.h"
+#include "synthesis/mechanism/loop_row.h"
 #include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
@@ -22,27 +23,7 @@ constexpr std::size_t other_places = 6;
 /// How often the errors are divided before a set of places is given up.
 constexpr int most_divisions = 16;
 /// Parts of the error that a box is tried with.
-constexpr std::array<double, 4> parts_of_error{0.5, 0.9, 0.99, 1 - 1e-6};
-
-/// The row of the loop equation at an input and an output, and its derivatives by both.
-struct LoopRow {
-    Row value, by_input, by_output;
-};
-
-/// k1 cos(output) - k2 cos(input) + k3 = cos(input - output)
-LoopRow rocker_row(const Interval& input, const Interval& output) {
-    const Interval difference = input - output;
-    return {{cos(output), -cos(input), Interval(1), cos(difference)},
-            {Interval(0), sin(input), Interval(0), -sin(difference)},
-            {-sin(output), Interval(0), Interval(0), sin(difference)}};
-}
-
-/// k1 s cos(input) + k2 sin(input) + k3 = s^2
-LoopRow ram_row(const Interval& input, const Interval& s) {
-    return {{s * cos(input), sin(input), Interval(1), square(s)},
-            {-(s * sin(input)), cos(input), Interval(0), Interval(0)},
-            {cos(input), Interval(0), Interval(0), Interval(2) * s}};
-}
+constexpr std::array<double, 4> parts_of_error{0.5, 0.9, 0.99, 1 - closed_within};
 
 Interval dot(const Row& a, const Row& b) {
     Interval sum = a[0] * b[0];
@@ -52,7 +33,7 @@ Interval dot(const Row& a, const Row& b) {
 }
 
 /// The cofactors of row j, so that the determinant is its product with that row.
-Row cofactors(const std::array<LoopRow, order>& rows, std::size_t j) {
+Row cofactors(const std::array<LoopRow<Interval>, order>& rows, std::size_t j) {
     std::array<const Row*, order - 1> others{};
     for (std::size_t i = 0, k = 0; i < order; ++i)
         if (i != j) others[k++] = &rows[i].value;
@@ -93,13 +74,14 @@ double penalty(const Influence& v) {
 std::string FunctionBound::why_not(const Problem& problem) {
     if (!problem.function) return "the problem has no [function]";
     if (!problem.objective || problem.objective->terms.size() != 1 || problem.objective->terms.front().maximize ||
-        problem.mechanism->quantities[problem.objective->terms.front().quantity].name != "function-max")
+        &problem.mechanism->quantities[problem.objective->terms.front().quantity] !=
+            &deviation_from(*problem.mechanism, "function"))
         return "the greatest error of the function is not what is minimised";
     return {};
 }
 
 FunctionBound::FunctionBound(const Problem& problem, const Design& best) {
-    slides_ = problem.mechanism->dimensions[problem.mechanism->function_scales + 2].kind != DimensionKind::angle;
+    loop_row_ = problem.mechanism->loop_row;
     const FunctionTarget& f = *problem.function;
     auto extremes = problem.mechanism->function_extremes(f, best.assembly, best.dimensions);
     error_ = 0;
@@ -112,8 +94,10 @@ FunctionBound::FunctionBound(const Problem& problem, const Design& best) {
     const std::size_t own = points_.size();
     for (std::size_t k = 0; k < other_places; ++k) {
         const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * static_cast<double>(k) / (other_places - 1));
-        const auto sample = static_cast<std::size_t>(std::lround(share * static_cast<double>(f.parts.size() - 1)));
-        points_.push_back(f.parts.empty() ? Vector<double>{share, part(share)} : f.parts[sample]);
+        if (f.parts.empty())
+            points_.push_back({share, part(share)});
+        else
+            points_.push_back(f.parts[static_cast<std::size_t>(share * static_cast<double>(f.parts.size() - 1))]);
     }
     // Neighbours first: at a minimax optimum they are the ones that bound it.
     const auto choose_neighbours = [&](std::size_t from, std::size_t to) {
@@ -130,8 +114,10 @@ FunctionBound::FunctionBound(const Problem& problem, const Design& best) {
     for (std::size_t k = 0; k < Box::most; ++k) {
         const DimensionRange& range = problem.dimensions[problem.mechanism->function_scales + k];
         // A start that may be anywhere is taken once round.
-        const bool start = k == 0 || (k == 2 && !slides_);
-        const double to = start ? std::min(range.max, range.min + 2 * std::numbers::pi) : range.max;
+        const bool start = k % 2 == 0;
+        const bool angle =
+            problem.mechanism->dimensions[problem.mechanism->function_scales + k].kind == DimensionKind::angle;
+        const double to = start && angle ? std::min(range.max, range.min + 2 * std::numbers::pi) : range.max;
         scales_.middle[k] = 0.5 * (range.min + to);
         scales_.half[k] = 0.5 * (to - range.min);
     }
@@ -142,12 +128,12 @@ std::vector<Box> FunctionBound::boxes() const { return {scales_}; }
 bool FunctionBound::excluded_for(const Box& box, const std::array<std::size_t, places>& at, const Errors& errors,
                                  int depth) const {
     const auto rows_at = [&](const std::array<Interval, Box::most>& scale, const Errors& error) {
-        std::array<LoopRow, order> rows;
+        std::array<LoopRow<Interval>, order> rows;
         for (std::size_t j = 0; j < places; ++j) {
             const Vector<double>& p = points_[at[j]];
             const Interval input = scale[0] + scale[1] * Interval(p.x);
             const Interval output = scale[2] + scale[3] * Interval(p.y) + error[j];
-            rows[j] = slides_ ? ram_row(input, output) : rocker_row(input, output);
+            rows[j] = loop_row_(input, output);
         }
         return rows;
     };

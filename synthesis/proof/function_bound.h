@@ -42,7 +42,7 @@ private:
     bool excluded(const Box& box, const std::array<std::size_t, places>& at, double error) const;
     bool excluded_for(const Box& box, const std::array<std::size_t, places>& at, const Errors& errors, int depth) const;
 
-    bool slides_;  ///< the output is the ram of a slider-crank
+    LoopRow<Interval> (*loop_row_)(const Interval& input, const Interval& output);
     double error_;
     std::vector<Vector<double>> points_;                   ///< (share, part)
     std::vector<std::array<std::size_t, places>> chosen_;  ///< of the points

@@ -11,14 +11,10 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/proof/branch_and_bound.h"
 #include "synthesis/proof/function_bound.h"
-#include "synthesis/report/error_extremes.h"
 
 namespace mechwright {
 
 namespace {
-
-/// The bound is raised to this part below the design's own value, and no further.
-constexpr double closed_within = 1e-6;
 
 /// The bound in the problem's unit, and whether it meets the design.
 bool report_bound(const LowerBound& found, double bound, std::string_view over, SearchReport& report) {
@@ -32,12 +28,16 @@ bool report_bound(const LowerBound& found, double bound, std::string_view over, 
     return true;
 }
 
+const Quantity& objective_of(const Problem& problem) {
+    return problem.mechanism->quantities[problem.objective->terms.front().quantity];
+}
+
 bool prove_path(const Problem& problem, const Solution& best, SearchReport& report, const RunOptions& options,
                 std::chrono::steady_clock::time_point deadline) {
     const four_bar::TimedPathBound bound(problem);
     const double sum = path_values(problem, best.design)->sum_of_squares;
     const LowerBound found = lower_bound(bound.boxes(), bound, (1 - closed_within) * sum, options, deadline);
-    const Quantity& q = problem.mechanism->quantities[problem.objective->terms.front().quantity];
+    const Quantity& q = objective_of(problem);
     const double weights = std::accumulate(problem.path->weights.begin(), problem.path->weights.end(), 0.0);
     const double least = q.path == PathMeasure::sum_of_squares ? found.least : std::sqrt(found.least / weights);
     return report_bound(found, least, "the ratios of the links", report);
@@ -47,7 +47,8 @@ bool prove_function(const Problem& problem, const Solution& best, SearchReport& 
                     std::chrono::steady_clock::time_point deadline) {
     const FunctionBound bound(problem, best.design);
     const LowerBound found = lower_bound(bound.boxes(), bound, (1 - closed_within) * bound.error(), options, deadline);
-    return report_bound(found, in_file_unit(found.least, error_unit(problem), problem.units), "the scales", report);
+    return report_bound(found, in_file_unit(found.least, objective_of(problem).unit, problem.units), "the scales",
+                        report);
 }
 
 }  // namespace

@@ -175,7 +175,8 @@ void put_targets(Json& json, const Problem& problem, const Solution* best) {
     if (problem.path) json[problem.path->guides_body() ? "poses" : "path"] = path_of(problem, best);
     if (problem.function) json["function"] = function_document(problem, design);
     if (problem.followed)
-        json[problem.followed->shape == Followed::line ? "line" : "arc"] = followed_document(problem, design);
+        json[std::string(followed_shape_of(*problem.mechanism, *problem.followed).name)] =
+            followed_document(problem, design);
 }
 
 /// The members that are about one design.

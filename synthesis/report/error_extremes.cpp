@@ -20,15 +20,12 @@ constexpr double as_great_within = 1e-6;
 /// Columns of sensitivities are independent if they differ by more than this.
 constexpr double independent_beyond = 1e-7;
 
-std::string_view deviation_of(const Problem& problem) {
-    return problem.followed ? followed_shape_of(*problem.mechanism, *problem.followed).deviation : "function-max";
-}
-
 /// How many of the dimensions left open the error depends on independently: the size of a linkage does not count where
 /// only angles matter.
 int free_dimensions(const Problem& problem, const Design& design) {
     const Mechanism& mechanism = *problem.mechanism;
-    const Quantity& q = mechanism.quantities[static_cast<std::size_t>(find_quantity(mechanism, deviation_of(problem)))];
+    const Quantity& q =
+        deviation_from(mechanism, problem.followed ? followed_shape_of(mechanism, *problem.followed).name : "function");
     const Motion motion = motion_of(problem, design);
     const auto count = static_cast<Eigen::Index>(q.components(motion)), reads = static_cast<Eigen::Index>(q.reads);
     std::vector<double> value(static_cast<std::size_t>(count));

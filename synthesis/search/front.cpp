@@ -28,12 +28,18 @@ struct Front {
     const Problem& problem;
     const RunOptions& options;
     Clock::time_point deadline;
+    double own_best;          ///< of the problem's own objective, for whoever watches
     ObjectiveTerm optimised;  ///< under limits on the other
     ObjectiveTerm limited;
     int done = 0;
 
-    Front(const Problem& p, const RunOptions& o, Clock::time_point d)
-        : problem(p), options(o), deadline(d), optimised(p.objective->terms[0]), limited(p.objective->terms[1]) {
+    Front(const Problem& p, const RunOptions& o, Clock::time_point d, double b)
+        : problem(p),
+          options(o),
+          deadline(d),
+          own_best(b),
+          optimised(p.objective->terms[0]),
+          limited(p.objective->terms[1]) {
         // Limits on an error are the harder ones: many designs miss them at first.
         if (!is_error(p, optimised) && is_error(p, limited)) std::swap(optimised, limited);
     }
@@ -74,7 +80,7 @@ struct Front {
         quiet.bounding = nullptr;
         const Result result = solve(sub, quiet);
         ++done;
-        if (options.progress) options.progress(done, points() + 2, std::nan(""));
+        if (options.progress) options.progress(done, points() + 1, own_best);
         if (!result.best || !result.best->feasible) return std::nullopt;
         return result.best->design;
     }
@@ -145,8 +151,9 @@ struct Front {
 
 }  // namespace
 
-std::vector<FrontPoint> front(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
-    Front search(problem, options, deadline);
+std::vector<FrontPoint> front(const Problem& problem, const RunOptions& options, Clock::time_point deadline,
+                              double best) {
+    Front search(problem, options, deadline, best);
     std::vector<FrontPoint> points;
     for (const Design& design : search.designs()) {
         FrontPoint point{assess(problem, design), {}};

@@ -14,7 +14,8 @@ namespace mechwright {
 /// the two best designs of one objective alone, one objective is optimised under evenly spaced limits on the other (the
 /// epsilon-constraint method of Haimes, Lasdon and Wismer), each time by a search of its own and from the neighbours on
 /// the front. Only verified designs are returned.
+/// `best` is the objective of the problem's own best design, for whoever watches.
 std::vector<FrontPoint> front(const Problem& problem, const RunOptions& options,
-                              std::chrono::steady_clock::time_point deadline);
+                              std::chrono::steady_clock::time_point deadline, double best);
 
 }  // namespace mechwright

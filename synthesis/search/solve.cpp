@@ -205,9 +205,13 @@ Result solve(const Problem& problem, const RunOptions& options) {
     else if (!found.candidates.empty())
         result.best = std::move(found.candidates.front());
 
-    if (feasible && problem.solver.pareto > 0) result.front = front(problem, options, deadline);
+    const auto asked_to_stop = [&] { return options.stop && options.stop->load(); };
+    if (feasible && problem.solver.pareto > 0) {
+        result.front = front(problem, options, deadline, result.best->objective);
+        found.stopped = found.stopped || asked_to_stop() || Clock::now() >= deadline;  // the front may have gaps
+    }
 
-    const bool interrupted = options.stop && options.stop->load();
+    const bool interrupted = asked_to_stop();
     if (found.stopped)
         result.status = interrupted ? Status::interrupted : Status::limit;
     else if (!feasible)

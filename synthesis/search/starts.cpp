@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "synthesis/program/path_outputs.h"
 #include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/path_timing.h"
 
@@ -159,9 +160,7 @@ namespace {
 /// Lengths that come close to the function, within their ranges.
 void fit_function(const Program& program, VectorXd& x) {
     const Mechanism& mechanism = *program.problem->mechanism;
-    std::vector<double> dimensions = program.dimensions;
-    for (std::size_t i = 0; i < dimensions.size(); ++i)
-        if (program.variable_of[i] >= 0) dimensions[i] = program.times[i] * x[program.variable_of[i]];
+    std::vector<double> dimensions = dimensions_at(program, x);
     const std::size_t scales = mechanism.function_scales;
     const auto turns = [&](std::size_t start) { return program.variable_of[start] >= 0; };
     if (!mechanism.function_fit(*program.problem->function, dimensions, turns(scales), turns(scales + 2))) return;
@@ -176,9 +175,7 @@ void fit_function(const Program& program, VectorXd& x) {
 /// The line or arc that the guided point of x is closest to, as far as it is free.
 void fit_followed(const Program& program, VectorXd& x) {
     const FollowedShape& shape = followed_shape_of(*program.problem->mechanism, *program.problem->followed);
-    std::vector<double> dimensions = program.dimensions;
-    for (std::size_t i = 0; i < dimensions.size(); ++i)
-        if (program.variable_of[i] >= 0) dimensions[i] = program.times[i] * x[program.variable_of[i]];
+    std::vector<double> dimensions = dimensions_at(program, x);
     std::array<bool, 3> free{};
     for (std::size_t k = 0; k < shape.parameters; ++k)
         free[k] = program.variable_of[shape.place + k] >= 0;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "analysis/four_bar.h"
+#include "analysis/numbers/interval.h"
 #include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
@@ -231,8 +232,9 @@ const Mechanism& four_bar_mechanism() {
         .function_extremes = function_extremes_by<RockerAngle>,
         .function_scales = input_start,
         .function_errors = &function_errors,
-        .line = followed_shape<CouplerPath, LineShape, input_start, line_angle>(line_errors, "line-deviation"),
-        .arc = followed_shape<CouplerPath, ArcShape, input_start, arc_x>(arc_errors, "arc-deviation"),
+        .loop_row = rocker_loop_row<Interval>,
+        .line = followed_shape<CouplerPath, LineShape, input_start, line_angle>(line_errors),
+        .arc = followed_shape<CouplerPath, ArcShape, input_start, arc_x>(arc_errors),
         .over_input = over_input,
         .motion_columns = motion_columns,
         .motion_units = motion_units,

@@ -1,21 +1,11 @@
 #include "synthesis/mechanism/four_bar/function.h"
 
-#include <Eigen/Dense>
-
 namespace mechwright::four_bar {
 
 bool fit_function(const FunctionTarget& f, std::span<double> dimensions, bool turns_input, bool turns_output) {
-    Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for_each_node(f, [&](double share, double part, double weight) {
-        const double input = dimensions[input_start] + dimensions[input_range] * share;
-        const double output = dimensions[output_start] + dimensions[output_range] * part;
-        const Eigen::Vector3d row(std::cos(output), -std::cos(input), 1);
-        square += weight * row * row.transpose();
-        right += weight * std::cos(input - output) * row;
-    });
-    const Eigen::Vector3d k = square.colPivHouseholderQr().solve(right);
-    if (!k.allFinite() || k[0] == 0 || k[1] == 0) return false;
+    const auto constants = loop_constants(f, dimensions.subspan(input_start, 4), rocker_loop_row<double>);
+    if (!constants || (*constants)[0] == 0 || (*constants)[1] == 0) return false;
+    const std::array<double, 3>& k = *constants;
     if ((k[0] < 0 && !turns_input) || (k[1] < 0 && !turns_output)) return false;
     const double ground = dimensions[0];
     const double crank = ground / k[0], rocker = ground / k[1];

@@ -14,6 +14,7 @@
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/mechanism/four_bar/linkage_again.h"
 #include "synthesis/mechanism/function_formulas.h"
+#include "synthesis/mechanism/loop_row.h"
 
 namespace mechwright::four_bar {
 
@@ -39,11 +40,9 @@ struct RockerAngle {
 template <class T>
 std::array<HalfTurn<T>, 4> input_places(const std::array<T, function_reads>& x) {
     const T first = x[input_start], last = x[input_start] + x[input_range];
-    const double low = std::min(value_of(first), value_of(last)), high = std::max(value_of(first), value_of(last));
-    constexpr double turn = 2 * std::numbers::pi;
-    const auto passes = [&](double angle) { return std::ceil((low - angle) / turn) * turn + angle <= high; };
-    return {half_turn(first), half_turn(last), passes(0) ? HalfTurn<T>{T(1), T(0)} : half_turn(first),
-            passes(turn / 2) ? HalfTurn<T>{T(0), T(1)} : half_turn(last)};
+    const auto passed = [&](double angle) { return passes(value_of(first), value_of(last), angle); };
+    return {half_turn(first), half_turn(last), passed(0) ? HalfTurn<T>{T(1), T(0)} : half_turn(first),
+            passed(std::numbers::pi) ? HalfTurn<T>{T(0), T(1)} : half_turn(last)};
 }
 
 /// What must be >= 0 for the linkage to assemble over the whole input range.
@@ -75,13 +74,23 @@ struct RockerTransmission {
     }
 };
 
-/// Lengths for given scales by least squares of Freudenstein's equation
+/// Freudenstein's equation
 ///
 ///     k1 cos(output) - k2 cos(input) + k3 = cos(input - output),  k1 = ground / crank, k2 = ground / rocker,
 ///
-/// (Theory of Machines, chapter 9), which is linear in k1, k2 and k3 = (ground^2 + crank^2 - coupler^2 + rocker^2) /
-/// (2 crank rocker). A negative k means that crank or rocker point the other way: its scale is then turned by half a
-/// turn where `turns_input` or `turns_output` allow. The ground link is kept. Returns false where no lengths follow.
+/// with k3 = (ground^2 + crank^2 - coupler^2 + rocker^2) / (2 crank rocker).
+template <class T>
+LoopRow<T> rocker_loop_row(const T& input, const T& output) {
+    using std::cos, std::sin;
+    const T difference = input - output, none(0.0);
+    return {{cos(output), -cos(input), T(1.0), cos(difference)},
+            {none, sin(input), none, -sin(difference)},
+            {-sin(output), none, none, sin(difference)}};
+}
+
+/// Lengths for given scales by least squares of Freudenstein's equation. A negative k means that crank or rocker point
+/// the other way: its scale is then turned by half a turn where `turns_input` or `turns_output` allow. The ground link
+/// is kept. Returns false where no lengths follow.
 bool fit_function(const FunctionTarget& f, std::span<double> dimensions, bool turns_input, bool turns_output);
 
 /// The rocker angle by the pose of linkage_again.h (function_again.h).

@@ -5,18 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/numbers/interval.h"
+#include "synthesis/mechanism/four_bar/coupler_turn.h"
 
 namespace mechwright::four_bar {
-
-/// The angle of one w_i over a box: that in the middle, its derivatives there (zero where they are not used), and how
-/// far it can be from what they say.
-struct GuideTurn {
-    double angle = 0;
-    std::array<double, Box::most> slope{};
-    double astray = 0;
-    std::array<double, Box::most> doubt{};  ///< what each parameter may contribute to that
-};
 
 namespace {
 
@@ -32,8 +23,6 @@ constexpr double rounding = 1e-13;
 constexpr double dependent_below = 1e-9;
 /// A direction that is known no better than this, in radians, is tried without.
 constexpr double unknown_from = 0.1;
-/// Where the coupler's direction may turn faster than this with a parameter, boxes are divided as if it did not.
-constexpr double steepest = 10;
 /// The range of a free start is cut into so many parts, each with base angles of its own.
 constexpr int start_parts = 24;
 
@@ -72,189 +61,6 @@ double add_column(MatrixXd& columns, Index& count, VectorXd v) {
     return left;
 }
 
-/// For plain numbers as for intervals.
-double square(double x) { return x * x; }
-
-/// (1 - cos) / 2 + u^2 (1 + cos) / 2 = |D|^2 with u = 2 t - 1.
-template <class T>
-T square_of_diagonal(const T& t, const T& cosine) {
-    return (T(1.0) - cosine) * T(0.5) + square(T(T(2.0) * t - T(1.0))) * (T(1.0) + cosine) * T(0.5);
-}
-
-/// |D| at a crank angle. Its derivatives have factors that are the same at every target and are kept apart, so that
-/// intervals do not forget it: by t (2 t - 1) by_t, by the crank angle t (1 - t) by_angle. T is a number or an
-/// interval.
-template <class T>
-struct Diagonal {
-    T cosine, sine;
-    T square, length;
-    T by_t, by_angle;
-};
-
-template <class T>
-Diagonal<T> diagonal_at(const T& t, const T& angle) {
-    using std::cos, std::sin, std::sqrt;
-    Diagonal<T> d;
-    d.cosine = cos(angle);
-    d.sine = sin(angle);
-    d.square = square_of_diagonal(t, d.cosine);
-    d.length = sqrt(d.square);
-    d.by_t = (T(1.0) + d.cosine) / d.length;
-    d.by_angle = d.sine / d.length;
-    return d;
-}
-
-/// A target by which L is known: the angle alpha there is a parameter.
-template <class T>
-struct Base {
-    Diagonal<T> diagonal;
-    T cosine, sine;  ///< of alpha
-    T half_cosine, half_sine;
-};
-
-template <class T>
-Base<T> base_at(const Diagonal<T>& diagonal, const T& alpha) {
-    using std::cos, std::sin;
-    const T half = alpha * T(0.5);
-    return {diagonal, cos(alpha), sin(alpha), cos(half), sin(half)};
-}
-
-/// L = share L_greatest + (1 - share) L_least: |D| times the derivatives of L / |D| by the parameters, and |D| + L and
-/// |D| - L, which never cancel: as |D|^2 is linear in the cosine of the crank angle, |D| lies above its chord between
-/// the bases by share (1 - share) (|D|_greatest - |D|_least)^2 / (|D| + chord), and at a base they are 2 |D| cos^2
-/// (alpha / 2) and 2 |D| sin^2 (alpha / 2).
-template <class T>
-struct Between {
-    T sum, difference;  ///< of |D| and L
-    std::array<T, parameters> slope;
-};
-
-template <class T>
-Between<T> between(const T& t, const Diagonal<T>& d, const Base<T>& least, const Base<T>& greatest, bool obtuse) {
-    const T one(1.0), two(2.0);
-    const T whole = greatest.diagonal.cosine - least.diagonal.cosine;
-    const T part = d.cosine - least.diagonal.cosine;
-    const T share = part / whole, rest = one - share;
-    const T share_slope =
-        ((least.diagonal.sine - d.sine) * whole - part * (least.diagonal.sine - greatest.diagonal.sine)) /
-        square(whole);
-    // |D|_greatest - |D|_least, and from it L_greatest - L_least.
-    const T steep = T(-2.0) * t * (one - t) * whole / (greatest.diagonal.length + least.diagonal.length);
-    const T cosines = two * (greatest.diagonal.length * square(greatest.half_cosine) -
-                             least.diagonal.length * square(least.half_cosine));
-    const T sines =
-        two * (greatest.diagonal.length * square(greatest.half_sine) - least.diagonal.length * square(least.half_sine));
-    const T rise = obtuse ? T(cosines - steep) : T(steep - sines);
-    const T chord = share * greatest.diagonal.length + rest * least.diagonal.length;
-    const T above = share * rest * square(steep) / (d.length + chord);
-    Between<T> l;
-    l.sum = above + two * (share * greatest.diagonal.length * square(greatest.half_cosine) +
-                           rest * least.diagonal.length * square(least.half_cosine));
-    l.difference = above + two * (share * greatest.diagonal.length * square(greatest.half_sine) +
-                                  rest * least.diagonal.length * square(least.half_sine));
-    const T ratio = (l.sum - l.difference) / (two * d.length);
-    l.slope = {(two * t - one) * (share * greatest.cosine * greatest.diagonal.by_t +
-                                  rest * least.cosine * least.diagonal.by_t - ratio * d.by_t),
-               -(rest * least.diagonal.length * least.sine), -(share * greatest.diagonal.length * greatest.sine),
-               share_slope * rise + t * (one - t) *
-                                        (share * greatest.cosine * greatest.diagonal.by_angle +
-                                         rest * least.cosine * least.diagonal.by_angle - ratio * d.by_angle)};
-    return l;
-}
-
-/// Derivatives of the direction of D by t and by the crank angle.
-template <class T>
-std::array<T, parameters> slopes_of_diagonal(const T& t, const Diagonal<T>& d) {
-    const T one(1.0);
-    return {d.sine / d.square, T(0.0), T(0.0), (one - t) * ((one - t) - t * d.cosine) / d.square};
-}
-
-/// Those of the direction of w at a target that is not a base: cos alpha = L / |D|.
-template <class T>
-std::array<T, parameters> slopes_between(double side, const T& t, const Diagonal<T>& d, const Between<T>& l,
-                                         const T& root) {
-    std::array<T, parameters> slope = slopes_of_diagonal(t, d);
-    const T per = T(-side) / (root * d.length);
-    for (std::size_t k = 0; k < parameters; ++k)
-        slope[k] = slope[k] + per * l.slope[k];
-    return slope;
-}
-
-/// alpha from |D| + L and |D| - L.
-double alpha_of(double sum, double difference) {
-    return 2 * std::atan2(std::sqrt(std::max(0.0, difference)), std::sqrt(std::max(0.0, sum)));
-}
-
-/// The parameters over a box and in its middle.
-struct Ranges {
-    double side;
-    Interval t, start;
-    Base<Interval> least, greatest;
-    std::array<double, parameters> middle, half;
-    Base<double> least_here, greatest_here;
-    bool obtuse;  ///< the angles alpha are nearer to half a turn than to none
-};
-
-/// Which of the two bases a target is.
-enum class Role { least, greatest, between };
-
-/// The direction of w at one target over a box.
-GuideTurn turn_at(const Ranges& over, double angle, Role role) {
-    GuideTurn result;
-    const double t = over.middle[0];
-    const Diagonal<Interval> wide = diagonal_at(over.t, Interval(over.start + Interval(angle)));
-    const Diagonal<double> here = diagonal_at(t, over.middle[3] + angle);
-    const double direction = std::atan2(-(1 - t) * here.sine, t - (1 - t) * here.cosine);
-    const bool short_diagonal = !(wide.square.low > 0);
-    std::array<Interval, parameters> slope{};
-    std::array<double, parameters> slope_here{};
-    bool has_slopes = !short_diagonal && here.square > 0;
-    double by_range = pi;
-    if (role != Role::between) {
-        const std::size_t own = role == Role::least ? 1 : 2;
-        result.angle = direction + over.side * over.middle[own];
-        if (has_slopes) {
-            slope = slopes_of_diagonal(over.t, wide);
-            slope_here = slopes_of_diagonal(t, here);
-            slope[own] = slope_here[own] = over.side;
-        }
-    } else {
-        const Between<Interval> l = between(over.t, wide, over.least, over.greatest, over.obtuse);
-        const Between<double> l_here = between(t, here, over.least_here, over.greatest_here, over.obtuse);
-        const double alpha = alpha_of(l_here.sum, l_here.difference);
-        result.angle = direction + over.side * alpha;
-        const double root_here = std::sqrt(std::max(0.0, l_here.sum) * std::max(0.0, l_here.difference)) / here.length;
-        const Interval root = sqrt(l.sum * l.difference) / wide.length;
-        if (!short_diagonal) {
-            const double low = alpha_of(l.sum.high, l.difference.low), high = alpha_of(l.sum.low, l.difference.high);
-            const Interval range = detail::outward(low, high, 8);
-            const auto of_diagonal = slopes_of_diagonal(over.t, wide);
-            by_range = of_diagonal[0].size() * over.half[0] + of_diagonal[3].size() * over.half[3] +
-                       std::max(range.high - alpha, alpha - range.low);
-        }
-        has_slopes = has_slopes && root.low > 0 && root_here > 0;
-        if (has_slopes) {
-            slope = slopes_between(over.side, over.t, wide, l, root);
-            slope_here = slopes_between(over.side, t, here, l_here, root_here);
-        }
-    }
-    result.astray = std::min(by_range, pi);
-    for (std::size_t k = 0; k < parameters; ++k)
-        result.doubt[k] = std::min(over.half[k], result.astray);
-    if (!has_slopes) return result;
-    double by_slopes = 0;
-    for (std::size_t k = 0; k < parameters; ++k) {
-        if (!(over.half[k] > 0)) continue;
-        result.doubt[k] = over.half[k] * std::min(slope[k].size(), steepest);
-        by_slopes += over.half[k] * (slope[k] - Interval(slope_here[k])).size();
-    }
-    if (!(by_slopes < result.astray)) return result;
-    result.astray = by_slopes;
-    for (std::size_t k = 0; k < parameters; ++k)
-        result.slope[k] = over.half[k] > 0 ? slope_here[k] : 0;
-    return result;
-}
-
 /// The distance from the target that no shift within the box can undo: |r - sum d_k g_k| for |d_k| <= half_k, from
 /// below, for every choice of parameters that are let free in turn, those that matter most first.
 double least_distance(VectorXd r, const std::array<VectorXd, parameters>& g,
@@ -282,8 +88,7 @@ double least_distance(VectorXd r, const std::array<VectorXd, parameters>& g,
         best = std::max(best, length - penalty);
         if (next == parameters) return best;
         held[next] = false;
-        // A column that has no direction of its own is let free as well: the other columns say what it can do, up to
-        // what is left of it.
+        // A parameter that does nearly what those let free already do adds no direction of its own.
         if (const double left = add_column(freed, count, g[next]); !(left > dependent_below * g[next].norm()))
             return best;
         r -= freed.col(count - 1) * freed.col(count - 1).dot(r);
@@ -394,7 +199,7 @@ struct Movement {
     std::size_t split = 0;                ///< the parameter that moves them most
 };
 
-Movement movement_of(const std::vector<GuideTurn>& turns, const Box& box, const VectorXd& root_weights) {
+Movement movement_of(const std::vector<CouplerTurn>& turns, const Box& box, const VectorXd& root_weights) {
     const std::size_t n = turns.size();
     const auto weight = [&](std::size_t i) { return square(root_weights[static_cast<Index>(i)]); };
     std::array<double, parameters> common{};
@@ -433,7 +238,7 @@ Movement movement_of(const std::vector<GuideTurn>& turns, const Box& box, const 
 
 }  // namespace
 
-double TimedPathBound::distance_over(const Plane& plane, const std::vector<GuideTurn>& turns, const Box& box,
+double TimedPathBound::distance_over(const Plane& plane, const std::vector<CouplerTurn>& turns, const Box& box,
                                      double greatest_crank, std::size_t& split) const {
     const Movement m = movement_of(turns, box, plane.root_weights);
     split = m.split;
@@ -479,9 +284,9 @@ double TimedPathBound::distance_over(const Plane& plane, const std::vector<Guide
     const double x = (bb * pa - ab * pb) / determinant, y = (aa * pb - ab * pa) / determinant;
     const VectorXd r = plane.target - x * a - y * b;
     const double point = std::hypot(x, y), inverse = 1 / (narrowest - m.moved);
-    const double change =
-        std::min(point * m.moved * inverse + m.moved * r.norm() * inverse * inverse, point + greatest_point_);
-    const double greatest = std::min({size * inverse, point + change, greatest_point_});
+    // Both are of the B that least squares would choose, whatever the problem allows.
+    const double change = point * m.moved * inverse + m.moved * r.norm() * inverse * inverse;
+    const double greatest = std::min(size * inverse, point + change);
     add_column(columns, count, a);
     add_column(columns, count, b);
     double remainder = greatest * m.strayed;
@@ -525,11 +330,11 @@ BoxBound TimedPathBound::operator()(const Box& box) const {
         over.least.diagonal.length * over.least.cosine - over.greatest.diagonal.length * over.greatest.cosine;
     if (fall.high < 0) return {none, 0};
 
-    std::vector<GuideTurn> turns;
+    std::vector<CouplerTurn> turns;
     VectorXd known = plane_.root_weights;
     for (std::size_t i = 0; i < angles_.size(); ++i) {
         const Role role = i == part.greatest ? Role::greatest : i == part.least ? Role::least : Role::between;
-        turns.push_back(turn_at(over, angles_[i], role));
+        turns.push_back(coupler_turn(over, angles_[i], role));
         if (turns.back().astray > unknown_from) known[static_cast<Index>(i)] = 0;
     }
     const double crank =

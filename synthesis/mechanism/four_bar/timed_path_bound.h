@@ -29,7 +29,7 @@
 
 namespace mechwright::four_bar {
 
-struct GuideTurn;
+struct CouplerTurn;
 
 struct TimedPathBound {
     /// Only for problems that `why_not` has nothing against.
@@ -62,8 +62,8 @@ private:
     };
     Plane plane_of(const Eigen::VectorXd& root_weights) const;
 
-    double distance_over(const Plane& plane, const std::vector<GuideTurn>& turns, const Box& box, double greatest_crank,
-                         std::size_t& split) const;
+    double distance_over(const Plane& plane, const std::vector<CouplerTurn>& turns, const Box& box,
+                         double greatest_crank, std::size_t& split) const;
 
     std::vector<double> angles_;  ///< of the crank, less the start where it is free
     bool free_start_, free_tilt_, free_origin_;

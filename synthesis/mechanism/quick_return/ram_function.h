@@ -13,6 +13,7 @@
 
 #include "analysis/slider_crank.h"
 #include "synthesis/mechanism/function_formulas.h"
+#include "synthesis/mechanism/loop_row.h"
 
 namespace mechwright::quick_return {
 
@@ -36,12 +37,10 @@ template <class T>
 std::array<Vector<T>, 4> input_places(const std::array<T, function_reads>& x) {
     using std::cos, std::sin;
     const T first = x[input_start], last = x[input_start] + x[input_range];
-    const double low = std::min(value_of(first), value_of(last)), high = std::max(value_of(first), value_of(last));
-    constexpr double turn = 2 * std::numbers::pi;
-    const auto passes = [&](double angle) { return std::ceil((low - angle) / turn) * turn + angle <= high; };
+    const auto passed = [&](double angle) { return passes(value_of(first), value_of(last), angle); };
     const auto end = [&](const T& angle) { return Vector<T>{cos(angle), sin(angle)}; };
-    return {end(first), end(last), passes(turn / 4) ? Vector<T>{T(0), T(1)} : end(first),
-            passes(-turn / 4) ? Vector<T>{T(0), T(-1)} : end(last)};
+    return {end(first), end(last), passed(std::numbers::pi / 2) ? Vector<T>{T(0), T(1)} : end(first),
+            passed(-std::numbers::pi / 2) ? Vector<T>{T(0), T(-1)} : end(last)};
 }
 
 /// What must be >= 0 for the rod to reach the slide over the whole input range.
@@ -91,13 +90,20 @@ struct RamPositionAgain {
     }
 };
 
-/// Crank, rod and offset for given scales by least squares of the loop equation of the slider-crank,
+/// The loop equation of the slider-crank, s being the position of its ram:
 ///
-///     k1 s cos(input) + k2 sin(input) + k3 = s^2,  k1 = 2 crank, k2 = 2 crank offset,
-///
-/// with s the position of the ram (Theory of Machines, chapter 9), which is linear in k1, k2 and k3 = rod^2 - crank^2 -
-/// offset^2. A negative crank points the other way: the input's scale is then turned by half a turn where
-/// `turns_input` allows. Returns false where no lengths follow.
+///     k1 s cos(input) + k2 sin(input) + k3 = s^2,  k1 = 2 crank, k2 = 2 crank offset, k3 = rod^2 - crank^2 - offset^2.
+template <class T>
+LoopRow<T> ram_loop_row(const T& input, const T& s) {
+    using std::cos, std::sin;
+    const T none(0.0);
+    return {{s * cos(input), sin(input), T(1.0), s * s},
+            {-(s * sin(input)), cos(input), none, none},
+            {cos(input), none, none, T(2.0) * s}};
+}
+
+/// Crank, rod and offset for given scales by least squares of the loop equation. A negative crank points the other way:
+/// the input's scale is then turned by half a turn where `turns_input` allows. Returns false where no lengths follow.
 bool fit_ram_function(const FunctionTarget& f, std::span<double> dimensions, bool turns_input, bool turns_output);
 
 }  // namespace mechwright::quick_return

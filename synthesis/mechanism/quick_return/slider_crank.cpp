@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "analysis/numbers/interval.h"
 #include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drive.h"
@@ -118,32 +119,32 @@ std::vector<Quantity> all_quantities() {
 
 const Mechanism& slider_crank_mechanism() {
     static const std::vector<Quantity> quantities = all_quantities();
-    static const Mechanism mechanism{
-        .name = "slider-crank",
-        .meaning = "a crank drives a ram on a straight slide through a rod",
-        .dimensions = dimensions,
-        .assemblies = {},
-        .quantities = quantities,
-        .families = families,
-        .settings = settings,
-        .motion = motion_of<SliderCrank>,
-        .describe = describe,
-        .check_motion = SliderCrankAgain::check_motion,
-        .path_reads = RodPath::reads,
-        .path_roles = {3, 4, 5, 6, 7, 8},
-        .path_miss = path_miss_by<RodPath>,
-        .path_point = rod_path_point,
-        .input_margin = &input_margin,
-        .function_fit = fit_ram_function,
-        .function_extremes = function_extremes_by<RamPosition>,
-        .function_scales = input_start,
-        .function_errors = &function_errors,
-        .line = followed_shape<RodPath, LineShape, input_start, line_angle>(line_errors, "line-deviation"),
-        .arc = followed_shape<RodPath, ArcShape, input_start, arc_x>(arc_errors, "arc-deviation"),
-        .over_input = over_input,
-        .motion_columns = motion_columns,
-        .motion_units = motion_units,
-        .motion_row = motion_row};
+    static const Mechanism mechanism{.name = "slider-crank",
+                                     .meaning = "a crank drives a ram on a straight slide through a rod",
+                                     .dimensions = dimensions,
+                                     .assemblies = {},
+                                     .quantities = quantities,
+                                     .families = families,
+                                     .settings = settings,
+                                     .motion = motion_of<SliderCrank>,
+                                     .describe = describe,
+                                     .check_motion = SliderCrankAgain::check_motion,
+                                     .path_reads = RodPath::reads,
+                                     .path_roles = {3, 4, 5, 6, 7, 8},
+                                     .path_miss = path_miss_by<RodPath>,
+                                     .path_point = rod_path_point,
+                                     .input_margin = &input_margin,
+                                     .function_fit = fit_ram_function,
+                                     .function_extremes = function_extremes_by<RamPosition>,
+                                     .function_scales = input_start,
+                                     .function_errors = &function_errors,
+                                     .loop_row = ram_loop_row<Interval>,
+                                     .line = followed_shape<RodPath, LineShape, input_start, line_angle>(line_errors),
+                                     .arc = followed_shape<RodPath, ArcShape, input_start, arc_x>(arc_errors),
+                                     .over_input = over_input,
+                                     .motion_columns = motion_columns,
+                                     .motion_units = motion_units,
+                                     .motion_row = motion_row};
     return mechanism;
 }
 
