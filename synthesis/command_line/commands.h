@@ -23,6 +23,7 @@ Command add_solve(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_analyse(CLI::App& program);
 Command add_profile(CLI::App& program);
+Command add_study(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_quantities(CLI::App& program);
 Command add_methods(CLI::App& program);

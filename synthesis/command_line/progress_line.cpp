@@ -53,6 +53,15 @@ void draw_bound(ProgressLine& line, double part, long boxes) {
     });
 }
 
+void draw_points(ProgressLine& line, std::uint64_t done, std::uint64_t newly, std::uint64_t total) {
+    redraw(line, [&](double seconds) {
+        const double rate = static_cast<double>(newly) / std::max(seconds, 1e-3);
+        const std::string left =
+            newly > 0 ? fmt::format("{:.0f} s left", static_cast<double>(total - done) / rate) : "time left not known";
+        return fmt::format("{}/{} points  {:.4g} a second  {}  {}", done, total, rate, left, line.label);
+    });
+}
+
 void erase(ProgressLine& line) {
     if (line.width == 0) return;
     line.console->err << '\r' << std::string(line.width, ' ') << '\r' << std::flush;

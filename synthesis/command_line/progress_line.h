@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "synthesis/command_line/console.h"
@@ -24,6 +25,9 @@ void draw(ProgressLine& line, int done, int total, double best);
 
 /// The same while a lower bound is raised: the part of the objective that it has reached, the boxes examined.
 void draw_bound(ProgressLine& line, double part, long boxes);
+
+/// The same for the points of a study: those done, those of them done since the line began, and all there are.
+void draw_points(ProgressLine& line, std::uint64_t done, std::uint64_t newly, std::uint64_t total);
 
 void erase(ProgressLine& line);
 

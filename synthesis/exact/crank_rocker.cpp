@@ -1,5 +1,6 @@
 #include "synthesis/exact/crank_rocker.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/extremes.h"
@@ -24,16 +25,23 @@ double optimal_ratio_square(double half_stroke, double kappa) {
     return zero_between<double>(cubic, 0.0, high, cubic(0), cubic(high));
 }
 
+/// The member of the family with (coupler/crank)^2 = q, ground link 1.
+FourBar<double> member(double swing_angle, double forward_stroke, double q) {
+    const double half = forward_stroke / 2;
+    const double kappa = (forward_stroke - swing_angle) / 2;
+    const double d = std::hypot(std::sqrt(q) * std::cos(kappa), std::sin(kappa));
+    const double crank = std::abs(std::sin(swing_angle / 2)) / d;
+    return {1.0, crank, std::sqrt(q) * crank, std::hypot(std::sqrt(q) * std::cos(half), std::sin(half)) / d};
+}
+
+double optimum_of_family(double swing_angle, double forward_stroke) {
+    return optimal_ratio_square(forward_stroke / 2, (forward_stroke - swing_angle) / 2);
+}
+
 }  // namespace
 
 std::optional<FourBar<double>> best_transmission_crank_rocker(double swing_angle, double forward_stroke) {
-    const double half = forward_stroke / 2;
-    const double kappa = (forward_stroke - swing_angle) / 2;
-    const double q = optimal_ratio_square(half, kappa);
-    const double d = std::hypot(std::sqrt(q) * std::cos(kappa), std::sin(kappa));
-    const double crank = std::abs(std::sin(swing_angle / 2)) / d;
-    const FourBar<double> m{1.0, crank, std::sqrt(q) * crank,
-                            std::hypot(std::sqrt(q) * std::cos(half), std::sin(half)) / d};
+    const FourBar<double> m = member(swing_angle, forward_stroke, optimum_of_family(swing_angle, forward_stroke));
     const auto margins = crank_rocker_margins(m);
     const bool turns = margins.ground_longest > 0 && margins.coupler_longest > 0 && margins.rocker_longest > 0;
     if (!turns) return std::nullopt;
@@ -43,6 +51,16 @@ std::optional<FourBar<double>> best_transmission_crank_rocker(double swing_angle
     if (std::abs(swing(m) - swing_angle) > same || std::abs(std::abs(stroke_excess(m)) - excess) > same)
         return std::nullopt;
     return m;
+}
+
+double transmission_bound_of_crank_rockers(double swing_angle, double forward_stroke) {
+    const double alpha = pi<double>() - forward_stroke;
+    const double m = std::cos(alpha + swing_angle / 2) / std::cos(swing_angle / 2);
+    if (!(m > 0)) return 0;
+    const double end = std::min(m, 1 / m);
+    const double lambda = (1 + end) / (1 - end);
+    const double q = std::min(optimum_of_family(swing_angle, forward_stroke), lambda * lambda);
+    return transmission_angle(member(swing_angle, forward_stroke, q), HalfTurn<double>{1, 0});
 }
 
 }  // namespace mechwright

@@ -74,19 +74,44 @@ Design design_of(const Problem& problem, const FourBar<double>& m) {
     return design;
 }
 
+/// By how many families of crank-rockers a swing and a time ratio can be met.
+std::string argument_for(int families) {
+    switch (families) {
+        case 0: return "closed form: no crank-rocker has this swing and time ratio";
+        case 1:
+            return "closed form: all crank-rockers of this swing and time ratio form one one-parameter family; this is "
+                   "its optimum";
+        default:
+            return "closed form: all crank-rockers of this swing and time ratio form two one-parameter families, one "
+                   "for each direction of the crank; this is the better of their two optima";
+    }
+}
+
 bool covers(const Problem& problem) { return crank_rocker_task(problem).has_value(); }
 
 std::optional<ClosedFormOutcome> solve(const Problem& problem) {
     const auto task = crank_rocker_task(problem);
     if (!task) return std::nullopt;
     const double slow_stroke = 2 * std::numbers::pi * task->time_ratio / (1 + task->time_ratio);
-    const auto one = best_transmission_crank_rocker(task->swing, slow_stroke);
-    const auto other = best_transmission_crank_rocker(task->swing, 2 * std::numbers::pi - slow_stroke);
-    // Without both optima it is not known how good the members of the other family can be.
-    if (!one || !other) return std::nullopt;
-    const FourBar<double>& better = worst_transmission(*one) >= worst_transmission(*other) ? *one : *other;
-
     ClosedFormOutcome outcome;
+    std::optional<FourBar<double>> best;
+    double unknown_below = 0;  // how good members of a family without an optimum can be at most
+    int families = 0;
+    for (const double forward_stroke : {slow_stroke, 2 * std::numbers::pi - slow_stroke}) {
+        const double bound = transmission_bound_of_crank_rockers(task->swing, forward_stroke);
+        if (bound <= 0) continue;
+        ++families;
+        const auto of_family = best_transmission_crank_rocker(task->swing, forward_stroke);
+        if (!of_family)
+            unknown_below = std::max(unknown_below, bound);
+        else if (!best || worst_transmission(*of_family) > worst_transmission(*best))
+            best = of_family;
+    }
+    if (families > 0 && (!best || worst_transmission(*best) < unknown_below)) return std::nullopt;
+    outcome.argument = argument_for(families);
+    outcome.infeasible = families == 0;
+    if (outcome.infeasible) return outcome;
+    const FourBar<double>& better = *best;
     outcome.infeasible =
         task->least_transmission && worst_transmission(better) < *task->least_transmission - problem.solver.tolerance;
     // The bound holds at any size; where the ranges exclude its linkage, it is shown at the size of the first range.
@@ -98,9 +123,6 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem) {
     }
     outcome.best = assess(problem, design_of(problem, *linkage));
     if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;
-    outcome.argument =
-        "closed form: all crank-rockers of this swing and time ratio form two one-parameter families, one "
-        "for each direction of the crank; this is the better of their two optima";
     return outcome;
 }
 

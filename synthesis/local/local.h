@@ -57,4 +57,8 @@ Eigen::VectorXd levelled(const Program& program, const Eigen::VectorXd& start, c
 /// that a solver ended at to the nearby optimum at full precision. Never returns a worse point.
 LocalOutcome polish(const Program& program, const LocalOutcome& from, const LocalLimits& limits);
 
+/// The part of the objective's gradient that the constraints active at a point do not balance with multipliers of the
+/// right signs: 0 at a local optimum (Karush, Kuhn and Tucker), at most 1.
+double unbalanced_part(const Program& program, const Eigen::VectorXd& x);
+
 }  // namespace mechwright

@@ -168,4 +168,17 @@ LocalOutcome polish(const Program& program, const LocalOutcome& from, const Loca
     return best;
 }
 
+double unbalanced_part(const Program& program, const VectorXd& x) {
+    ProgramValues values;
+    evaluate(program, x, true, values);
+    const double size = values.gradient.norm();
+    if (!values.assembled || !std::isfinite(size)) return 1;
+    if (size == 0) return 0;
+    std::vector<Active> active = active_constraints(program, x, values);
+    Linearised l;
+    const VectorXd lambda = multipliers_of(active, x, values, l);
+    if (active.empty()) return 1;
+    return std::min(1.0, (values.gradient + l.gradients.transpose() * lambda).norm() / size);
+}
+
 }  // namespace mechwright

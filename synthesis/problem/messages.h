@@ -29,6 +29,7 @@ struct Messages {
     bool failed = false;      ///< there is an error among the messages
     std::vector<Entry> entries{};
     std::size_t left_out = 0;
+    std::vector<NamedFile> named_files{};  ///< that were read
 
     static constexpr std::size_t most_shown = 100;  ///< more than anyone reads at once
 };

@@ -62,6 +62,7 @@ void read_named_file(Section& path, const toml::node& node, const Problem& probl
     if (!read.failure.empty()) return add_point_error(list, {0, 0}, read.failure, messages);
     if (const auto bad = find_bad_text(read.bytes))
         return add_point_error(list, bad->place, std::string(bad->why), messages);
+    messages.named_files.push_back({*name, sha256(read.bytes)});
     read_point_table(read.bytes, list, messages);
 }
 

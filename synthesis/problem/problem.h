@@ -18,6 +18,8 @@
 
 namespace mechwright {
 
+struct Study;
+
 struct Units {
     bool degrees = true;        ///< else radians
     std::string length = "mm";  ///< a label; lengths are never converted
@@ -108,6 +110,7 @@ struct Problem {
     std::optional<FollowedTarget> followed;
     std::size_t cam_rotation = 0;  ///< of a cam: ccw, cw, or either
     SolverOptions solver;
+    std::shared_ptr<const Study> study;  ///< of problems that differ from this one in a few values
 };
 
 /// Whether the motion is that over an input range, whose ends are dimensions.

@@ -2,19 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <exception>
 
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/sections.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml_text.h"
+#include "synthesis/problem/varied_problem.h"
 
 namespace mechwright {
 
-namespace {
+namespace reading {
 
-using namespace reading;
+namespace {
 
 void read_schema(Section& file, Messages& messages) {
     if (!has(file, "schema")) add_error(messages, file.place, "'schema' is missing: write schema = 1");
@@ -33,24 +33,9 @@ void read_mechanism(Section& file, Problem& problem, Messages& messages) {
         problem.mechanism = find_mechanism(names[*index]);
 }
 
-struct Missing {
-    std::string_view key;
-    std::string_view what;
-};
+}  // namespace
 
-/// Sections of the format that belong to kinds of synthesis which are not built in.
-constexpr std::array<Missing, 1> not_built_in{{{"study", "parameter studies"}}};
-
-void report_not_built_in(Section& file, Messages& messages) {
-    for (const Missing& missing : not_built_in) {
-        if (!has(file, missing.key)) continue;
-        file.reported.push_back(missing.key);
-        add_error(messages, key_place(file, missing.key),
-                  fmt::format("unknown key '{}': this version does not do {}", missing.key, missing.what));
-    }
-}
-
-void read_table(const toml::table& table, Problem& problem, Messages& messages) {
+void read_problem_table(const toml::table& table, Problem& problem, Messages& messages) {
     Section file{&table, "", {1, 1}};
     read_schema(file, messages);
     read_mechanism(file, problem, messages);
@@ -68,9 +53,17 @@ void read_table(const toml::table& table, Problem& problem, Messages& messages) 
     read_settings(file, problem, messages);
     read_solver(file, problem, messages);
     read_requirements(file, problem, messages);
-    report_not_built_in(file, messages);
+    read_study(file, problem, messages);
     report_unknown_keys(file, messages);
 }
+
+void conclude(ReadProblem& read, Messages&& messages) {
+    read.unreadable = messages.unreadable;
+    read.named_files = std::move(messages.named_files);
+    read.messages = sorted(std::move(messages));
+}
+
+namespace {
 
 void read_text(std::string_view text, Problem& problem, Messages& messages) {
     problem.sha256 = sha256(text);
@@ -80,28 +73,30 @@ void read_text(std::string_view text, Problem& problem, Messages& messages) {
         return add_error(messages, Place{},
                          "the file is empty: a problem needs at least schema = 1, mechanism = \"...\" and a section "
                          "[dimensions]");
-    read_table(*table, problem, messages);
+    read_problem_table(*table, problem, messages);
+    if (problem.study && !messages.failed) check_ends(text, place_of(*table->get("study")), *problem.study, messages);
 }
 
 }  // namespace
 
+}  // namespace reading
+
 ReadProblem parse_problem(std::string_view text, const std::string& file) {
     ReadProblem read;
-    Messages messages{.file = file};
+    reading::Messages messages{.file = file};
     read.problem.file = file;
     try {
-        read_text(text, read.problem, messages);
+        reading::read_text(text, read.problem, messages);
     } catch (const std::exception& exhausted) {  // memory, in the parser or here: nothing else throws
-        add_error(messages, fmt::format("cannot be read: {}", exhausted.what()));
+        reading::add_error(messages, fmt::format("cannot be read: {}", exhausted.what()));
     }
-    read.unreadable = messages.unreadable;
-    read.messages = sorted(std::move(messages));
+    reading::conclude(read, std::move(messages));
     return read;
 }
 
 ReadProblem read_problem(const std::string& file) {
     constexpr std::size_t most_bytes = 64 << 20;
-    const Bytes read = read_bytes(file, most_bytes, true);
+    const reading::Bytes read = reading::read_bytes(file, most_bytes, true);
     if (read.failure.empty()) return parse_problem(read.bytes, file);
     ReadProblem failed;
     failed.problem.file = file;

@@ -22,10 +22,17 @@ struct Message {
 /// "file:line:column: text", as compilers write it ("warning: " before the text of a warning).
 std::string to_string(const Message& message);
 
+/// A file that a problem file names.
+struct NamedFile {
+    std::string name;  ///< as written there
+    std::string sha256;
+};
+
 struct ReadProblem {
-    Problem problem;                ///< complete only if ok()
-    std::vector<Message> messages;  ///< errors and warnings in the order of their places
-    bool unreadable = false;        ///< the file itself, or one it names, cannot be read (exit code 6)
+    Problem problem;                     ///< complete only if ok()
+    std::vector<Message> messages;       ///< errors and warnings in the order of their places
+    bool unreadable = false;             ///< the file itself, or one it names, cannot be read (exit code 6)
+    std::vector<NamedFile> named_files;  ///< that were read, in the order in which they are named
 
     bool ok() const;
 };

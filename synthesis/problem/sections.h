@@ -40,6 +40,13 @@ void read_motion(Section& file, Problem& problem, Messages& messages);
 /// The sections that the mechanism's settings stand in.
 void read_settings(Section& file, Problem& problem, Messages& messages);
 void read_solver(Section& file, Problem& problem, Messages& messages);
+/// [study]: after the mechanism and the dimensions.
+void read_study(Section& file, Problem& problem, Messages& messages);
+
+/// All sections of a problem file.
+void read_problem_table(const toml::table& table, Problem& problem, Messages& messages);
+/// What the messages of reading come to, at the end of reading.
+void conclude(ReadProblem& read, Messages&& messages);
 
 /// A number or a range of the file as a dimension, angles in radians.
 std::optional<DimensionRange> to_dimension(const toml::node& node, const Dimension& dimension, const Units& units,

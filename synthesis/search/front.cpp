@@ -8,6 +8,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/document.h"
+#include "synthesis/search/nearby.h"
 #include "synthesis/verify/verify.h"
 
 namespace mechwright {
@@ -85,23 +86,6 @@ struct Front {
         return result.best->design;
     }
 
-    /// The best feasible design that a local search finds from another's, or nothing.
-    std::optional<Design> nearby(const Problem& sub, const Design& from) const {
-        LocalLimits limits;
-        limits.deadline = deadline;
-        limits.stop = options.stop;
-        std::optional<Solution> best;
-        for (const Variant& variant : variants(sub)) {
-            if (variant.assembly != from.assembly || limits.reached()) continue;
-            const Program program = build_program(sub, variant);
-            const LocalOutcome outcome = polish(program, slsqp(program, point_of(program, from), limits), limits);
-            if (outcome.x.size() == 0) continue;
-            Solution found = assess(sub, design_at(program, outcome.x));
-            if (found.feasible && (!best || preferred(sub, found, *best))) best = std::move(found);
-        }
-        return best ? std::optional(best->design) : std::nullopt;
-    }
-
     struct Limited {
         double limit;
         std::optional<Design> design;
@@ -115,7 +99,11 @@ struct Front {
             if (!at.design || cost(optimised, candidate) < cost(optimised, *at.design)) at.design = candidate;
         };
         consider(*neighbour);
-        if (const auto found = nearby(part(optimised, at.limit), *neighbour)) consider(*found);
+        LocalLimits limits;
+        limits.deadline = deadline;
+        limits.stop = options.stop;
+        const auto found = nearby(part(optimised, at.limit), *neighbour, limits).solution;
+        if (found) consider(found->design);
     }
 
     std::vector<Design> designs() {

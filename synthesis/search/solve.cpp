@@ -11,6 +11,7 @@
 #include "synthesis/report/document.h"
 #include "synthesis/search/front.h"
 #include "synthesis/search/multistart.h"
+#include "synthesis/search/nearby.h"
 #include "synthesis/search/path_search.h"
 #include "synthesis/verify/verify.h"
 
@@ -108,6 +109,22 @@ Found with_branch_and_bound(const Problem& problem, const RunOptions& options, C
     return found;
 }
 
+Found near_neighbour(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    LocalLimits limits;
+    limits.deadline = deadline;
+    limits.stop = options.stop;
+    Found found;
+    found.report.method = "neighbour";
+    found.report.starts = 1;
+    found.note = "no design was found from that of a neighbour";
+    const NearbyOptimum near = nearby(problem, *options.neighbour, limits);
+    if (near.solution && near.stationary) found.candidates.push_back(*near.solution);
+    found.report.local_optima = static_cast<int>(found.candidates.size());
+    found.report.evaluations = near.evaluations;
+    found.stopped = limits.reached();
+    return found;
+}
+
 std::string why_no_least_squares(const Problem& problem) {
     const std::string why = why_no_path_search(problem);
     return why.empty() ? why_no_search(problem) : why;
@@ -118,6 +135,7 @@ Found automatic(const Problem& problem, const RunOptions& options, Clock::time_p
         Found found = closed_form(problem, options, deadline);
         if (found.report.complete) return found;
     }
+    if (options.neighbour) return near_neighbour(problem, options, deadline);
     if (why_no_path_search(problem).empty()) return with_least_squares(problem, options, deadline);
     return with_slsqp(problem, options, deadline);
 }
@@ -195,6 +213,8 @@ Result solve(const Problem& problem, const RunOptions& options) {
         found.candidates.push_back(evaluate_given(problem));
         found.report = {"given", true, "every dimension is given", 0, 1, 0, 0, 1, 0};
         found.infeasible = !found.candidates.front().feasible;
+    } else if (options.neighbour && method->run != automatic && method->run != closed_form) {
+        found = near_neighbour(problem, options, deadline);
     } else {
         found = method->run(problem, options, deadline);
     }

@@ -21,6 +21,9 @@ struct RunOptions {
     /// Called now and then while a lower bound is raised: the part of the objective that it has reached, the boxes
     /// examined.
     std::function<void(double part, long boxes)> bounding;
+    /// A design of a problem that differs a little: unless a closed form answers, local searches from it alone take the
+    /// place of the method.
+    const Design* neighbour = nullptr;
 };
 
 /// Solves, then verifies. Never throws for anything a problem file can contain.

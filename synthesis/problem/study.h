@@ -1,0 +1,91 @@
+#pragma once
+/// \file
+/// A study: one problem file solved many times with some of its values changed, or a finished design with its
+/// dimensions off by a little.
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mechwright {
+
+/// Numbers from one to another, in the file's units.
+struct StudyRange {
+    double from = 0;
+    double to = 0;
+    std::uint64_t count = 0;   ///< steps where values are taken one after the other; 0: not given
+    bool logarithmic = false;  ///< evenly spaced in their logarithms
+    bool whole = false;        ///< both ends are written as whole numbers: so are the values that are whole
+
+    /// The number at a part of the way, 0 to 1: to fifteen digits, as a person would write it.
+    double at(double part) const;
+};
+
+/// What one axis of a study varies.
+struct StudyAxis {
+    std::string name;                 ///< the path of a value, or "case"
+    std::optional<StudyRange> range;  ///< else:
+    toml::array values;               ///< what is put at the path; for cases tables of paths and values
+    std::vector<std::string> labels;  ///< of the values, in data and pictures
+
+    bool cases() const { return name == "case"; }
+    /// How many values it has where they are taken one after the other.
+    std::uint64_t count() const { return range ? range->count : values.size(); }
+    /// Whether it has nothing but numbers.
+    bool numeric() const;
+};
+
+/// A value that follows from those of axes by an expression.
+struct FollowingValue {
+    std::string path;
+    std::string expression;
+    std::vector<std::pair<std::string, std::size_t>> variables;  ///< name in the expression, axis
+};
+
+enum class StudyDesign { grid, one_at_a_time, sobol, latin_hypercube };
+
+/// By how much a dimension is off from piece to piece.
+struct Deviation {
+    std::size_t dimension = 0;
+    bool uniform = false;  ///< else normal
+    double size = 0;       ///< half the width, or the standard deviation; in the problem's inner units
+    int grade = 0;         ///< of ISO 286, which says the size; 0: none
+};
+
+enum class ChartKind { map, contours, curves, front };
+
+/// A picture of a study's data.
+struct StudyChart {
+    ChartKind kind = ChartKind::map;
+    std::string name;  ///< of its file
+    std::string title;
+    std::string x;
+    std::string y;       ///< of maps and contours
+    std::string value;   ///< of curves and fronts: upwards
+    std::string family;  ///< of curves: one for each of its values; empty: a single one
+    std::string each;    ///< a picture for each of its values; empty: a single one
+    std::string where;   ///< SQL: only points for which this is so; empty: those that are solved
+    bool logarithmic = false;
+    std::vector<double> levels;  ///< of contours; empty: chosen
+};
+
+struct Study {
+    StudyDesign design = StudyDesign::grid;
+    std::uint64_t count = 0;  ///< points of a random design, or samples
+    std::uint64_t seed = 1;
+    std::vector<StudyAxis> axes;
+    std::vector<FollowingValue> following;
+    std::vector<Deviation> deviations;    ///< of a tolerance study, which has no axes
+    std::vector<std::string> quantities;  ///< that are wanted; empty: all
+    std::vector<StudyChart> charts;
+
+    bool tolerances() const { return !deviations.empty(); }
+    bool random() const { return design == StudyDesign::sobol || design == StudyDesign::latin_hypercube; }
+};
+
+}  // namespace mechwright

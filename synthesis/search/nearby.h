@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The optimum near a design that is known: that of a problem that differs a little.
+
+#include <optional>
+
+#include "synthesis/local/local.h"
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+struct NearbyOptimum {
+    std::optional<Solution> solution;  ///< the best feasible design, if one was found
+    bool stationary = false;           ///< it is a local optimum and not only where a search ended
+    long evaluations = 0;
+};
+
+/// What local searches find from a design of another problem, in all variants of its assembly.
+NearbyOptimum nearby(const Problem& problem, const Design& from, const LocalLimits& limits);
+
+}  // namespace mechwright

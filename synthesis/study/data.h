@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// The data of a study as its users see them.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mechwright {
+
+enum class DataFormat { csv, json };
+
+/// How far a study is.
+struct StudyStanding {
+    std::string title;
+    std::uint64_t points = 0;  ///< there are to be
+    std::uint64_t done = 0;
+    std::vector<std::pair<std::string, std::uint64_t>> statuses;  ///< points by status, the most frequent first
+    std::uint64_t from_neighbours = 0;  ///< points whose design was found from that of the point before
+    std::uint64_t both_ways = 0;        ///< points solved by a search of their own too
+    std::uint64_t differed = 0;         ///< of those the ones where that found a better design
+};
+
+/// Throws StoreFault where there are no data, as do the others.
+StudyStanding standing_of_study(const std::filesystem::path& data);
+
+/// The text of the study's problem file.
+std::string problem_text(const std::filesystem::path& data);
+
+/// What an SQL query gives, as text, row by row; an empty query asks for all points in order. The data cannot be
+/// changed by it. `take` returns whether it wants more. Throws SqlFault for a query that SQLite does not understand.
+void export_data(const std::filesystem::path& data, const std::string& query, DataFormat format,
+                 const std::function<bool(std::string_view)>& take);
+
+struct SqlFault : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace mechwright

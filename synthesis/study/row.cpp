@@ -1,0 +1,145 @@
+#include "synthesis/study/row.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/problem/units.h"
+#include "synthesis/problem/value_path.h"
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/report/document.h"
+#include "synthesis/study/points.h"
+
+namespace mechwright {
+
+namespace {
+
+Cell number(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
+
+Cell cell_of(const StudyAxis& axis, const AxisValue& value) {
+    if (value.as_in_file) return {};
+    if (axis.range) return value.number;
+    const toml::node& node = axis.values[value.index];
+    if (const auto n = node.value<double>(); n && node.is_number()) return *n;
+    return axis.labels[value.index];
+}
+
+struct RowMaker {
+    const PreparedStudy& prepared;
+    StudyRow row{};
+
+    void add(Cell cell) { row.cells.push_back(std::move(cell)); }
+
+    void add_given() {
+        const Study& study = *prepared.study;
+        const std::vector<AxisValue> values = point_values(study, row.point);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            add(cell_of(study.axes[i], values[i]));
+        for (const FollowingValue& following : study.following)
+            add(number(number_of(following, study, values)));
+    }
+
+    void add_outcome(std::string_view status, Cell start, Cell differed, const Problem* problem,
+                     const Solution* solution, Cell proved) {
+        add(std::string(status));
+        add(std::move(start));
+        add(std::move(differed));
+        add(problem != nullptr && problem->objective && solution != nullptr ? number(solution->objective) : Cell());
+        add(solution != nullptr ? number(solution->violation) : Cell());
+        add(std::move(proved));
+    }
+
+    void add_design(const Problem* problem, const Design* design) {
+        for (const std::string& name : prepared.columns.dimensions) {
+            const int i = design != nullptr ? find_dimension(*problem->mechanism, name) : -1;
+            if (i < 0) {
+                add({});
+                continue;
+            }
+            const auto at = static_cast<std::size_t>(i);
+            const Unit unit = unit_of(problem->mechanism->dimensions[at].kind);
+            add(number(in_file_unit(design->dimensions[at], unit, problem->units)));
+        }
+        const bool told = design != nullptr && !problem->mechanism->assemblies.empty();
+        add(told ? Cell(std::string(problem->mechanism->assemblies[design->assembly])) : Cell());
+    }
+
+    void add_quantities(const Problem* problem, const Design* design) {
+        for (const std::string& name : prepared.columns.quantities) {
+            const int i = design != nullptr ? find_quantity(*problem->mechanism, name) : -1;
+            const auto at = static_cast<std::size_t>(std::max(i, 0));
+            const std::optional<double> value = i < 0 ? std::nullopt : quantity_value(*problem, at, *design);
+            add(value ? number(in_file_unit(*value, problem->mechanism->quantities[at].unit, problem->units)) : Cell());
+        }
+    }
+};
+
+bool all_given(const Problem& problem) {
+    return std::all_of(problem.dimensions.begin(), problem.dimensions.end(),
+                       [](const DimensionRange& range) { return range.fixed() || range.tied(); });
+}
+
+bool assembles(const Problem& problem, const Design& design) {
+    const Motion motion = motion_of(problem, design);
+    if (!(motion.from <= motion.to)) return false;
+    const auto checks = problem.mechanism->check_motion;
+    if (checks == nullptr) return true;
+    const std::vector<Digits50> dimensions(design.dimensions.begin(), design.dimensions.end());
+    return all_passed(checks(motion, dimensions));
+}
+
+std::string_view status_of(const Problem& problem, const Result& result) {
+    const bool judged = result.status == Status::infeasible || result.status == Status::unverified;
+    if (judged && result.best && all_given(problem) && !assembles(problem, result.best->design)) return "not-assembled";
+    return name_of(result.status);
+}
+
+}  // namespace
+
+std::string_view name_of(Start start) {
+    switch (start) {
+        case Start::own: return "own";
+        case Start::neighbour: return "neighbour";
+        case Start::both: return "both";
+    }
+    return "";
+}
+
+StudyRow row_of(const PreparedStudy& prepared, std::uint64_t point, const Problem& problem, const Result& result,
+                Start start, bool differed) {
+    RowMaker maker{prepared, {point, {}, {}}};
+    const Solution* best = result.best ? &*result.best : nullptr;
+    const Design* design = best != nullptr ? &best->design : nullptr;
+    maker.add_given();
+    maker.add_outcome(status_of(problem, result), std::string(name_of(start)),
+                      start == Start::both ? Cell(std::int64_t{differed}) : Cell(), &problem, best,
+                      Cell(std::int64_t{result.search.complete}));
+    maker.add_design(&problem, design);
+    maker.add_quantities(&problem, design);
+    maker.add(result.note.empty() ? Cell() : Cell(result.note));
+    if (design != nullptr) maker.row.design = *design;
+    return maker.row;
+}
+
+StudyRow invalid_row(const PreparedStudy& prepared, std::uint64_t point, const std::string& why) {
+    RowMaker maker{prepared, {point, {}, {}}};
+    maker.add_given();
+    maker.add_outcome("invalid", {}, {}, nullptr, nullptr, {});
+    maker.add_design(nullptr, nullptr);
+    maker.add_quantities(nullptr, nullptr);
+    maker.add(why);
+    return maker.row;
+}
+
+StudyRow evaluated_row(const PreparedStudy& prepared, std::uint64_t point, const Problem& problem,
+                       const Solution& solution) {
+    RowMaker maker{prepared, {point, {}, {}}};
+    const Motion motion = motion_of(problem, solution.design);
+    maker.add_given();
+    maker.add_outcome(motion.from <= motion.to ? "evaluated" : "not-assembled", {}, {}, &problem, &solution, {});
+    maker.add_design(&problem, &solution.design);
+    maker.add_quantities(&problem, &solution.design);
+    maker.add({});
+    return maker.row;
+}
+
+}  // namespace mechwright

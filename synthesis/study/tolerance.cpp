@@ -1,0 +1,264 @@
+#include "synthesis/study/tolerance.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "synthesis/problem/units.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/program/nearest_point.h"
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/search/low_discrepancy.h"
+#include "synthesis/search/solve.h"
+
+namespace mechwright {
+
+namespace {
+
+/// Steps of nominal sizes up to and including so many millimetres, and the tolerances of grades 5 to 13 in micrometres:
+/// ISO 286-1:2010, table 1.
+constexpr std::array<double, 13> size_steps{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
+constexpr int least_grade = 5;
+constexpr std::array<std::array<int, 13>, 9> tolerances{{
+    {4, 5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25, 27},
+    {6, 8, 9, 11, 13, 16, 19, 22, 25, 29, 32, 36, 40},
+    {10, 12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57, 63},
+    {14, 18, 22, 27, 33, 39, 46, 54, 63, 72, 81, 89, 97},
+    {25, 30, 36, 43, 52, 62, 74, 87, 100, 115, 130, 140, 155},
+    {40, 48, 58, 70, 84, 100, 120, 140, 160, 185, 210, 230, 250},
+    {60, 75, 90, 110, 130, 160, 190, 220, 250, 290, 320, 360, 400},
+    {100, 120, 150, 180, 210, 250, 300, 350, 400, 460, 520, 570, 630},
+    {140, 180, 220, 270, 330, 390, 460, 540, 630, 720, 810, 890, 970},
+}};
+/// A zone of tolerance is so many standard deviations wide.
+constexpr double deviations_in_zone = 6;
+
+/// The deviations of pieces, one for each of the study: from the numbers of sample and dimension alone.
+double drawn(const Deviation& deviation, double size, std::uint64_t seed, std::uint64_t number) {
+    const std::uint64_t bits = mixed(mixed(mixed(seed) ^ deviation.dimension) ^ number);
+    const double part = std::ldexp(static_cast<double>(bits >> 11) + 0.5, -53);
+    if (deviation.uniform) return size * (2 * part - 1);
+    return -size * std::numbers::sqrt2 * boost::math::erfc_inv(2 * part);
+}
+
+/// The derivatives of the distances from a path's points: at a fixed crank angle, or at the nearest point, which comes
+/// to the same; where the angle is prescribed, it moves with that of the start.
+std::optional<std::vector<double>> path_sensitivities(const Problem& problem, PathMeasure measure,
+                                                      const Design& design) {
+    const Mechanism& mechanism = *problem.mechanism;
+    const std::optional<PathValues> values = path_values(problem, design);
+    if (!values || problem.path->guides_body()) return {};
+    const std::size_t reads = mechanism.path_reads;
+    std::vector<double> x(reads + 1), y(reads + 1), total(mechanism.dimensions.size(), 0.0);
+    double weights = 0;
+    for (const double w : problem.path->weights)
+        weights += w;
+    for (std::size_t i = 0; i < values->distances.size(); ++i) {
+        const double distance = values->distances[i];
+        double factor = 2 * problem.path->weights[i];
+        if (measure == PathMeasure::root_mean_square) factor /= 2 * weights * values->root_mean_square;
+        if (measure == PathMeasure::greatest) factor = distance == values->greatest ? 1 / distance : 0;
+        if (factor == 0) continue;
+        PathMiss miss{{}, 0, x, y, {}, {}};
+        mechanism.path_miss(design.assembly, design.dimensions, design.path_angles[i], problem.path->points[i], miss);
+        for (std::size_t k = 0; k < reads; ++k)
+            total[k] += factor * (miss.miss.x * x[k] + miss.miss.y * y[k]);
+        if (problem.path->prescribed_timing)
+            total[mechanism.path_roles.start] += factor * (miss.miss.x * x[reads] + miss.miss.y * y[reads]);
+    }
+    return total;
+}
+
+}  // namespace
+
+std::optional<double> iso_tolerance(int grade, double size) {
+    const int row = grade - least_grade;
+    if (row < 0 || row >= static_cast<int>(tolerances.size()) || !(size > 0) || size > size_steps.back()) return {};
+    const auto step = std::lower_bound(size_steps.begin(), size_steps.end(), size) - size_steps.begin();
+    return tolerances[static_cast<std::size_t>(row)][static_cast<std::size_t>(step)] * 1e-3;
+}
+
+std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared, const StudyRunOptions& options,
+                                                  std::string& why) {
+    TolerancedDesign design{prepared.base, {}, {}};
+    RunOptions run;
+    run.jobs = options.jobs;
+    run.stop = options.stop;
+    const Result result = solve(design.problem, run);
+    const bool given = result.search.method == "given";
+    if (!result.best || (!given && result.status != Status::solved)) {
+        why = "the design whose tolerances are asked for was not found; 'mechwright solve' says more";
+        return {};
+    }
+    design.nominal = *result.best;
+    for (const Deviation& deviation : prepared.study->deviations) {
+        const Dimension& dimension = design.problem.mechanism->dimensions[deviation.dimension];
+        if (deviation.grade == 0) {
+            design.sizes.push_back(deviation.size);
+            continue;
+        }
+        const double size = design.nominal.design.dimensions[deviation.dimension];
+        const auto zone = iso_tolerance(deviation.grade, size);
+        if (!zone) {
+            why = "'" + std::string(dimension.name) +
+                  "' is longer than 500 mm: the grades of ISO 286 end there; write { normal = ... } or "
+                  "{ uniform = ... } for it";
+            return {};
+        }
+        design.sizes.push_back(*zone / (deviation.uniform ? 2 : deviations_in_zone));
+    }
+    return design;
+}
+
+Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_t number) {
+    Design piece = design.nominal.design;
+    for (std::size_t i = 0; i < study.deviations.size(); ++i)
+        piece.dimensions[study.deviations[i].dimension] +=
+            drawn(study.deviations[i], design.sizes[i], study.seed, number);
+    const std::optional<PathTarget>& path = design.problem.path;
+    if (path && path->prescribed_timing)
+        for (std::size_t i = 0; i < path->crank_angles.size(); ++i)
+            piece.path_angles[i] = piece.dimensions[design.problem.mechanism->path_roles.start] + path->crank_angles[i];
+    else if (path)
+        meet_nearest_points(design.problem, piece);
+    // The ranges of the dimensions are for design, not for pieces.
+    Problem as_made = design.problem;
+    for (std::size_t i = 0; i < piece.dimensions.size(); ++i)
+        as_made.dimensions[i].min = as_made.dimensions[i].max = piece.dimensions[i];
+    return assess(as_made, std::move(piece));
+}
+
+std::optional<std::vector<double>> sensitivities(const Problem& problem, std::size_t quantity, const Design& design) {
+    const Quantity& q = problem.mechanism->quantities[quantity];
+    if (!quantity_value(problem, quantity, design)) return {};
+    if (q.path != PathMeasure::none) return path_sensitivities(problem, q.path, design);
+    const Motion motion = motion_of(problem, design);
+    const std::size_t count = q.components(motion);
+    std::vector<double> values(count), gradient(count * q.reads);
+    q.measure(motion, design.dimensions, {values, gradient, {}});
+    std::size_t at = 0;
+    if (q.reduce == Reduce::least)
+        at = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+    if (q.reduce == Reduce::greatest)
+        at = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+    std::vector<double> all(problem.mechanism->dimensions.size(), 0.0);
+    std::copy_n(gradient.begin() + static_cast<std::ptrdiff_t>(at * q.reads), q.reads, all.begin());
+    const bool finite = std::all_of(all.begin(), all.end(), [](double d) { return std::isfinite(d); });
+    return finite ? std::optional(all) : std::nullopt;
+}
+
+namespace {
+
+double standard_deviation(const Deviation& deviation, double size) {
+    return deviation.uniform ? size / std::numbers::sqrt3 : size;
+}
+
+/// Factors from inner units to the file's.
+double outside(Unit unit, const Units& units) {
+    return unit == Unit::angle && units.degrees ? 180 / std::numbers::pi : 1;
+}
+
+void predict(const TolerancedDesign& design, const Study& study, std::size_t quantity, QuantitySpread& spread) {
+    const auto gradient = sensitivities(design.problem, quantity, design.nominal.design);
+    if (!gradient) return;
+    const Mechanism& mechanism = *design.problem.mechanism;
+    const double factor = outside(mechanism.quantities[quantity].unit, design.problem.units);
+    double variance = 0;
+    for (std::size_t i = 0; i < study.deviations.size(); ++i) {
+        const Deviation& deviation = study.deviations[i];
+        const double derivative = (*gradient)[deviation.dimension] * factor;
+        const double effect = derivative * standard_deviation(deviation, design.sizes[i]);
+        const Unit unit = unit_of(mechanism.dimensions[deviation.dimension].kind);
+        spread.derivatives.push_back(derivative / outside(unit, design.problem.units));
+        spread.parts.push_back(effect * effect);
+        variance += effect * effect;
+    }
+    for (double& part : spread.parts)
+        part = variance > 0 ? part / variance : 0;
+    spread.first_order = std::sqrt(variance);
+}
+
+/// The number of the sorted values of a column below which a part of them lies.
+double quantile(SQLite::Database& data, const std::string& column, std::int64_t count, double part) {
+    const auto skipped = static_cast<std::int64_t>(std::llround(part * static_cast<double>(count - 1)));
+    return data
+        .execAndGet("SELECT " + column + " FROM points WHERE " + column + " IS NOT NULL ORDER BY " + column +
+                    " LIMIT 1 OFFSET " + std::to_string(skipped))
+        .getDouble();
+}
+
+void measure_samples(SQLite::Database& data, QuantitySpread& spread) {
+    const std::string column = sql_name(spread.quantity);
+    const std::string from = " FROM points WHERE " + column + " IS NOT NULL";
+    const std::int64_t count = data.execAndGet("SELECT count(*)" + from).getInt64();
+    if (count == 0) return;
+    spread.mean = data.execAndGet("SELECT avg(" + column + ")" + from).getDouble();
+    SQLite::Statement squares(data, "SELECT total((" + column + " - ?1) * (" + column + " - ?1))" + from);
+    squares.bind(1, spread.mean);
+    squares.executeStep();
+    const double sum = squares.getColumn(0).getDouble();
+    spread.deviation = count > 1 ? std::sqrt(sum / static_cast<double>(count - 1)) : 0;
+    spread.least = quantile(data, column, count, 0);
+    spread.low = quantile(data, column, count, 0.025);
+    spread.high = quantile(data, column, count, 0.975);
+    spread.greatest = quantile(data, column, count, 1);
+}
+
+/// SQL that is true for samples that meet every limit; empty without limits. Equalities no piece ever meets.
+std::string limits_of(const Problem& problem) {
+    std::string condition;
+    for (const Requirement& requirement : problem.requirements) {
+        const Quantity& quantity = problem.mechanism->quantities[requirement.quantity];
+        const auto add = [&](const std::optional<double>& limit, const char* relation) {
+            if (!limit) return;
+            if (!condition.empty()) condition += " AND ";
+            condition +=
+                sql_name(quantity.name) + relation + std::to_string(in_file_unit(*limit, quantity.unit, problem.units));
+        };
+        add(requirement.min, " >= ");
+        add(requirement.max, " <= ");
+    }
+    return condition;
+}
+
+}  // namespace
+
+ToleranceReport tolerance_report(const PreparedStudy& prepared, const TolerancedDesign& design,
+                                 const std::filesystem::path& data) {
+    const Problem& problem = design.problem;
+    const Study& study = *prepared.study;
+    ToleranceReport report;
+    for (std::size_t i = 0; i < study.deviations.size(); ++i) {
+        const Dimension& dimension = problem.mechanism->dimensions[study.deviations[i].dimension];
+        report.dimensions.emplace_back(dimension.name);
+        report.standard_deviations.push_back(standard_deviation(study.deviations[i], design.sizes[i]) *
+                                             outside(unit_of(dimension.kind), problem.units));
+    }
+    SQLite::Database database(data.string(), SQLite::OPEN_READONLY);
+    const auto counted = [&database](const std::string& where) {
+        return static_cast<std::uint64_t>(database.execAndGet("SELECT count(*) FROM points" + where).getInt64());
+    };
+    report.samples = counted("");
+    report.assembled = counted(" WHERE status = 'evaluated'");
+    const std::string limits = limits_of(problem);
+    report.has_limits = !limits.empty();
+    if (report.has_limits) report.within_limits = counted(" WHERE " + limits);
+    for (const std::string& name : prepared.columns.quantities) {
+        const auto index = static_cast<std::size_t>(find_quantity(*problem.mechanism, name));
+        const std::optional<double> nominal = quantity_value(problem, index, design.nominal.design);
+        if (!nominal) continue;
+        const Unit unit = problem.mechanism->quantities[index].unit;
+        QuantitySpread spread;
+        spread.quantity = name;
+        spread.unit = unit_label(unit, problem.units);
+        spread.nominal = in_file_unit(*nominal, unit, problem.units);
+        predict(design, study, index, spread);
+        measure_samples(database, spread);
+        report.quantities.push_back(std::move(spread));
+    }
+    return report;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,66 @@
+#pragma once
+/// \file
+/// Tolerances of a finished design: samples of the dimensions that pieces really have, and the first-order effect of
+/// each dimension on each quantity.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synthesis/problem/study.h"
+#include "synthesis/program/result.h"
+#include "synthesis/study/run.h"
+
+namespace mechwright {
+
+/// A design and how far each of its dimensions is off from piece to piece.
+struct TolerancedDesign {
+    Problem problem;
+    Solution nominal;
+    std::vector<double> sizes;  ///< one for each deviation of the study: standard deviation, or half the width
+};
+
+/// The tolerance of a grade of ISO 286-1 for a size in millimetres (0 < size <= 500), in millimetres; nothing for
+/// other sizes and grades. Grades 5 to 13.
+std::optional<double> iso_tolerance(int grade, double size);
+
+/// The design that a file gives, or that is found for it. Where there is none, `why` says so.
+std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared, const StudyRunOptions& options,
+                                                  std::string& why);
+
+/// A piece: every dimension with its deviation, drawn for this sample alone. A grade's zone lies evenly about the
+/// nominal size and is six standard deviations wide, or the whole width of a uniform distribution.
+Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_t number);
+
+/// The derivatives of a quantity with respect to the dimensions, in the problem's inner units, from the exact gradients
+/// of the analysis (of a least or greatest value those of the component that is it: envelope theorem); nothing where
+/// the quantity has none.
+std::optional<std::vector<double>> sensitivities(const Problem& problem, std::size_t quantity, const Design& design);
+
+/// What deviations do to a quantity. In the file's units.
+struct QuantitySpread {
+    std::string quantity;
+    std::string unit;
+    double nominal = 0;
+    std::optional<double> first_order;                  ///< standard deviation that the sensitivities predict
+    std::vector<double> derivatives;                    ///< one for each deviation; empty where there are none
+    std::vector<double> parts;                          ///< of the predicted variance
+    double mean = 0, deviation = 0;                     ///< of the samples
+    double least = 0, low = 0, high = 0, greatest = 0;  ///< low and high enclose 95 % of the samples
+};
+
+struct ToleranceReport {
+    std::vector<std::string> dimensions;  ///< that deviate
+    std::vector<double> standard_deviations;
+    std::vector<QuantitySpread> quantities;
+    std::uint64_t samples = 0;
+    std::uint64_t assembled = 0;
+    std::uint64_t within_limits = 0;  ///< samples that meet all requirements that are limits
+    bool has_limits = false;
+};
+
+/// Samples from the data, sensitivities from the design.
+ToleranceReport tolerance_report(const PreparedStudy& prepared, const TolerancedDesign& design,
+                                 const std::filesystem::path& data);
+
+}  // namespace mechwright
