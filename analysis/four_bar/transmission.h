@@ -20,6 +20,24 @@ T transmission_angle(const FourBar<T>& m, const HalfTurn<T>& half) {
     return angle(HalfAngle<T>{root_or_zero(k.folded), root_or_zero(k.stretched)});
 }
 
+/// Whether the linkage has a toggle at a crank angle, but for the rounding of that angle.
+template <class T>
+bool is_toggle(const FourBar<T>& m, const HalfTurn<T>& half) {
+    constexpr double rounding = 2e-15;
+    const auto margins = assembly_margins(m, half);
+    const double size = static_cast<double>(value_of(m.ground + m.crank + m.coupler + m.rocker));
+    return std::abs(value_of(margins.stretch)) < rounding * size || std::abs(value_of(margins.fold)) < rounding * size;
+}
+
+/// The transmission angle at an end of a limited range. A toggle at the end counts as one in spite of the rounding of
+/// its crank angle, by which half of the digits would be lost.
+template <class T>
+T transmission_angle_at_end(const FourBar<T>& m, const HalfTurn<T>& half) {
+    if (!is_toggle(m, half)) return transmission_angle(m, half);
+    const auto margins = assembly_margins(m, half);
+    return std::abs(value_of(margins.stretch)) < std::abs(value_of(margins.fold)) ? T(std::numbers::pi) : T(0);
+}
+
 /// The crank angles, as half turns, at which the transmission angle can have an extreme over a motion.
 struct TransmissionExtremes {
     std::array<HalfTurn<double>, 4> at{};
@@ -29,7 +47,7 @@ struct TransmissionExtremes {
 /// For a full turn: 0, where the angle is least, then pi, where it is greatest.
 inline TransmissionExtremes transmission_extremes_of_full_turn() { return {{{{1, 0}, {0, 1}}}, 2}; }
 
-/// For a limited range from <= to (radians): both ends, and 0 and pi if a full multiple lies strictly inside.
+/// For a limited range from <= to (radians): both ends, then 0 and pi if a full multiple lies strictly inside.
 inline TransmissionExtremes transmission_extremes(double from, double to) {
     TransmissionExtremes e;
     e.at[e.count++] = half_turn(from);

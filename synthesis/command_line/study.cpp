@@ -61,7 +61,7 @@ int run_all(const PreparedStudy& prepared, const StudyOptions& options, Console&
 
 int study(const StudyOptions& options, Console& console) {
     if (options.file.empty()) {
-        complain(console, "study needs a FILE and --out DIR, or one of plan, run, merge, status, export, charts");
+        complain(console, "study needs a FILE and --out DIR, or one of plan, run, merge, status, export, charts, driver");
         return exit_code::wrong_usage;
     }
     if (options.folder.empty()) {
@@ -161,6 +161,7 @@ Command add_study(CLI::App& program) {
     std::vector<Command> below = add_study_chunks(*command);
     for (Command& other : add_study_data(*command))
         below.push_back(std::move(other));
+    below.push_back(add_study_driver(*command));
     const auto run = [options, command, below](Console& console) {
         for (const Command& other : below)
             if (command->got_subcommand(other.options)) return other.run(console);

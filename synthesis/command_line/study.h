@@ -33,9 +33,10 @@ int prepare_and_report(const std::string& file, bool quiet, Console& console, Pr
 int run_strands(const PreparedStudy& prepared, StudyStore& store, const StudyOptions& options, std::uint64_t first,
                 std::uint64_t last, Console& console);
 
-/// study plan, run and merge; status, export and charts: below `study`.
+/// Below `study`: plan, run and merge; status, export and charts; driver.
 std::vector<Command> add_study_chunks(CLI::App& study);
 std::vector<Command> add_study_data(CLI::App& study);
+Command add_study_driver(CLI::App& study);
 
 /// "10 000 points: 9 012 solved, 988 infeasible", and what came of neighbours.
 std::string standing_text(const std::filesystem::path& data);

@@ -123,23 +123,22 @@ int run(const ChunkOptions& options, Console& console) {
 
 int merge_parts(const StudyPlan& plan, const PreparedStudy& prepared, const ChunkOptions& options, Console& console) {
     const std::filesystem::path data = data_file(options.file);
-    const std::filesystem::path merged = data.string() + ".partial";
+    const std::filesystem::path gathered = data.string() + ".gathered", compact = data.string() + ".compact";
     std::error_code error;
-    std::filesystem::remove(merged, error);
-    {
-        StudyStore store(merged, prepared, true);
-        for (std::uint64_t chunk = 1; chunk <= plan.chunks; ++chunk)
-            store.take_over(part_file(options.file, chunk));
-        const std::uint64_t points = store.count();
-        store.close();
-        if (points != plan.points)
-            throw StoreFault(
-                fmt::format("the parts hold {} points and not {}: one of them is damaged; remove it and "
-                            "run its chunk again",
-                            points, plan.points));
-    }
-    std::filesystem::rename(merged, data, error);
-    if (error) throw StoreFault(fmt::format("cannot rename '{}': {}", merged.string(), error.message()));
+    for (const auto& left_over : {gathered, compact})
+        std::filesystem::remove(left_over, error);
+    StudyStore store(gathered, prepared, true);
+    for (std::uint64_t chunk = 1; chunk <= plan.chunks; ++chunk)
+        store.take_over(part_file(options.file, chunk));
+    if (const std::uint64_t points = store.count(); points != plan.points)
+        throw StoreFault(fmt::format("the parts hold {} points and not {}: one of them is damaged; remove it and run its "
+                                     "chunk again",
+                                     points, plan.points));
+    store.write_compact(compact);
+    store.close();
+    std::filesystem::remove(gathered, error);
+    std::filesystem::rename(compact, data, error);
+    if (error) throw StoreFault(fmt::format("cannot rename '{}': {}", compact.string(), error.message()));
     if (options.quiet) return exit_code::solved;
     print(console, standing_text(data) + fmt::format("Data: {}\n", data.string()));
     return exit_code::solved;

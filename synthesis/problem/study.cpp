@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "synthesis/problem/sections.h"
 #include "synthesis/problem/study_sections.h"
@@ -253,6 +254,7 @@ void read_study(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> section = read_section(file, "study", messages);
     if (!section) return;
     auto study = std::make_shared<Study>();
+    const bool failed_before = std::exchange(messages.failed, false);
     study->design = static_cast<StudyDesign>(read_choice(*section, "design", "design", designs, messages).value_or(0));
     read_count(*section, *study, messages);
     read_seed(*section, *study, messages);
@@ -260,7 +262,7 @@ void read_study(Section& file, Problem& problem, Messages& messages) {
     read_quantities(*section, *study, problem, messages);
     read_tolerance(*section, *study, problem, messages);
     read_charts(*section, *study, messages);
-    if (study->axes.empty() && !section->table->contains("tolerance"))
+    if (study->axes.empty() && !section->table->contains("tolerance") && !messages.failed)
         add_error(messages, section->place,
                   "[study] varies nothing: name a value by its path, as in \"dimensions.ground\" = [100, 120, 140], or "
                   "give the dimensions a [study.tolerance]");
@@ -268,6 +270,7 @@ void read_study(Section& file, Problem& problem, Messages& messages) {
         add_error(messages, place_of(*section, "tolerance"),
                   "a study varies values or samples tolerances, not both: use two files");
     check_size(*section, *study, messages);
+    messages.failed |= failed_before;
     problem.study = std::move(study);
 }
 

@@ -70,8 +70,9 @@ struct StudyChart {
     std::string family;  ///< of curves: one for each of its values; empty: a single one
     std::string each;    ///< a picture for each of its values; empty: a single one
     std::string where;   ///< SQL: only points for which this is so; empty: those that are solved
-    bool logarithmic = false;
-    std::vector<double> levels;  ///< of contours; empty: chosen
+    bool logarithmic = false;              ///< the axis of x
+    std::vector<double> levels;            ///< of contours; empty: chosen
+    std::vector<std::string> maximized{};  ///< columns of a front in which more is better
 };
 
 struct Study {

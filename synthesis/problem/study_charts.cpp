@@ -26,6 +26,21 @@ bool can_be_file_name(std::string_view name) {
                std::string_view::npos;
 }
 
+/// Of a front: which of its columns are better the greater they are.
+void read_maximized(Section& section, StudyChart& chart, Messages& messages) {
+    const toml::node* node = find(section, "maximize");
+    if (node == nullptr) return;
+    const toml::array* list = node->as_array();
+    if (list == nullptr) return report_kind(*node, "'maximize' in [[study.chart]]", "a list of columns", messages);
+    for (const toml::node& name : *list) {
+        const auto word = name.value_exact<std::string>();
+        if (word && (*word == chart.x || *word == chart.y))
+            chart.maximized.push_back(*word);
+        else
+            add_error(messages, place_of(name), "'maximize' in [[study.chart]] names the columns of x or y");
+    }
+}
+
 StudyChart read_chart(const toml::node& node, std::size_t number, Messages& messages) {
     Section section{node.as_table(), "[[study.chart]]", place_of(node)};
     StudyChart chart;
@@ -43,6 +58,7 @@ StudyChart read_chart(const toml::node& node, std::size_t number, Messages& mess
     chart.where = read_string(section, "where", messages).value_or("");
     chart.logarithmic = read_bool(section, "log", messages).value_or(false);
     chart.levels = read_numbers(section, "levels", messages).value_or(std::vector<double>{});
+    read_maximized(section, chart, messages);
     report_unknown_keys(section, messages);
     return chart;
 }

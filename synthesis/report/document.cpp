@@ -120,8 +120,11 @@ Json requirements_of(const Problem& problem, const Design& design) {
 
 Json quantities_of(const Problem& problem, const Design& design) {
     Json json = Json::object();
+    const auto is_wanted = [&](std::size_t i) {
+        return !problem.wanted || std::find(problem.wanted->begin(), problem.wanted->end(), i) != problem.wanted->end();
+    };
     for (std::size_t i = 0; i < problem.mechanism->quantities.size(); ++i)
-        put_value_of(json, problem.mechanism->quantities[i].name, problem, i, design);
+        if (is_wanted(i)) put_value_of(json, problem.mechanism->quantities[i].name, problem, i, design);
     return json;
 }
 

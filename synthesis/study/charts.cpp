@@ -214,14 +214,6 @@ std::string curves_script(ChartData& data, const Problem& problem, const StudyCh
     return script + "plot " + plots + "\n";
 }
 
-bool is_maximized(const Problem& problem, const std::string& column) {
-    if (!problem.objective) return false;
-    const auto& terms = problem.objective->terms;
-    return std::any_of(terms.begin(), terms.end(), [&](const ObjectiveTerm& t) {
-        return t.maximize && problem.mechanism->quantities[t.quantity].name == column;
-    });
-}
-
 /// The points of which none is better in both columns, in the order of x.
 std::vector<std::vector<double>> front_of(std::vector<std::vector<double>> rows, bool more_x, bool more_y) {
     const auto x = [&](const std::vector<double>& row) { return more_x ? -row[0] : row[0]; };
@@ -238,7 +230,10 @@ std::string front_script(ChartData& data, const Problem& problem, const StudyCha
                          const std::string& where) {
     const auto rows = data.numbers({chart.x, chart.y}, where);
     if (rows.empty()) throw ChartFault("there is no point to draw");
-    const auto front = front_of(rows, is_maximized(problem, chart.x), is_maximized(problem, chart.y));
+    const auto more = [&](const std::string& column) {
+        return std::find(chart.maximized.begin(), chart.maximized.end(), column) != chart.maximized.end();
+    };
+    const auto front = front_of(rows, more(chart.x), more(chart.y));
     return head(problem, chart, title, chart.y) + block("all", rows) + block("front", front) +
            "plot $all using 1:2 with points pt 7 ps 0.4 lc rgb '#9aa7b8' title 'designs', "
            "$front using 1:2 with linespoints lw 2 pt 7 ps 0.6 lc rgb '#b8442c' title 'front'\n";

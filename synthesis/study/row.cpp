@@ -93,6 +93,15 @@ std::string_view status_of(const Problem& problem, const Result& result) {
     return name_of(result.status);
 }
 
+/// The note of a result, or which check of its verification failed first.
+Cell note_of(const Result& result) {
+    if (!result.note.empty()) return result.note;
+    if (result.status != Status::unverified) return {};
+    const auto failed = std::find_if(result.verification.begin(), result.verification.end(),
+                                     [](const Check& check) { return !check.passed; });
+    return failed == result.verification.end() ? Cell() : Cell(failed->name + ": " + failed->detail);
+}
+
 }  // namespace
 
 std::string_view name_of(Start start) {
@@ -115,7 +124,7 @@ StudyRow row_of(const PreparedStudy& prepared, std::uint64_t point, const Proble
                       Cell(std::int64_t{result.search.complete}));
     maker.add_design(&problem, design);
     maker.add_quantities(&problem, design);
-    maker.add(result.note.empty() ? Cell() : Cell(result.note));
+    maker.add(note_of(result));
     if (design != nullptr) maker.row.design = *design;
     return maker.row;
 }

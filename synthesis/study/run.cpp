@@ -60,6 +60,16 @@ std::string reason(const ReadProblem& read) {
     return first == read.messages.end() ? "cannot be read" : first->text;
 }
 
+/// The problem of a point, of whose quantities only those are verified that the study wants.
+ReadProblem with_wanted(ReadProblem read, const Study& study) {
+    if (study.quantities.empty() || !read.ok()) return read;
+    read.problem.wanted.emplace();
+    for (const std::string& name : study.quantities)
+        if (const int i = find_quantity(*read.problem.mechanism, name); i >= 0)
+            read.problem.wanted->push_back(static_cast<std::size_t>(i));
+    return read;
+}
+
 /// One worker on one strand.
 class StrandRun {
 public:
@@ -103,7 +113,7 @@ private:
 
     ReadProblem read_point(std::uint64_t point) {
         fault_ = varied_.put(*shared_.prepared.study, point_values(*shared_.prepared.study, point));
-        if (fault_.empty()) return varied_.read();
+        if (fault_.empty()) return with_wanted(varied_.read(), *shared_.prepared.study);
         ReadProblem failed;
         failed.messages.push_back({shared_.prepared.file, 0, 0, fault_});
         return failed;

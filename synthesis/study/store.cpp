@@ -242,6 +242,14 @@ void StudyStore::take_over(const std::filesystem::path& part) {
     });
 }
 
+void StudyStore::write_compact(const std::filesystem::path& file) {
+    guarded([&] {
+        SQLite::Statement vacuum(*database_, "VACUUM INTO ?");
+        vacuum.bind(1, file.string());
+        run(vacuum);
+    });
+}
+
 void StudyStore::close() {
     guarded([&] {
         for (auto* statement : {&insert_point_, &insert_design_, &find_point_, &find_check_, &insert_check_, &mark_})

@@ -72,6 +72,9 @@ public:
     /// Takes over all that another study's file holds.
     void take_over(const std::filesystem::path& part);
 
+    /// Writes a file whose bytes depend on the data alone, and not on how they were gathered. It must not exist.
+    void write_compact(const std::filesystem::path& file);
+
     /// Brings everything into the one file. To be called last.
     void close();
 

@@ -10,6 +10,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/report/csv_text.h"
 #include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/solve.h"
 
@@ -215,7 +216,7 @@ std::string limits_of(const Problem& problem) {
             if (!limit) return;
             if (!condition.empty()) condition += " AND ";
             condition +=
-                sql_name(quantity.name) + relation + std::to_string(in_file_unit(*limit, quantity.unit, problem.units));
+                sql_name(quantity.name) + relation + csv_number(in_file_unit(*limit, quantity.unit, problem.units));
         };
         add(requirement.min, " >= ");
         add(requirement.max, " <= ");

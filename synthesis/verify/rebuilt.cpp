@@ -109,6 +109,9 @@ Rebuilt rebuilt(const Claim& claim) {
         const DimensionKind kind = mechanism.dimensions[i].kind;
         design.dimensions.push_back(from_document(claim.design[i], unit_of(kind), claim.units));
         design.rounded.push_back(plain(design.dimensions.back()));
+        // The lifts of a cam's segments are lengths of either sign.
+        if (mechanism.dimensions[i].of_segment && kind == DimensionKind::coordinate)
+            design.longest = std::max<Digits50>(design.longest, abs(design.dimensions.back()));
         if (kind == DimensionKind::length) design.longest = std::max(design.longest, design.dimensions.back());
     }
     for (std::size_t i = 0; i < claim.design.size(); ++i) {

@@ -47,12 +47,8 @@ TEST(Head, AnUnknownKeyOfTheTopLevelIsAnErrorThatListsTheKnownOnes) {
                           {"unknown key 'completely-different'", "dimensions", "require", "objective"}));
 }
 
-TEST(Head, SectionsOfOtherKindsOfSynthesisAreNamedAsNotBuiltIn) {
-    EXPECT_TRUE(only_says(read(valid + "[study]\n"), "p.toml:8:2", {"unknown key", "parameter studies"}));
-}
-
 TEST(Head, ASectionThatIsNoTableIsAnError) {
-    for (const std::string section : {"units", "path", "motion", "solver"})
+    for (const std::string section : {"units", "path", "motion", "solver", "study"})
         EXPECT_TRUE(only_says(read(section + " = 3\n" + valid), "p.toml:1:" + std::to_string(section.size() + 4),
                               {"'" + section + "'", "[" + section + "]", "a number"}));
 }

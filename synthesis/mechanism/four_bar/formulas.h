@@ -34,6 +34,15 @@ HalfTurn<T> constant(const HalfTurn<double>& half) {
     return {T(half.cosine), T(half.sine)};
 }
 
+/// The angle at extreme k of the motion; of a limited range the first two are its ends.
+template <class T>
+T transmission_angle_at(const Motion& motion, const TransmissionExtremes& extremes, std::size_t k,
+                        const std::array<T, links>& x) {
+    const HalfTurn<T> half = constant<T>(extremes.at[k]);
+    return motion.full_turn || k > 1 ? transmission_angle(linkage(x), half)
+                                     : transmission_angle_at_end(linkage(x), half);
+}
+
 struct Swing {
     static constexpr std::size_t reads = links;
     static constexpr std::size_t most = 1;
@@ -65,7 +74,7 @@ struct TransmissionAngleMin {
         const auto extremes = transmission_extremes_of(motion);
         const std::size_t count = motion.full_turn ? 1 : extremes.count;  // over a full turn the least is at 0
         for (std::size_t k = 0; k < count; ++k)
-            out[k] = transmission_angle(linkage(x), constant<T>(extremes.at[k]));
+            out[k] = transmission_angle_at(motion, extremes, k, x);
         return count;
     }
 };
@@ -78,7 +87,7 @@ struct TransmissionAngleMax {
         const auto extremes = transmission_extremes_of(motion);
         const std::size_t first = motion.full_turn ? 1 : 0;  // over a full turn the greatest is at pi
         for (std::size_t k = first; k < extremes.count; ++k)
-            out[k - first] = transmission_angle(linkage(x), constant<T>(extremes.at[k]));
+            out[k - first] = transmission_angle_at(motion, extremes, k, x);
         return extremes.count - first;
     }
 };
@@ -170,6 +179,9 @@ struct VelocityRatioExtreme {
         for (std::size_t i = 0; i < extremes.count; ++i) {
             const bool end = !motion.full_turn && (i == 0 || i + 1 == extremes.count);
             found[i] = {extremes.at[i], velocity_ratio(plain, extremes.at[i], assembly), !end};
+            if (!end || !is_toggle(plain, half_turn(extremes.at[i]))) continue;
+            const double inside = extremes.at[i] + (i == 0 ? 1e-6 : -1e-6) * (motion.to - motion.from);
+            found[i].value = std::copysign(std::numeric_limits<double>::infinity(), velocity_ratio(plain, inside, assembly));
         }
         std::stable_sort(found.begin(), found.begin() + extremes.count,
                          [](const Found& a, const Found& b) { return sense * a.value > sense * b.value; });
@@ -180,7 +192,10 @@ struct VelocityRatioExtreme {
                 continue;
             }
             const Found& f = found[std::min(k, extremes.count - 1)];
-            out[k] = f.stationary ? at_stationary(x, f.angle, ratio) : ratio(x, T(f.angle));
+            if (std::isinf(f.value))  // at a toggle
+                out[k] = T(f.value);
+            else
+                out[k] = f.stationary ? at_stationary(x, f.angle, ratio) : ratio(x, T(f.angle));
         }
         return count;
     }

@@ -43,6 +43,23 @@ struct Extremes {
     Digits50 greatest = nothing;
 };
 
+/// Squares of lengths, relative to the links, that are nothing but the rounding of a crank angle.
+const double rounding = 4e-15;
+
+/// A value at an end of the motion. Where that is a toggle but for the rounding of its crank angle, the transmission
+/// angle is that of the toggle, and the velocity ratio infinite.
+Digits50 value_at_end(const TransmissionAngle&, const Linkage<Digits50>& m, const Pose<Digits50>& p) {
+    if (abs(p.stretch) < rounding) return boost::math::constants::pi<Digits50>();
+    if (abs(p.fold) < rounding) return 0;
+    return TransmissionAngle::value(m, p);
+}
+
+Digits50 value_at_end(const VelocityRatio&, const Linkage<Digits50>& m, const Pose<Digits50>& p) {
+    if (abs(p.stretch) >= rounding && abs(p.fold) >= rounding) return VelocityRatio::value(m, p);
+    const bool positive = m.side * cross(p.coupler, p.crank) > 0;
+    return positive ? std::numeric_limits<Digits50>::infinity() : -std::numeric_limits<Digits50>::infinity();
+}
+
 /// The extremes of a measure over the motion: the values at its ends, at every stationary point, and at one place
 /// between for a measure that is constant.
 template <class Measure>
@@ -51,15 +68,17 @@ Extremes extremes(const Motion& motion, std::span<const Digits50> dimensions) {
     const auto m = linkage(motion.assembly, dimensions);
     const Sweep sweep = sweep_of(motion);
     auto candidates = stationary_crank_angles<Measure>(m, sweep);
-    for (const double x : {sweep.from, sweep.from + (sweep.to - sweep.from) / 2, sweep.to})
-        candidates.emplace_back(x);
+    candidates.emplace_back(sweep.from + (sweep.to - sweep.from) / 2);
     Extremes e;
-    for (const Digits50& x : candidates) {
-        const Digits50 value = Measure::value(m, pose(m, x));
-        if (isnan(value)) continue;
+    const auto consider = [&e](const Digits50& value) {
+        if (isnan(value)) return;
         if (!(value >= e.least)) e.least = value;
         if (!(value <= e.greatest)) e.greatest = value;
-    }
+    };
+    for (const Digits50& x : candidates)
+        consider(Measure::value(m, pose(m, x)));
+    for (const double end : {sweep.from, sweep.to})
+        consider(value_at_end(Measure{}, m, pose(m, Digits50(end))));
     return e;
 }
 

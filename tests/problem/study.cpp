@@ -1,0 +1,152 @@
+// [study]
+
+#include "synthesis/problem/study.h"
+
+#include "tests/problem/problem_text.h"
+
+namespace mechwright::test {
+
+namespace {
+
+const std::string with_requirement = valid + "[[require]]\nquantity = \"swing\"\nequal = 60\n";
+
+std::string study(const std::string& lines) { return with_requirement + "[study]\n" + lines; }
+
+TEST(Study, AGridOfRangesAndListsIsRead) {
+    const ReadProblem problem =
+        read(study("\"require.swing.equal\" = { from = 40, to = 80, count = 5 }\n"
+                   "\"dimensions.ground\" = [90, 100]\n"));
+    ASSERT_TRUE(accepted(problem));
+    const Study& s = *problem.problem.study;
+    ASSERT_EQ(s.axes.size(), 2u);
+    EXPECT_EQ(s.axes[0].name, "require.swing.equal");
+    EXPECT_EQ(s.axes[0].count(), 5u);
+    EXPECT_EQ(s.axes[1].count(), 2u);
+    EXPECT_TRUE(s.axes[1].numeric());
+    EXPECT_EQ(s.design, StudyDesign::grid);
+}
+
+TEST(Study, PathsWithoutQuotesAreTheSame) {
+    const ReadProblem problem = read(study("require.swing.equal = { from = 40, to = 80, count = 5 }\n"));
+    ASSERT_TRUE(accepted(problem));
+    EXPECT_EQ(problem.problem.study->axes.at(0).name, "require.swing.equal");
+}
+
+TEST(Study, WhatDoesNotVaryAnythingIsAnError) {
+    EXPECT_TRUE(only_says(read(study("")), "p.toml:11:1", {"varies nothing", "dimensions.ground"}));
+}
+
+TEST(Study, APathThatIsNotThereIsAnErrorWithTheNearestName) {
+    EXPECT_TRUE(only_says(read(study("\"dimension.ground\" = [90, 100]\n")), "p.toml:11:1",
+                          {"there is no 'dimension'", "'dimensions'"}));
+    EXPECT_TRUE(only_says(read(study("\"require.stroke.equal\" = [90, 100]\n")), "p.toml:11:1",
+                          {"'require' has no element 'stroke'"}));
+    EXPECT_TRUE(only_says(read(study("\"require.2.equal\" = [90, 100]\n")), "p.toml:11:1", {"counted from 1 to 1"}));
+    EXPECT_TRUE(only_says(read(study("\"dimensions.grund\" = [90, 100]\n")), "p.toml:11:1",
+                          {"unknown key 'grund'", "dimensions.grund = 90"}));
+    EXPECT_TRUE(
+        only_says(read(study("\"mechanism.name\" = [90, 100]\n")), "p.toml:11:1", {"neither a table nor a list"}));
+}
+
+TEST(Study, WhatIsWrongAtItsFirstOrLastPointIsAnError) {
+    EXPECT_TRUE(only_says(read(study("\"dimensions.ground\" = [100, -1]\n")), "p.toml:11:1",
+                          {"with dimensions.ground = -1", "must be greater than 0"}));
+}
+
+TEST(Study, WrongRangesAreErrors) {
+    EXPECT_TRUE(only_says(read(study("\"dimensions.ground\" = { from = 1, count = 3 }\n")), "p.toml:12:23",
+                          {"'to' in 'dimensions.ground' is missing"}));
+    EXPECT_TRUE(only_says(read(study("\"dimensions.ground\" = { from = 1, to = 3, count = 1 }\n")), "p.toml:12:51",
+                          {"must be 2 or more, not 1"}));
+    EXPECT_TRUE(only_says(read(study("\"dimensions.ground\" = { from = 1, to = 3 }\n")), "p.toml:12:23",
+                          {"'count'", "how many values"}));
+    EXPECT_TRUE(says(read(study("\"dimensions.ground\" = { from = 0, to = 3, count = 3, spacing = \"log\" }\n")),
+                     "p.toml:12:64", {"two ends of one sign"}));
+    EXPECT_TRUE(says(read(study("\"dimensions.ground\" = { from = 1, to = 3, cuont = 3 }\n")), "p.toml:12:43",
+                     {"unknown key 'cuont'", "'count'"}));
+    EXPECT_TRUE(only_says(read(study("\"dimensions.ground\" = []\n")), "p.toml:12:23", {"is empty"}));
+    EXPECT_TRUE(only_says(read(study("\"dimensions.ground\" = { from = 1, to = 3, count = 200000000 }\n")),
+                          "p.toml:11:1", {"too many"}));
+    EXPECT_TRUE(only_says(read(study("design = \"girdle\"\n\"dimensions.ground\" = [100]\n")), "p.toml:12:10",
+                          {"unknown design 'girdle'"}));
+}
+
+TEST(Study, RandomDesignsHaveOneCount) {
+    EXPECT_TRUE(
+        accepted(read(study("design = \"sobol\"\ncount = 64\n\"dimensions.ground\" = { from = 90, to = 110 }\n"))));
+    EXPECT_TRUE(only_says(read(study("design = \"sobol\"\n\"dimensions.ground\" = { from = 90, to = 110 }\n")),
+                          "p.toml:11:1", {"'count' in [study] is missing"}));
+    EXPECT_TRUE(only_says(read(study("count = 9\n\"dimensions.ground\" = [90, 110]\n")), "p.toml:12:9",
+                          {"for random designs"}));
+}
+
+TEST(Study, CasesChangeSeveralValuesTogether) {
+    const ReadProblem problem =
+        read(study("[[study.case]]\nname = \"a\"\n\"dimensions.ground\" = 90\n"
+                   "[[study.case]]\nname = \"b\"\ndimensions = { ground = 90, crank = 10, "
+                   "coupler = 95, rocker = 50 }\n"));
+    ASSERT_TRUE(accepted(problem));
+    EXPECT_EQ(problem.problem.study->axes.at(0).labels, (std::vector<std::string>{"a", "b"}));
+    EXPECT_TRUE(says(read(study("[[study.case]]\n\"dimensions.ground\" = 90\n")), "p.toml:12:1", {"needs a 'name'"}));
+    EXPECT_TRUE(says(read(study("[[study.case]]\nname = \"a\"\n[[study.case]]\nname = \"a\"\n")), "p.toml:14:1",
+                     {"two cases 'a'"}));
+}
+
+TEST(Study, ExpressionsFollowAxes) {
+    const std::string axis = "\"dimensions.crank.max\" = { from = 50, to = 60, count = 3 }\n";
+    EXPECT_TRUE(accepted(read(study(axis + "\"dimensions.crank.min\" = { expression = \"m - 10\", m = "
+                                           "\"dimensions.crank.max\" }\n"))));
+    EXPECT_TRUE(says(read(study(axis + "\"dimensions.crank.min\" = { expression = \"m -\", m = "
+                                       "\"dimensions.crank.max\" }\n")),
+                     "p.toml:13:41", {"not understood"}));
+    EXPECT_TRUE(
+        says(read(study(axis + "\"dimensions.crank.min\" = { expression = \"m\", m = \"dimensions.ground\" }\n")),
+             "p.toml:13:50", {"not the path of numbers"}));
+}
+
+TEST(Study, QuantitiesMustBeKnown) {
+    EXPECT_TRUE(only_says(read(study("quantities = [\"swign\"]\n\"dimensions.ground\" = [90]\n")), "p.toml:12:15",
+                          {"swign", "swing"}));
+}
+
+TEST(Study, TolerancesAreRead) {
+    const ReadProblem problem =
+        read(study("count = 100\n[study.tolerance]\nlengths = \"IT7\"\ncrank = { normal = 0.01 }\n"));
+    ASSERT_TRUE(accepted(problem));
+    const Study& s = *problem.problem.study;
+    ASSERT_EQ(s.deviations.size(), 4u);
+    EXPECT_EQ(s.deviations[0].grade, 7);
+    EXPECT_EQ(s.deviations[1].size, 0.01);
+}
+
+TEST(Study, WrongTolerancesAreErrors) {
+    const auto tolerance = [](const std::string& line) {
+        return study("count = 9\n[study.tolerance]\n" + line + "\n");
+    };
+    EXPECT_TRUE(only_says(read(tolerance("crank = \"IT3\"")), "p.toml:14:9", {"\"IT5\" to \"IT13\"", "IT3"}));
+    EXPECT_TRUE(only_says(read(tolerance("cranck = \"IT7\"")), "p.toml:14:1", {"'cranck'", "'crank'"}));
+    EXPECT_TRUE(only_says(read(tolerance("crank = { normal = -1 }")), "p.toml:14:20", {"greater than 0"}));
+    EXPECT_TRUE(only_says(read(tolerance("crank = { normal = 1, uniform = 1 }")), "p.toml:14:9", {"needs one of"}));
+    EXPECT_TRUE(only_says(read(tolerance("tilt = \"IT7\"")), "p.toml:14:8", {"grades are for lengths"}));
+    EXPECT_TRUE(
+        says(read(tolerance("crank = \"IT7\"\n[units]\nlength = \"in\"")), "p.toml:14:9", {"millimetres"}));
+    EXPECT_TRUE(only_says(read(study("count = 9\n\"dimensions.ground\" = [90]\n[study.tolerance]\ncrank = \"IT7\"\n")),
+                          "p.toml:14:1", {"not both"}));
+}
+
+TEST(Study, ChartsAreChecked) {
+    const auto chart = [](const std::string& lines) {
+        return study("\"dimensions.ground\" = [90, 100]\n[[study.chart]]\n" + lines);
+    };
+    EXPECT_TRUE(accepted(read(chart("kind = \"curves\"\nx = \"dimensions.ground\"\nvalue = \"swing\"\n"))));
+    EXPECT_TRUE(only_says(read(chart("kind = \"curves\"\nx = \"dimensions.ground\"\n")), "p.toml:13:1",
+                          {"'value' in [[study.chart]] is missing"}));
+    EXPECT_TRUE(says(read(chart("kind = \"pie\"\nx = \"a\"\nvalue = \"b\"\ny = \"c\"\n")), "p.toml:14:8",
+                     {"unknown kind of chart 'pie'"}));
+    EXPECT_TRUE(only_says(read(chart("kind = \"curves\"\nname = \"../x\"\nx = \"a\"\nvalue = \"b\"\n")), "p.toml:15:8",
+                          {"letters, digits"}));
+}
+
+}  // namespace
+
+}  // namespace mechwright::test
