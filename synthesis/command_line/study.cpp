@@ -61,7 +61,8 @@ int run_all(const PreparedStudy& prepared, const StudyOptions& options, Console&
 
 int study(const StudyOptions& options, Console& console) {
     if (options.file.empty()) {
-        complain(console, "study needs a FILE and --out DIR, or one of plan, run, merge, status, export, charts, driver");
+        complain(console,
+                 "study needs a FILE and --out DIR, or one of plan, run, merge, status, export, charts, driver");
         return exit_code::wrong_usage;
     }
     if (options.folder.empty()) {

@@ -131,9 +131,10 @@ int merge_parts(const StudyPlan& plan, const PreparedStudy& prepared, const Chun
     for (std::uint64_t chunk = 1; chunk <= plan.chunks; ++chunk)
         store.take_over(part_file(options.file, chunk));
     if (const std::uint64_t points = store.count(); points != plan.points)
-        throw StoreFault(fmt::format("the parts hold {} points and not {}: one of them is damaged; remove it and run its "
-                                     "chunk again",
-                                     points, plan.points));
+        throw StoreFault(
+            fmt::format("the parts hold {} points and not {}: one of them is damaged; remove it and run its "
+                        "chunk again",
+                        points, plan.points));
     store.write_compact(compact);
     store.close();
     std::filesystem::remove(gathered, error);

@@ -111,7 +111,7 @@ struct Problem {
     std::size_t cam_rotation = 0;  ///< of a cam: ccw, cw, or either
     SolverOptions solver;
     std::optional<std::vector<std::size_t>> wanted;  ///< quantities that are reported and verified; all unless given
-    std::shared_ptr<const Study> study;  ///< of problems that differ from this one in a few values
+    std::shared_ptr<const Study> study;              ///< of problems that differ from this one in a few values
 };
 
 /// Whether the motion is that over an input range, whose ends are dimensions.

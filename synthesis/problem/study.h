@@ -65,11 +65,11 @@ struct StudyChart {
     std::string name;  ///< of its file
     std::string title;
     std::string x;
-    std::string y;       ///< of maps and contours
-    std::string value;   ///< of curves and fronts: upwards
-    std::string family;  ///< of curves: one for each of its values; empty: a single one
-    std::string each;    ///< a picture for each of its values; empty: a single one
-    std::string where;   ///< SQL: only points for which this is so; empty: those that are solved
+    std::string y;                         ///< of maps and contours
+    std::string value;                     ///< of curves and fronts: upwards
+    std::string family;                    ///< of curves: one for each of its values; empty: a single one
+    std::string each;                      ///< a picture for each of its values; empty: a single one
+    std::string where;                     ///< SQL: only points for which this is so; empty: those that are solved
     bool logarithmic = false;              ///< the axis of x
     std::vector<double> levels;            ///< of contours; empty: chosen
     std::vector<std::string> maximized{};  ///< columns of a front in which more is better

@@ -128,8 +128,7 @@ TEST(Study, WrongTolerancesAreErrors) {
     EXPECT_TRUE(only_says(read(tolerance("crank = { normal = -1 }")), "p.toml:14:20", {"greater than 0"}));
     EXPECT_TRUE(only_says(read(tolerance("crank = { normal = 1, uniform = 1 }")), "p.toml:14:9", {"needs one of"}));
     EXPECT_TRUE(only_says(read(tolerance("tilt = \"IT7\"")), "p.toml:14:8", {"grades are for lengths"}));
-    EXPECT_TRUE(
-        says(read(tolerance("crank = \"IT7\"\n[units]\nlength = \"in\"")), "p.toml:14:9", {"millimetres"}));
+    EXPECT_TRUE(says(read(tolerance("crank = \"IT7\"\n[units]\nlength = \"in\"")), "p.toml:14:9", {"millimetres"}));
     EXPECT_TRUE(only_says(read(study("count = 9\n\"dimensions.ground\" = [90]\n[study.tolerance]\ncrank = \"IT7\"\n")),
                           "p.toml:14:1", {"not both"}));
 }

@@ -25,8 +25,8 @@ TEST(IsoTolerance, IsThatOfTheTable) {
 }
 
 /// From grade 6 on a tolerance is that of the standard's unit i = 0.45 D^(1/3) + 0.001 D (micrometres) times 10, 16,
-/// 25, 40, 64, 100, 160, 250, D the geometric mean of the step; rounded to whole micrometres up to grade 11, from then on ten times the rounded
-/// value of five grades below.
+/// 25, 40, 64, 100, 160, 250, D the geometric mean of the step; rounded to whole micrometres up to grade 11, from then
+/// on ten times the rounded value of five grades below.
 TEST(IsoTolerance, FollowsTheStandardsFormula) {
     const std::vector<double> ends{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
     const std::vector<double> factors{10, 16, 25, 40, 64, 100, 160, 250};

@@ -263,7 +263,8 @@ Digits50 greatest(const Rebuilt<Follower>& cam, const Wanted& wanted, const Func
         const auto fine = [&](const Digits50& u) {
             return Digits50(f(cam.follower, cam.here(at.segment, at.piece, u)));
         };
-        // Between the samples beside it: golden sections in double, then Newton's method on the slope, kept in the piece.
+        // Between the samples beside it: golden sections in double, then Newton's method on the slope, kept in the
+        // piece.
         Digits50 u = at.u;
         if (cam.segments[at.segment].kind != SegmentKind::dwell && at.to > at.from) {
             const auto plain = [&](double x) { return f(cam.plain_follower, cam.roughly(at.segment, at.piece, x)); };

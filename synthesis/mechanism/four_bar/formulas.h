@@ -181,7 +181,8 @@ struct VelocityRatioExtreme {
             found[i] = {extremes.at[i], velocity_ratio(plain, extremes.at[i], assembly), !end};
             if (!end || !is_toggle(plain, half_turn(extremes.at[i]))) continue;
             const double inside = extremes.at[i] + (i == 0 ? 1e-6 : -1e-6) * (motion.to - motion.from);
-            found[i].value = std::copysign(std::numeric_limits<double>::infinity(), velocity_ratio(plain, inside, assembly));
+            found[i].value =
+                std::copysign(std::numeric_limits<double>::infinity(), velocity_ratio(plain, inside, assembly));
         }
         std::stable_sort(found.begin(), found.begin() + extremes.count,
                          [](const Found& a, const Found& b) { return sense * a.value > sense * b.value; });
