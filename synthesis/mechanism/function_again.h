@@ -20,6 +20,7 @@
 
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/mechanism/mechanism.h"
+#include "synthesis/verify/golden_section.h"
 
 namespace mechwright {
 
@@ -59,30 +60,6 @@ struct ErrorAgain {
     Digits50 size(double share, double part_of_way) const { return size_as<Digits50>(share, part_of_way); }
 };
 
-/// Where a function is greatest between two shares, by golden section.
-template <class Function>
-double greatest_between(const Function& f, double left, double right) {
-    constexpr double golden = 0.6180339887498949;
-    double a = right - golden * (right - left), b = left + golden * (right - left);
-    double at_a = f(a), at_b = f(b);
-    for (int i = 0; i < 60; ++i) {
-        if (at_a > at_b) {
-            right = b;
-            b = a;
-            at_b = at_a;
-            a = right - golden * (right - left);
-            at_a = f(a);
-        } else {
-            left = a;
-            a = b;
-            at_a = at_b;
-            b = left + golden * (right - left);
-            at_b = f(b);
-        }
-    }
-    return 0.5 * (left + right);
-}
-
 }  // namespace detail
 
 template <class Again>
@@ -106,9 +83,8 @@ Digits50 function_max_again(const Motion& motion, std::span<const Digits50> dime
         if (std::isnan(sizes[i])) return std::numeric_limits<Digits50>::quiet_NaN();
         if (sizes[i] < before || sizes[i] < after || sizes[i] < 0.9 * scanned) continue;
         const double here = static_cast<double>(i) / steps;
-        const double share =
-            detail::greatest_between([&](double s) { return e.rough_size(s); }, std::max(0.0, here - 1.0 / steps),
-                                     std::min(1.0, here + 1.0 / steps));
+        const double share = greatest_between([&](double s) { return e.rough_size(s); },
+                                              std::max(0.0, here - 1.0 / steps), std::min(1.0, here + 1.0 / steps));
         for (const double s : {here, share})
             consider(e.size(s, e.part(s)));
     }

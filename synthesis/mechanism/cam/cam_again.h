@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "synthesis/mechanism/cam/layout.h"
+#include "synthesis/verify/golden_section.h"
 
 namespace mechwright::cam::again {
 
@@ -199,31 +200,6 @@ struct Rebuilt {
     }
 };
 
-/// Where a function that has one maximum between two places is greatest, to half of the digits.
-template <class Function>
-double golden_maximum(const Function& f, double from, double to) {
-    constexpr int sections = 40;
-    const double golden = (std::sqrt(5.0) - 1) / 2;
-    double left = to - golden * (to - from), right = from + golden * (to - from);
-    double at_left = f(left), at_right = f(right);
-    for (int k = 0; k < sections; ++k) {
-        if (at_left > at_right) {
-            to = right;
-            right = left;
-            at_right = at_left;
-            left = to - golden * (to - from);
-            at_left = f(left);
-        } else {
-            from = left;
-            left = right;
-            at_left = at_right;
-            right = from + golden * (to - from);
-            at_right = f(right);
-        }
-    }
-    return 0.5 * (from + to);
-}
-
 /// The greatest value over some segments of a measure: f(follower, here), in double and in fifty digits.
 template <template <class> class Follower, class Wanted, class Function>
 Digits50 greatest(const Rebuilt<Follower>& cam, const Wanted& wanted, const Function& f) {
@@ -268,7 +244,7 @@ Digits50 greatest(const Rebuilt<Follower>& cam, const Wanted& wanted, const Func
         Digits50 u = at.u;
         if (cam.segments[at.segment].kind != SegmentKind::dwell && at.to > at.from) {
             const auto plain = [&](double x) { return f(cam.plain_follower, cam.roughly(at.segment, at.piece, x)); };
-            u = golden_maximum(plain, has_before ? found[k - 1].u : at.from, has_after ? found[k + 1].u : at.to);
+            u = greatest_between(plain, has_before ? found[k - 1].u : at.from, has_after ? found[k + 1].u : at.to);
             const Digits50 fine_step = 1e-6 * (at.to - at.from);
             for (int step = 0; step < 3; ++step) {
                 const auto slope = derivatives<Digits50>(
