@@ -13,7 +13,16 @@ namespace mechwright {
 
 namespace {
 
-Cell number(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
+Cell number(double value) {
+    if (!std::isfinite(value)) return {};
+    return value;
+}
+
+/// The value of a quantity or a dimension in the file's unit.
+Cell in_unit(const std::optional<double>& value, Unit unit, const Units& units) {
+    if (!value) return {};
+    return number(in_file_unit(*value, unit, units));
+}
 
 Cell cell_of(const StudyAxis& axis, const AxisValue& value) {
     if (value.as_in_file) return {};
@@ -27,7 +36,11 @@ struct RowMaker {
     const PreparedStudy& prepared;
     StudyRow row{};
 
-    void add(Cell cell) { row.cells.push_back(std::move(cell)); }
+    template <class Value>
+    void add(Value&& value) {
+        row.cells.emplace_back(std::forward<Value>(value));
+    }
+    void add_nothing() { row.cells.emplace_back(); }
 
     void add_given() {
         const Study& study = *prepared.study;
@@ -43,32 +56,36 @@ struct RowMaker {
         add(std::string(status));
         add(std::move(start));
         add(std::move(differed));
-        add(problem != nullptr && problem->objective && solution != nullptr ? number(solution->objective) : Cell());
-        add(solution != nullptr ? number(solution->violation) : Cell());
+        const double nothing = std::nan("");
+        add(number(problem != nullptr && problem->objective && solution != nullptr ? solution->objective : nothing));
+        add(number(solution != nullptr ? solution->violation : nothing));
         add(std::move(proved));
     }
 
     void add_design(const Problem* problem, const Design* design) {
         for (const std::string& name : prepared.columns.dimensions) {
             const int i = design != nullptr ? find_dimension(*problem->mechanism, name) : -1;
-            if (i < 0) {
-                add({});
-                continue;
-            }
-            const auto at = static_cast<std::size_t>(i);
-            const Unit unit = unit_of(problem->mechanism->dimensions[at].kind);
-            add(number(in_file_unit(design->dimensions[at], unit, problem->units)));
+            const auto at = static_cast<std::size_t>(std::max(i, 0));
+            if (i < 0)
+                add_nothing();
+            else
+                add(in_unit(design->dimensions[at], unit_of(problem->mechanism->dimensions[at].kind), problem->units));
         }
-        const bool told = design != nullptr && !problem->mechanism->assemblies.empty();
-        add(told ? Cell(std::string(problem->mechanism->assemblies[design->assembly])) : Cell());
+        if (design != nullptr && !problem->mechanism->assemblies.empty())
+            add(std::string(problem->mechanism->assemblies[design->assembly]));
+        else
+            add_nothing();
     }
 
     void add_quantities(const Problem* problem, const Design* design) {
         for (const std::string& name : prepared.columns.quantities) {
             const int i = design != nullptr ? find_quantity(*problem->mechanism, name) : -1;
             const auto at = static_cast<std::size_t>(std::max(i, 0));
-            const std::optional<double> value = i < 0 ? std::nullopt : quantity_value(*problem, at, *design);
-            add(value ? number(in_file_unit(*value, problem->mechanism->quantities[at].unit, problem->units)) : Cell());
+            if (i < 0)
+                add_nothing();
+            else
+                add(in_unit(quantity_value(*problem, at, *design), problem->mechanism->quantities[at].unit,
+                            problem->units));
         }
     }
 };
@@ -99,7 +116,8 @@ Cell note_of(const Result& result) {
     if (result.status != Status::unverified) return {};
     const auto failed = std::find_if(result.verification.begin(), result.verification.end(),
                                      [](const Check& check) { return !check.passed; });
-    return failed == result.verification.end() ? Cell() : Cell(failed->name + ": " + failed->detail);
+    if (failed == result.verification.end()) return {};
+    return failed->name + ": " + failed->detail;
 }
 
 }  // namespace
@@ -119,9 +137,10 @@ StudyRow row_of(const PreparedStudy& prepared, std::uint64_t point, const Proble
     const Solution* best = result.best ? &*result.best : nullptr;
     const Design* design = best != nullptr ? &best->design : nullptr;
     maker.add_given();
-    maker.add_outcome(status_of(problem, result), std::string(name_of(start)),
-                      start == Start::both ? Cell(std::int64_t{differed}) : Cell(), &problem, best,
-                      Cell(std::int64_t{result.search.complete}));
+    Cell both_ways;
+    if (start == Start::both) both_ways = std::int64_t{differed};
+    maker.add_outcome(status_of(problem, result), std::string(name_of(start)), std::move(both_ways), &problem, best,
+                      std::int64_t{result.search.complete});
     maker.add_design(&problem, design);
     maker.add_quantities(&problem, design);
     maker.add(note_of(result));
@@ -147,7 +166,7 @@ StudyRow evaluated_row(const PreparedStudy& prepared, std::uint64_t point, const
     maker.add_outcome(motion.from <= motion.to ? "evaluated" : "not-assembled", {}, {}, &problem, &solution, {});
     maker.add_design(&problem, &solution.design);
     maker.add_quantities(&problem, &solution.design);
-    maker.add({});
+    maker.add_nothing();
     return maker.row;
 }
 
