@@ -27,5 +27,6 @@ Command add_study(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_quantities(CLI::App& program);
 Command add_methods(CLI::App& program);
+Command add_start_system(CLI::App& program);
 
 }  // namespace mechwright

@@ -36,6 +36,7 @@ Command add_solve(CLI::App& program) {
     const auto options = std::make_shared<SolvingOptions>();
     CLI::App* command = program.add_subcommand("solve", "Synthesise mechanisms and verify them");
     CLI::Option* out = add_solving_options(*command, *options);
+    command->add_flag("--all", options->all, "Put solutions with defects into the alternatives too");
     command->add_flag("--csv", options->csv, "Write motion tables beside the results")->needs(out);
     return {command, [options](Console& console) { return solve(*options, console); }};
 }

@@ -69,6 +69,7 @@ Result solve_task(const Task& task, const SolvingOptions& options, const std::st
     RunOptions run;
     run.jobs = static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
     run.stop = &Interrupt::requested();
+    run.all = options.all;
     if (!options.quiet && progress_wanted(console))
         run.progress = [&line](int done, int total, double best) { draw(line, done, total, best); };
     if (run.progress) run.bounding = [&line](double part, long boxes) { draw_bound(line, part, boxes); };

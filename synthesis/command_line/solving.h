@@ -21,6 +21,7 @@ struct SolvingOptions {
     std::string out;
     bool csv = false;  ///< motion tables beside the results
     bool json = false;
+    bool all = false;  ///< solutions with defects too
     bool quiet = false;
     std::optional<std::uint64_t> seed;
     std::optional<std::uint64_t> jobs;

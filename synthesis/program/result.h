@@ -32,6 +32,16 @@ struct Solution {
 
 enum class Status { solved, infeasible, limit, unverified, interrupted };
 
+/// What became of all solutions of an exact problem.
+struct SolutionCounts {
+    std::size_t tracked = 0;   ///< paths to solutions that were followed, over the complex numbers
+    std::size_t distinct = 0;  ///< regular solutions
+    std::size_t at_infinity = 0;
+    std::size_t singular = 0;
+    std::size_t real = 0;         ///< of the distinct ones: each is three cognates
+    std::size_t defect_free = 0;  ///< designs that passed verification
+};
+
 struct SearchReport {
     std::string method;
     bool complete = false;     ///< the method proves its answer
@@ -42,9 +52,10 @@ struct SearchReport {
     double missed_chance = 1;  ///< estimated chance that a better local optimum was not seen
     long evaluations = 0;      ///< of the program's functions, over all local searches
     double seconds = 0;
-    long screened = 0;              ///< candidates that were ranked to find starts
-    std::optional<double> bound{};  ///< no design has a better objective than this
-    long boxes = 0;                 ///< that were examined for it
+    long screened = 0;                          ///< candidates that were ranked to find starts
+    std::optional<double> bound{};              ///< no design has a better objective than this
+    long boxes = 0;                             ///< that were examined for it
+    std::optional<SolutionCounts> solutions{};  ///< of an exact method
 };
 
 /// A design on the trade-off front between two objectives.
@@ -53,14 +64,21 @@ struct FrontPoint {
     std::vector<Check> verification;  ///< of it alone
 };
 
+/// A solution of an exact problem that is no use as a mechanism.
+struct ExcludedDesign {
+    Solution solution;
+    std::string defect;
+};
+
 /// Whether there are checks, and none has failed.
 bool all_passed(const std::vector<Check>& checks);
 
 struct Result {
     Status status = Status::infeasible;
-    std::optional<Solution> best;        ///< the least-violating one if not feasible
-    std::vector<Solution> alternatives;  ///< other local optima, best first
-    std::vector<FrontPoint> front;       ///< where it was asked for
+    std::optional<Solution> best;          ///< the least-violating one if not feasible
+    std::vector<Solution> alternatives;    ///< other local optima, best first
+    std::vector<ExcludedDesign> excluded;  ///< by an exact method, where they are asked for
+    std::vector<FrontPoint> front;         ///< where it was asked for
     std::vector<Check> verification;
     SearchReport search;
     std::string note;  ///< one sentence for the user where the status needs one

@@ -159,17 +159,29 @@ Json verification_of(const std::vector<Check>& done) {
     return {{"passed", all_passed(done)}, {"checks", std::move(checks)}};
 }
 
+Json alternative_of(const Problem& problem, const Solution& solution) {
+    Json one{{"design", design_of(problem, solution.design)}};
+    put(one, "objective", solution.objective);
+    const std::vector<double>& path_angles = solution.design.path_angles;
+    if (!path_angles.empty() && std::all_of(path_angles.begin(), path_angles.end(), finite))
+        one["path_angles"] = angles(solution.design.path_angles, problem.units);
+    return one;
+}
+
 Json alternatives_of(const Problem& problem, const Result& result) {
     Json list = Json::array();
-    for (const Solution& solution : result.alternatives) {
-        Json one{{"design", design_of(problem, solution.design)}};
-        put(one, "objective", solution.objective);
-        const std::vector<double>& path_angles = solution.design.path_angles;
-        if (!path_angles.empty() && std::all_of(path_angles.begin(), path_angles.end(), finite))
-            one["path_angles"] = angles(solution.design.path_angles, problem.units);
-        list.push_back(std::move(one));
+    for (const Solution& solution : result.alternatives)
+        list.push_back(alternative_of(problem, solution));
+    for (const ExcludedDesign& excluded : result.excluded) {
+        list.push_back(alternative_of(problem, excluded.solution));
+        list.back()["defect"] = excluded.defect;
     }
     return list;
+}
+
+Json solutions_of(const SolutionCounts& counts) {
+    return {{"tracked", counts.tracked},   {"distinct", counts.distinct}, {"at_infinity", counts.at_infinity},
+            {"singular", counts.singular}, {"real", counts.real},         {"defect_free", counts.defect_free}};
 }
 
 /// Targets, and how a design meets them.
@@ -214,6 +226,7 @@ Json search_of(const Problem& problem, const SearchReport& search) {
         put(json, "bound", *search.bound);
         json["boxes"] = search.boxes;
     }
+    if (search.solutions) json["solutions"] = solutions_of(*search.solutions);
     json["evaluations"] = search.evaluations;
     json["seed"] = problem.solver.seed;
     put(json, "seconds", search.seconds);

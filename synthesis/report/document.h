@@ -21,8 +21,10 @@
 ///   [poses]        as path, with directions, body_length, reached_directions
 ///   [path]         points, timing, closed, [weights], [prescribed_angles], reached, crank_angles, distances
 ///   [verification] passed, checks [{name, passed, detail}]
-///   alternatives   [{design, objective, [path_angles]}]
-///   search         method, complete, [argument], starts, local_optima, hits, missed_chance, evaluations, seed, seconds
+///   alternatives   [{design, objective, [path_angles], [defect]}]; with a defect only where all were asked for
+///   search         method, complete, [argument], starts, local_optima, hits, missed_chance, [solutions], evaluations,
+///                  seed, seconds
+///                  solutions: tracked, distinct, at_infinity, singular, real, defect_free
 ///
 /// A number that is not finite is never written: its member is left out.
 

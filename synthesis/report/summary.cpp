@@ -132,12 +132,36 @@ std::string search_section(const SearchReport& search, bool colour) {
     } else {
         how += '.';
     }
+    if (search.solutions) {
+        const SolutionCounts& n = *search.solutions;
+        how += fmt::format(
+            " {} distinct solutions, {} at infinity, {} singular; {} real, {} as mechanisms without a defect.",
+            n.distinct, n.at_infinity, n.singular, n.real,
+            counted(static_cast<long>(n.defect_free), "of these", "of these"));
+    }
     if (search.bound && !search.complete)
         how += fmt::format(" No design has an objective below {}: {} boxes were examined.", number_text(*search.bound),
                            search.boxes);
     how += fmt::format(" {} in {}.", counted(search.evaluations, "evaluation", "evaluations"),
                        duration_text(search.seconds));
     return '\n' + folded(emphasised("Search:", Emphasis::strong, colour) + " ", how);
+}
+
+/// The solutions with a defect, a line for each.
+std::string excluded_section(const Problem& problem, const Result& result, bool colour) {
+    if (result.excluded.empty()) return {};
+    Table table{{Align::right, Align::right, Align::right, Align::right, Align::left}, {{}}};
+    for (std::size_t i = 0; i < 4; ++i)
+        table.rows.front().emplace_back(problem.mechanism->dimensions[i].name);
+    table.rows.front().emplace_back("defect");
+    for (const ExcludedDesign& excluded : result.excluded) {
+        std::vector<std::string> row;
+        for (std::size_t i = 0; i < 4; ++i)
+            row.push_back(number_text(excluded.solution.design.dimensions[i], 5));
+        row.push_back(excluded.defect.substr(0, excluded.defect.find(':')));
+        table.rows.push_back(std::move(row));
+    }
+    return heading("Excluded", colour) + to_text(table, 2);
 }
 
 std::string alternatives_section(const Problem& problem, const Result& result) {
@@ -198,8 +222,8 @@ std::string summary(const Problem& problem, const Result& result, bool colour) {
                 requirement_section(problem, best.design, colour) + path_section(problem, best.design, colour) +
                 generated_section(problem, best.design, colour) + verification_section(result.verification, colour);
     }
-    return text + front_section(problem, result, colour) + search_section(result.search, colour) +
-           alternatives_section(problem, result);
+    return text + front_section(problem, result, colour) + excluded_section(problem, result, colour) +
+           search_section(result.search, colour) + alternatives_section(problem, result);
 }
 
 std::string analysis_summary(const Problem& problem, const Solution& solution, bool colour) {

@@ -1,11 +1,14 @@
 #include "synthesis/search/solve.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 
 #include "synthesis/exact/closed_form.h"
+#include "synthesis/exact/nine_points.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/proof/prove.h"
 #include "synthesis/report/document.h"
@@ -28,6 +31,7 @@ struct Found {
     bool infeasible = false;  ///< proved
     bool stopped = false;
     std::string note;  ///< for the user, where there are no candidates
+    std::vector<ExcludedDesign> excluded{};
 };
 
 struct Method {
@@ -130,6 +134,25 @@ std::string why_no_least_squares(const Problem& problem) {
     return why.empty() ? why_no_search(problem) : why;
 }
 
+Found every_solution(const Problem& problem, const RunOptions& options, Clock::time_point) {
+    ExactDesigns designs = nine_point_designs(problem, options.jobs);
+    Found found;
+    found.candidates = std::move(designs.designs);
+    found.excluded = std::move(designs.excluded);
+    found.report.method = "exact";
+    found.report.complete = designs.complete;
+    found.report.solutions = designs.counts;
+    found.report.missed_chance = 0;
+    found.report.evaluations = static_cast<long>(designs.counts.tracked);
+    if (designs.complete)
+        found.report.argument =
+            fmt::format("homotopy: all {} cognate triplets through nine points are accounted for, {} of them real",
+                        designs.counts.tracked, designs.counts.real);
+    found.infeasible = found.candidates.empty() && designs.complete;
+    found.note = "every solution that was found has a defect: --all lists them";
+    return found;
+}
+
 Found automatic(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     if (why_no_closed_form(problem).empty()) {
         Found found = closed_form(problem, options, deadline);
@@ -140,7 +163,7 @@ Found automatic(const Problem& problem, const RunOptions& options, Clock::time_p
     return with_slsqp(problem, options, deadline);
 }
 
-constexpr std::array<Method, 6> methods{{
+constexpr std::array<Method, 7> methods{{
     {"auto", "a closed form where one covers the problem, least-squares for a path, else slsqp", why_no_search,
      automatic},
     {"closed-form",
@@ -148,6 +171,8 @@ constexpr std::array<Method, 6> methods{{
      "ratio "
      "and stroke, with the best transmission angle; the smallest cams: the global optimum",
      why_no_closed_form, closed_form},
+    {"exact", "paths through nine points in order: every four-bar that meets them exactly, by homotopy",
+     why_no_nine_points, every_solution},
     {"least-squares",
      "paths: candidates screened many at a time, Levenberg-Marquardt from the best; slsqp where limits are active",
      why_no_least_squares, with_least_squares},
@@ -193,6 +218,29 @@ void choose_verified(const Problem& problem, std::vector<Solution> candidates, R
         if (s.feasible && result.alternatives.size() < most_alternatives) result.alternatives.push_back(std::move(s));
 }
 
+/// Every design that passes verification is one of the answers, the best first; what does not pass has a defect between
+/// the points: of circuit, mostly.
+void choose_all_verified(const Problem& problem, Found& found, Result& result) {
+    for (Solution& candidate : found.candidates) {
+        Result alone;
+        alone.best = candidate;
+        const std::vector<Check> checks = verify(document(problem, alone));
+        const auto failed = std::find_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
+        if (failed != checks.end()) {
+            found.excluded.push_back({std::move(candidate), failed->name + ": " + failed->detail});
+            continue;
+        }
+        ++result.search.solutions->defect_free;
+        if (result.best) {
+            result.alternatives.push_back(std::move(candidate));
+        } else {
+            result.best = std::move(candidate);
+            result.verification = checks;
+        }
+    }
+    result.search.local_optima = static_cast<int>(result.search.solutions->defect_free);
+}
+
 }  // namespace
 
 bool all_passed(const std::vector<Check>& checks) {
@@ -219,8 +267,13 @@ Result solve(const Problem& problem, const RunOptions& options) {
         found = method->run(problem, options, deadline);
     }
     result.search = found.report;
-    const bool feasible = !found.candidates.empty() && found.candidates.front().feasible;
-    if (feasible)
+    bool feasible = !found.candidates.empty() && found.candidates.front().feasible;
+    if (found.report.solutions) {
+        choose_all_verified(problem, found, result);
+        feasible = result.best.has_value();
+        found.infeasible = !feasible && found.report.complete;
+        if (options.all) result.excluded = std::move(found.excluded);
+    } else if (feasible)
         choose_verified(problem, std::move(found.candidates), result);
     else if (!found.candidates.empty())
         result.best = std::move(found.candidates.front());
@@ -239,7 +292,9 @@ Result solve(const Problem& problem, const RunOptions& options) {
     else
         result.status = result.verified() ? Status::solved : Status::unverified;
     if (result.status == Status::infeasible) {
-        if (found.infeasible && !result.best)
+        if (found.infeasible && found.report.solutions)
+            result.note = "proved: no four-bar meets the points without a defect; --all lists them";
+        else if (found.infeasible && !result.best)
             result.note = "proved: no design meets the requirements; " + found.report.argument;
         else if (found.infeasible)
             result.note = "proved: no design meets the requirements; the best that can be had is shown";

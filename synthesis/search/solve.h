@@ -24,6 +24,7 @@ struct RunOptions {
     /// A design of a problem that differs a little: unless a closed form answers, local searches from it alone take the
     /// place of the method.
     const Design* neighbour = nullptr;
+    bool all = false;  ///< an exact method keeps designs with defects too
 };
 
 /// Solves, then verifies. Never throws for anything a problem file can contain.

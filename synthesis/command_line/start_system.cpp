@@ -1,0 +1,63 @@
+// mechwright start-system: the solutions that exact methods begin with.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "synthesis/command_line/commands.h"
+#include "synthesis/command_line/exit_code.h"
+#include "synthesis/command_line/options.h"
+#include "synthesis/exact/homotopy/nine_point_start.h"
+#include "synthesis/problem/text.h"
+
+namespace mechwright {
+
+namespace {
+
+struct StartOptions {
+    std::string problem;
+    std::optional<std::uint64_t> seed;
+    std::optional<std::uint64_t> jobs;
+    bool quiet = false;
+};
+
+int make(const StartOptions& options, Console& console) {
+    constexpr int most_loops = 100;
+    if (options.problem != "nine-point") {
+        complain(console, "there is no start system for " + reading::quoted(std::string_view(options.problem)) +
+                              "; known is nine-point");
+        return exit_code::wrong_usage;
+    }
+    const std::uint64_t seed = options.seed.value_or(1);
+    const int jobs = static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
+    const auto tell = [&](std::size_t known, int loops) {
+        if (!options.quiet)
+            console.err << fmt::format("loop {}: {} of {} triplets", loops, known, homotopy::nine_point_triplets)
+                        << std::endl;
+    };
+    const homotopy::NinePointStart start = homotopy::make_nine_point_start(seed, jobs, most_loops, tell);
+    if (start.solutions.size() != homotopy::nine_point_triplets) {
+        complain(console, fmt::format("{} loops found {} of {} triplets: another --seed may do better", most_loops,
+                                      start.solutions.size(), homotopy::nine_point_triplets));
+        return exit_code::limit;
+    }
+    print(console, homotopy::to_text(start, seed));
+    return exit_code::solved;
+}
+
+}  // namespace
+
+Command add_start_system(CLI::App& program) {
+    const auto options = std::make_shared<StartOptions>();
+    CLI::App* command = program.add_subcommand("start-system", "Make the start system of an exact method anew");
+    command->add_option("PROBLEM", options->problem, "nine-point")->required()->option_text(" ");
+    add_whole_number(*command, "--seed", options->seed, 0, INT64_MAX, "Seed of the random parameters (1)");
+    add_whole_number(*command, "--jobs", options->jobs, 1, 1024, "Threads (all)");
+    command->add_flag("--quiet", options->quiet, "Nothing but errors on standard error");
+    return {command, [options](Console& console) { return make(*options, console); }};
+}
+
+}  // namespace mechwright

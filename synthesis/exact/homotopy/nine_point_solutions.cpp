@@ -1,0 +1,172 @@
+#include "synthesis/exact/homotopy/nine_point_solutions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/search/low_discrepancy.h"
+
+namespace mechwright::homotopy {
+
+namespace {
+
+/// With twice the digits: to go on where double has to stop, the few that are left for as long as it takes, and to be
+/// sure of not changing from path to path.
+constexpr TrackingOptions careful{1e-5, 1e-8, 1e-16, 1500};
+constexpr TrackingOptions patient{1e-5, 1e-8, 1e-20, 30000};
+constexpr TrackingOptions most_careful{1e-8, 1e-11, 1e-17, 20000};
+/// A solution whose last correction in extended precision is greater than this part of it is not regular.
+constexpr double regular_below = 1e-11;
+/// Paths that come this near to the target belong to what lies there: a linkage of this size to one that is infinite.
+constexpr double near_the_end = 1 - 1e-3;
+constexpr double infinite_beyond = 1e5;
+/// More paths than this without a regular end say that the target is special, and not that they need more care.
+constexpr std::size_t most_in_need_of_care = 900;
+/// More ends than this that are missing are not looked for by another way.
+constexpr std::size_t most_missing = 150;
+
+struct Ends {
+    const NinePointStart& start;
+    const NinePointParameters& target;
+    int jobs;
+    std::vector<NinePointPath> paths;
+    std::vector<bool> regular;
+
+    void refine_end(std::size_t i) {
+        regular[i] = paths[i].end == PathEnd::reached && refine(paths[i].point, target) < regular_below;
+    }
+
+    /// With twice the digits, from where they stopped or from their beginning.
+    void track_again(const std::vector<std::size_t>& which, const TrackingOptions& options, bool from_beginning) {
+        std::vector<NinePointPath> starts;
+        for (const std::size_t i : which) {
+            const bool stopped = !from_beginning && paths[i].end == PathEnd::too_slow;
+            starts.push_back(stopped ? paths[i] : beginning_at(start.solutions[i]));
+        }
+        const auto again = track_wide(starts, start.parameters, target, options, jobs);
+        for (std::size_t k = 0; k < which.size(); ++k) {
+            paths[which[k]] = again[k];
+            refine_end(which[k]);
+        }
+    }
+
+    std::vector<std::size_t> not_regular() const {
+        std::vector<std::size_t> which;
+        for (std::size_t i = 0; i < paths.size(); ++i)
+            if (!regular[i]) which.push_back(i);
+        return which;
+    }
+
+    /// Paths that end at the same place as others.
+    std::vector<std::size_t> meeting() const {
+        SeenOrbits seen;
+        std::vector<bool> meets(paths.size(), false);
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            if (!regular[i]) continue;
+            if (const auto other = seen.find_or_keep(orbit_of(paths[i].point), i)) meets[i] = meets[*other] = true;
+        }
+        std::vector<std::size_t> which;
+        for (std::size_t i = 0; i < paths.size(); ++i)
+            if (meets[i]) which.push_back(i);
+        return which;
+    }
+};
+
+/// Parameters that have nothing to do with those of any start or target.
+NinePointParameters detour() {
+    NinePointParameters p;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const auto part = [i](std::uint64_t k) {
+            return std::ldexp(static_cast<double>(mixed(2 * i + k) >> 11), -53) - 0.5;
+        };
+        p[i] = {2 * part(0), 2 * part(1)};
+    }
+    return p;
+}
+
+double size_of(const NinePointValues& u) {
+    double greatest = 0;
+    for (const Complex<double>& z : u)
+        greatest = std::max(greatest, norm(z));
+    return std::sqrt(greatest);
+}
+
+/// Regular ends of all solutions by way of other parameters: those that are not known yet are added, and are no longer
+/// missing.
+void add_by_another_way(const NinePointStart& start, const NinePointParameters& target, int jobs,
+                        NinePointSolutions& found) {
+    const NinePointParameters between = detour();
+    std::vector<NinePointValues> middle;
+    for (const NinePointPath& path : track(start.solutions, start.parameters, between, {}, jobs))
+        if (path.end == PathEnd::reached) middle.push_back(path.point);
+    SeenOrbits seen;
+    for (std::size_t i = 0; i < found.solutions.size(); ++i)
+        seen.find_or_keep(orbit_of(found.solutions[i]), i);
+    for (const NinePointPath& path : track(middle, between, target, {}, jobs)) {
+        NinePointValues solution = path.point;
+        if (path.end != PathEnd::reached || refine(solution, target) > regular_below) continue;
+        if (seen.find_or_keep(orbit_of(solution), found.solutions.size())) continue;
+        found.solutions.push_back(solution);
+        for (std::size_t* missing : {&found.lost, &found.singular, &found.at_infinity})
+            if (*missing > 0) {
+                --*missing;
+                break;
+            }
+    }
+}
+
+}  // namespace
+
+NinePointSolutions solve_nine_points(const NinePointStart& start, const NinePointParameters& target, int jobs) {
+    Ends ends{start, target, jobs, track(start.solutions, start.parameters, target, {}, jobs), {}};
+    ends.regular.resize(ends.paths.size());
+    for (std::size_t i = 0; i < ends.paths.size(); ++i)
+        ends.refine_end(i);
+    if (const auto which = ends.not_regular(); which.size() <= most_in_need_of_care)
+        ends.track_again(which, careful, false);
+    if (const auto which = ends.not_regular(); which.size() <= most_missing) ends.track_again(which, patient, false);
+    if (const auto which = ends.meeting(); which.size() <= most_missing) ends.track_again(which, most_careful, true);
+
+    NinePointSolutions found;
+    found.tracked = ends.paths.size();
+    SeenOrbits seen;
+    for (std::size_t i = 0; i < ends.paths.size(); ++i) {
+        const NinePointPath& path = ends.paths[i];
+        const bool at_the_end = path.reached >= near_the_end;
+        if (ends.regular[i] && !seen.find_or_keep(orbit_of(path.point), i))
+            found.solutions.push_back(path.point);
+        else if (path.end == PathEnd::diverged || (at_the_end && !(size_of(path.point) < infinite_beyond)))
+            ++found.at_infinity;
+        else
+            ++(at_the_end && !ends.regular[i] ? found.singular : found.lost);
+    }
+    const std::size_t missing = found.tracked - found.solutions.size();
+    if (missing > 0 && missing <= most_missing) add_by_another_way(start, target, jobs, found);
+    return found;
+}
+
+NinePointTarget nine_point_target(const std::array<Complex<double>, 9>& points) {
+    NinePointTarget target;
+    target.origin = points[0];
+    double sum = 0;
+    for (std::size_t j = 1; j < points.size(); ++j)
+        sum += norm(points[j] - points[0]);
+    target.size = sum > 0 ? std::sqrt(sum / 8) : 1;
+    for (std::size_t j = 1; j < points.size(); ++j) {
+        const Complex<double> d = (1 / target.size) * (points[j] - points[0]);
+        target.parameters[j - 1] = d;
+        target.parameters[NinePointSystem::size + j - 1] = {d.re, -d.im};
+    }
+    return target;
+}
+
+bool is_real(const NinePointValues& u) {
+    constexpr double rounding = 1e-9;
+    double size = 0, apart = 0;
+    for (std::size_t i = 0; i < u.size(); i += 2) {
+        size = std::max({size, norm(u[i]), norm(u[i + 1])});
+        apart = std::max(apart, norm(u[i] - Complex<double>{u[i + 1].re, -u[i + 1].im}));
+    }
+    return apart <= rounding * rounding * size;
+}
+
+}  // namespace mechwright::homotopy

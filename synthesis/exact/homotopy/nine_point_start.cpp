@@ -1,0 +1,242 @@
+#include "synthesis/exact/homotopy/nine_point_start.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <complex>
+#include <numbers>
+#include <stdexcept>
+
+#include "synthesis/search/low_discrepancy.h"
+
+namespace mechwright::homotopy {
+
+namespace {
+
+using Number = std::complex<double>;
+
+/// nine_point_start.txt as the build puts it here.
+constexpr char shipped_nine_point_start[] = {
+#include "nine_point_start.inc"
+};
+
+constexpr std::string_view first_line = "mechwright start system: nine-point, version 1";
+constexpr double same_within = 1e-8;
+
+Number number(const Complex<double>& z) { return {z.re, z.im}; }
+Complex<double> plain(const Number& z) { return {z.real(), z.imag()}; }
+
+/// Normally distributed complex numbers, one after the other.
+class RandomNumbers {
+public:
+    explicit RandomNumbers(std::uint64_t seed) : seed_(mixed(seed)) {}
+
+    Number next() {
+        const double u = part(), v = part();
+        return std::polar(std::sqrt(-2 * std::log(u)), 2 * std::numbers::pi * v);
+    }
+
+    NinePointParameters parameters() {
+        NinePointParameters p;
+        for (Complex<double>& z : p)
+            z = plain(next());
+        return p;
+    }
+
+private:
+    double part() { return std::ldexp(static_cast<double>(mixed(seed_ ^ mixed(count_++)) >> 11) + 0.5, -53); }
+
+    std::uint64_t seed_;
+    std::uint64_t count_ = 0;
+};
+
+/// Displacements, with their conjugates, at which both dyads of a linkage have turned by T: two equations
+/// (d + alpha)(d' + alpha') = rho, of which one is linear less the other.
+std::array<Number, 2> displacement(const NinePointValues& u, const Number& turn) {
+    using S = NinePointSystem;
+    const auto at = [&u](S::Unknown i) { return number(u[i]); };
+    const Number alpha = at(S::x) * turn - at(S::a), alpha_c = at(S::x_conjugate) / turn - at(S::a_conjugate);
+    const Number beta = at(S::y) * turn - at(S::b), beta_c = at(S::y_conjugate) / turn - at(S::b_conjugate);
+    const Number rho = (at(S::x) - at(S::a)) * (at(S::x_conjugate) - at(S::a_conjugate));
+    const Number sigma = (at(S::y) - at(S::b)) * (at(S::y_conjugate) - at(S::b_conjugate));
+    const Number k = alpha * alpha_c - rho;
+    const Number along = alpha_c - beta_c, across = alpha - beta, rest = k - (beta * beta_c - sigma);
+    const Number p = -along / across, q = -rest / across;  // d' = p d + q
+    const Number half = 0.5 * (q + alpha_c + alpha * p);
+    const Number d = (-half + std::sqrt(half * half - p * (alpha * q + k))) / p;
+    return {d, p * d + q};
+}
+
+/// A random linkage, and parameters that it solves.
+NinePointStart random_linkage(RandomNumbers& random) {
+    NinePointStart start;
+    NinePointValues u;
+    for (Complex<double>& z : u)
+        z = plain(random.next());
+    for (std::size_t j = 0; j < NinePointSystem::size; ++j) {
+        const auto [d, conjugate] = displacement(u, std::exp(random.next()));
+        start.parameters[j] = plain(d);
+        start.parameters[NinePointSystem::size + j] = plain(conjugate);
+    }
+    start.solutions = {u};
+    return start;
+}
+
+std::vector<NinePointValues> reached_ends(const std::vector<NinePointPath>& paths) {
+    std::vector<NinePointValues> ends;
+    for (const NinePointPath& path : paths)
+        if (path.end == PathEnd::reached) ends.push_back(path.point);
+    return ends;
+}
+
+}  // namespace
+
+OrbitKey orbit_of(const NinePointValues& u) {
+    using S = NinePointSystem;
+    constexpr double rounding = 1e-14;
+    OrbitKey key;
+    // The third pivot: a + k (b - a), k = (point - x)/(y - x), the point at the origin.
+    const auto sum = [&](S::Unknown i, S::Unknown j, S::Unknown fixed, S::Unknown other) {
+        const Number x = number(u[i]), y = number(u[j]), a = number(u[fixed]), b = number(u[other]);
+        const Number k = x / (x - y);
+        const double doubt = std::abs(k * (b - a)) * (1 + (std::abs(x) + std::abs(y)) / std::abs(x - y));
+        key.rounding = std::max(key.rounding, rounding * doubt);
+        return plain(2.0 * a + b + k * (b - a));
+    };
+    key.pivots = sum(S::x, S::y, S::a, S::b);
+    key.conjugates = sum(S::x_conjugate, S::y_conjugate, S::a_conjugate, S::b_conjugate);
+    return key;
+}
+
+bool is_same(const OrbitKey& p, const OrbitKey& q) {
+    const double doubt = p.rounding + q.rounding;
+    const auto close = [doubt](const Complex<double>& a, const Complex<double>& b) {
+        return std::sqrt(norm(a - b)) <= same_within * (1 + std::sqrt(norm(a))) + doubt;
+    };
+    return close(p.pivots, q.pivots) && close(p.conjugates, q.conjugates);
+}
+
+std::optional<std::size_t> SeenOrbits::find_or_keep(const OrbitKey& key, std::size_t number) {
+    const auto before = [](const Entry& entry, double value) { return entry.key.pivots.re < value; };
+    most_rounding_ = std::max(most_rounding_, key.rounding);
+    const double width = same_within * (1 + std::sqrt(norm(key.pivots))) + key.rounding + most_rounding_;
+    auto at = std::lower_bound(keys_.begin(), keys_.end(), key.pivots.re - width, before);
+    for (; at != keys_.end() && at->key.pivots.re <= key.pivots.re + width; ++at)
+        if (is_same(at->key, key)) return at->number;
+    const auto place = std::lower_bound(keys_.begin(), keys_.end(), key.pivots.re, before);
+    keys_.insert(place, {key, number});
+    return {};
+}
+
+NinePointStart make_nine_point_start(std::uint64_t seed, int jobs, int most_loops,
+                                     const std::function<void(std::size_t known, int loops)>& progress) {
+    RandomNumbers random(seed);
+    NinePointStart start = random_linkage(random);
+    SeenOrbits seen;
+    seen.find_or_keep(orbit_of(start.solutions[0]), 0);
+    for (int loop = 0; loop < most_loops && start.solutions.size() < nine_point_triplets; ++loop) {
+        const std::array<NinePointParameters, 4> corners{start.parameters, random.parameters(), random.parameters(),
+                                                         start.parameters};
+        std::vector<NinePointValues> carried = start.solutions;
+        for (std::size_t side = 0; side < 3; ++side)
+            carried = reached_ends(track(carried, corners[side], corners[side + 1], {}, jobs));
+        for (NinePointValues& solution : carried) {
+            if (refine(solution, start.parameters) > 1e-12) continue;
+            if (!seen.find_or_keep(orbit_of(solution), start.solutions.size())) start.solutions.push_back(solution);
+        }
+        if (progress) progress(start.solutions.size(), loop + 1);
+    }
+    return start;
+}
+
+std::string to_text(const NinePointStart& start, std::uint64_t seed) {
+    std::string text =
+        fmt::format("// {}\n// made by: mechwright start-system nine-point --seed {}\n", first_line, seed);
+    text += "// parameters: 8 displacements, 8 conjugates; then, for each solution, x, x', a, a', y, y', b, b'\n";
+    for (const Complex<double>& z : start.parameters)
+        text += fmt::format("{:.17g},{:.17g},\n", z.re, z.im);
+    for (const NinePointValues& solution : start.solutions) {
+        for (const Complex<double>& z : solution)
+            text += fmt::format("{:.9g},{:.9g},", z.re, z.im);
+        text += '\n';
+    }
+    return text;
+}
+
+namespace {
+
+/// All numbers between commas, comment lines passed over; nothing where anything else stands there.
+std::optional<std::vector<double>> numbers_in(std::string_view text) {
+    std::vector<double> numbers;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.starts_with("//")) continue;
+        while (!line.empty()) {
+            double value = 0;
+            const auto [stop, error] = std::from_chars(line.data(), line.data() + line.size(), value);
+            if (error != std::errc{} || !std::isfinite(value)) return {};
+            if (stop == line.data() + line.size() || *stop != ',') return {};
+            numbers.push_back(value);
+            line.remove_prefix(static_cast<std::size_t>(stop - line.data()) + 1);
+        }
+    }
+    return numbers;
+}
+
+/// What is wrong with the solutions; they are refined on the way.
+std::string fault_of(NinePointStart& start) {
+    SeenOrbits seen;
+    for (std::size_t i = 0; i < start.solutions.size(); ++i) {
+        NinePointValues& solution = start.solutions[i];
+        const NinePointValues before = solution;
+        if (refine(solution, start.parameters) > 1e-12) return fmt::format("solution {} is none", i + 1);
+        double moved = 0, size = 0;
+        for (std::size_t k = 0; k < solution.size(); ++k) {
+            moved = std::max(moved, norm(solution[k] - before[k]));
+            size = std::max(size, norm(solution[k]));
+        }
+        if (moved > 1e-8 * size) return fmt::format("solution {} is none", i + 1);
+        if (const auto same = seen.find_or_keep(orbit_of(solution), i))
+            return fmt::format("solutions {} and {} are the same", *same + 1, i + 1);
+    }
+    return {};
+}
+
+}  // namespace
+
+ReadStart parse_nine_point_start(std::string_view text) {
+    constexpr std::size_t of_parameters = 2 * NinePointSystem::parameters, of_solution = 2 * NinePointSystem::size;
+    if (text.substr(0, 3 + first_line.size()) != "// " + std::string(first_line))
+        return {
+            {},
+            fmt::format("its first line is not '// {}': it is no start system, or one of another version", first_line)};
+    const auto numbers = numbers_in(text);
+    if (!numbers) return {{}, "it is damaged: something in it is no number"};
+    const std::size_t expected = of_parameters + nine_point_triplets * of_solution;
+    if (numbers->size() != expected)
+        return {{}, fmt::format("it is damaged: it has {} numbers and not {}", numbers->size(), expected)};
+    NinePointStart start;
+    const auto at = [&numbers](std::size_t i) { return Complex<double>{(*numbers)[2 * i], (*numbers)[2 * i + 1]}; };
+    for (std::size_t i = 0; i < NinePointSystem::parameters; ++i)
+        start.parameters[i] = at(i);
+    start.solutions.resize(nine_point_triplets);
+    for (std::size_t k = 0; k < nine_point_triplets; ++k)
+        for (std::size_t i = 0; i < NinePointSystem::size; ++i)
+            start.solutions[k][i] = at(NinePointSystem::parameters + k * NinePointSystem::size + i);
+    if (const std::string fault = fault_of(start); !fault.empty()) return {{}, "it is damaged: " + fault};
+    return {std::move(start), {}};
+}
+
+const NinePointStart& nine_point_start() {
+    static const NinePointStart start = [] {
+        ReadStart read = parse_nine_point_start(shipped_nine_point_start);
+        if (!read.start) throw std::logic_error("the start system of the program: " + read.fault);
+        return *std::move(read.start);
+    }();
+    return start;
+}
+
+}  // namespace mechwright::homotopy

@@ -1,0 +1,308 @@
+// The nine-point problem: its equations, its start system, and what is known of its solutions.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <complex>
+#include <random>
+
+#include "analysis/four_bar.h"
+#include "synthesis/exact/homotopy/nine_point_linkages.h"
+#include "synthesis/problem/reader.h"
+#include "synthesis/search/solve.h"
+#include "tests/report/temporary_folder.h"
+
+namespace mechwright::homotopy {
+namespace {
+
+using S = NinePointSystem;
+using Number = std::complex<double>;
+using Points = std::array<Complex<double>, 9>;
+
+/// Wampler, Morgan and Sommese 1992, Problem 3: 1442 triplets, of which 64 are real (their paper and the README of TOMS
+/// algorithm 921).
+const Points problem_3{{{0.25, 0},
+                        {0.52, 0.10},
+                        {0.80, 0.70},
+                        {1.20, 1.00},
+                        {1.40, 1.30},
+                        {1.10, 1.48},
+                        {0.70, 1.40},
+                        {0.20, 1.00},
+                        {0.02, 0.40}}};
+
+std::size_t count_real(const NinePointSolutions& found) {
+    return static_cast<std::size_t>(std::count_if(found.solutions.begin(), found.solutions.end(), is_real));
+}
+
+/// Newton's step of a linear system is right if the matrix holds the derivatives: against differences of the values.
+TEST(NinePointSystem, HasTheDerivativesOfItsEquations) {
+    const NinePointStart& start = nine_point_start();
+    NinePointValues u = start.solutions[7];
+    for (std::size_t i = 0; i < u.size(); ++i)
+        u[i] = u[i] + Complex<double>{0.1, 0.05 * static_cast<double>(i)};
+    const auto values = [](const NinePointValues& at, const NinePointParameters& p) {
+        Augmented<double, 8> a;
+        S::linearise(at, p, static_cast<const NinePointParameters*>(nullptr), a);
+        std::array<Number, 8> f;
+        for (std::size_t j = 0; j < 8; ++j)
+            f[j] = {-a[j][8].re, -a[j][8].im};
+        return f;
+    };
+    Augmented<double, 8> a;
+    NinePointParameters along = start.parameters;
+    S::linearise(u, start.parameters, &along, a);
+    const double h = 1e-6;
+    for (std::size_t i = 0; i <= 8; ++i) {
+        NinePointValues up = u, down = u;
+        NinePointParameters p_up = start.parameters, p_down = start.parameters;
+        if (i < 8) {
+            up[i].re += h;
+            down[i].re -= h;
+        } else {
+            for (std::size_t k = 0; k < p_up.size(); ++k) {
+                p_up[k] = p_up[k] + h * along[k];
+                p_down[k] = p_down[k] - h * along[k];
+            }
+        }
+        const auto f = values(up, p_up), g = values(down, p_down);
+        for (std::size_t j = 0; j < 8; ++j) {
+            const Number difference = (f[j] - g[j]) / (2 * h);
+            const Number exact = i < 8 ? Number(a[j][i].re, a[j][i].im) : -Number(a[j][8].re, a[j][8].im);
+            EXPECT_LT(std::abs(difference - exact), 1e-6 * (1 + std::abs(exact)) * 10) << i << ' ' << j;
+        }
+    }
+}
+
+TEST(NinePointSystem, IsMetByEveryMemberOfAnOrbit) {
+    const NinePointStart& start = nine_point_start();
+    for (std::size_t k = 0; k < start.solutions.size(); k += 97) {
+        const OrbitKey key = orbit_of(start.solutions[k]);
+        for (NinePointValues member : orbit_members(start.solutions[k])) {
+            const NinePointValues before = member;
+            EXPECT_LT(refine(member, start.parameters), 1e-13);
+            for (std::size_t i = 0; i < member.size(); ++i)
+                EXPECT_LT(norm(member[i] - before[i]), 1e-18 * (1 + norm(member[i])) * 1e4);
+            EXPECT_TRUE(is_same(orbit_of(member), key));
+        }
+    }
+}
+
+/// From nothing: the count is that of the literature, for three seeds.
+TEST(NinePointStart, IsMadeByMonodromy) {
+    for (const std::uint64_t seed : {11, 12, 13}) {
+        const NinePointStart start = make_nine_point_start(seed, 2, 60, {});
+        ASSERT_EQ(start.solutions.size(), nine_point_triplets) << seed;
+        const ReadStart read = parse_nine_point_start(to_text(start, seed));
+        ASSERT_TRUE(read.start) << read.fault;
+        const auto found = solve_nine_points(*read.start, nine_point_target(problem_3).parameters, 2);
+        EXPECT_EQ(found.solutions.size(), nine_point_triplets);
+        EXPECT_EQ(count_real(found), 64u);
+    }
+}
+
+/// But for the last digits of the mathematical library, of which the random numbers are made.
+TEST(NinePointStart, ThatComesWithTheProgramIsTheOneItMakes) {
+    const NinePointStart made = make_nine_point_start(1, 2, 60, {});
+    const NinePointStart& shipped = nine_point_start();
+    for (std::size_t i = 0; i < made.parameters.size(); ++i)
+        EXPECT_LT(norm(made.parameters[i] - shipped.parameters[i]), 1e-24 * norm(shipped.parameters[i]));
+    SeenOrbits seen;
+    for (std::size_t i = 0; i < shipped.solutions.size(); ++i)
+        EXPECT_FALSE(seen.find_or_keep(orbit_of(shipped.solutions[i]), i));
+    ASSERT_EQ(made.solutions.size(), shipped.solutions.size());
+    for (const NinePointValues& solution : made.solutions)
+        EXPECT_TRUE(seen.find_or_keep(orbit_of(solution), 0));
+}
+
+TEST(NinePointStart, ThatIsDamagedIsNamed) {
+    const std::string text = to_text(nine_point_start(), 1);
+    const auto fault = [](const std::string& damaged) { return parse_nine_point_start(damaged).fault; };
+    EXPECT_EQ(fault(text), "");
+    EXPECT_NE(fault("").find("another version"), std::string::npos);
+    EXPECT_NE(fault("// mechwright start system: nine-point, version 2\n").find("another version"), std::string::npos);
+    EXPECT_NE(fault(text.substr(0, text.size() / 2)).find("damaged"), std::string::npos);
+    std::string changed = text;
+    changed[text.size() / 2] = 'x';
+    EXPECT_NE(fault(changed).find("damaged"), std::string::npos);
+    // A digit in the middle of a solution, and a solution in the place of another.
+    const std::size_t line = text.rfind('\n', text.size() - 2);
+    changed = text;
+    char& digit = changed[changed.find_first_of("123456789", line)];
+    digit = digit == '9' ? '8' : static_cast<char>(digit + 1);
+    EXPECT_NE(fault(changed).find("solution 1442 is none"), std::string::npos) << fault(changed);
+    const std::size_t before = text.rfind('\n', line - 1);
+    EXPECT_NE(fault(text.substr(0, line + 1) + text.substr(before + 1, line - before)).find("are the same"),
+              std::string::npos);
+}
+
+TEST(NinePointPaths, AreTheSameForAnyInstructionSetAndNumberOfThreads) {
+    const NinePointStart& start = nine_point_start();
+    const std::vector<NinePointValues> some(start.solutions.begin(), start.solutions.begin() + 100);
+    const NinePointParameters target = nine_point_target(problem_3).parameters;
+    const auto baseline = track(some, start.parameters, target, {}, 1, InstructionSet::baseline);
+    for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+        if (!is_available(set)) continue;
+        for (const int jobs : {1, 2, 7}) {
+            const auto paths = track(some, start.parameters, target, {}, jobs, set);
+            for (std::size_t i = 0; i < some.size(); ++i)
+                for (std::size_t k = 0; k < paths[i].point.size(); ++k) {
+                    ASSERT_EQ(paths[i].point[k].re, baseline[i].point[k].re);
+                    ASSERT_EQ(paths[i].point[k].im, baseline[i].point[k].im);
+                }
+        }
+    }
+}
+
+TEST(NinePoints, OfProblem3Have64RealTriplets) {
+    const NinePointTarget target = nine_point_target(problem_3);
+    const NinePointSolutions found = solve_nine_points(nine_point_start(), target.parameters, 2);
+    EXPECT_EQ(found.solutions.size(), 1442u);
+    EXPECT_TRUE(found.complete());
+    EXPECT_EQ(count_real(found), 64u);
+    int linkages = 0;
+    for (const NinePointValues& solution : found.solutions) {
+        if (!is_real(solution)) continue;
+        const auto members = orbit_members(solution);
+        for (std::size_t k = 0; k < members.size(); ++k) {
+            const auto linkage = linkage_of(members[k], target);
+            ASSERT_TRUE(linkage);
+            linkages += k % 2 == 0;
+            if (!linkage->one_assembly) continue;
+            // The analysis, which knows nothing of the equations, passes the points.
+            for (std::size_t j = 0; j < 9; ++j) {
+                const auto& [links, point, placement, assembly] = linkage->linkage;
+                const auto reached =
+                    placed(position(links, point, pose(links, linkage->crank_angles[j], assembly)), placement);
+                EXPECT_NEAR(reached.x, problem_3[j].re, 1e-7);
+                EXPECT_NEAR(reached.y, problem_3[j].im, 1e-7);
+            }
+        }
+    }
+    EXPECT_EQ(linkages, 192);
+}
+
+/// Nine points of a known linkage: it must be among the solutions, and every path accounted for.
+TEST(NinePoints, OfRandomFourBarsHaveThatFourBarAmongTheirSolutions) {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> between(0, 1);
+    int done = 0;
+    while (done < 12) {
+        const FourBar<double> m{1, 0.2 + between(random), 0.2 + 2 * between(random), 0.2 + 2 * between(random)};
+        const CouplerPoint<double> point{2 * between(random) - 0.5, 2 * between(random) - 1};
+        Points points;
+        const double from = 6.28 * between(random), span = 1 + 5 * between(random);
+        bool assembles = true;
+        for (std::size_t j = 0; j < 9; ++j) {
+            const auto p = pose(m, from + span * static_cast<double>(j) / 9, Assembly::open);
+            assembles = assembles && p.margins.stretch > 1e-3 && p.margins.fold > 1e-3;
+            const auto at = position(m, point, p);
+            points[j] = {at.x, at.y};
+        }
+        if (!assembles) continue;
+        ++done;
+        const NinePointTarget target = nine_point_target(points);
+        const NinePointSolutions found = solve_nine_points(nine_point_start(), target.parameters, 2);
+        EXPECT_TRUE(found.complete()) << done;
+        bool generated = false;
+        for (const NinePointValues& solution : found.solutions) {
+            if (!is_real(solution)) continue;
+            for (const NinePointValues& member : orbit_members(solution)) {
+                const auto linkage = linkage_of(member, target);
+                if (!linkage) continue;
+                const FourBar<double>& links = linkage->linkage.links;
+                generated = generated || (std::abs(links.ground - m.ground) + std::abs(links.crank - m.crank) +
+                                              std::abs(links.coupler - m.coupler) + std::abs(links.rocker - m.rocker) <
+                                          1e-5);
+            }
+        }
+        EXPECT_TRUE(generated) << done;
+    }
+}
+
+/// Points that lie on curves of their own: whole families meet them, or none does. The account has to be true.
+TEST(NinePoints, ThatAreSpecialComeToAnEnd) {
+    Points line, circle, ellipse, twice = problem_3, symmetric;
+    for (std::size_t j = 0; j < 9; ++j) {
+        const auto t = static_cast<double>(j);
+        line[j] = {t, 0};
+        circle[j] = {std::cos(0.5 * t), std::sin(0.5 * t)};
+        ellipse[j] = {2 * std::cos(0.6 * t), std::sin(0.6 * t)};
+        symmetric[j] = {t - 4, (t - 4) * (t - 4) * (t - 4)};
+    }
+    twice[5] = twice[1];
+    for (const Points& points : {line, circle, ellipse, twice, symmetric}) {
+        const auto begin = std::chrono::steady_clock::now();
+        const NinePointSolutions found = solve_nine_points(nine_point_start(), nine_point_target(points).parameters, 2);
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+        EXPECT_EQ(found.solutions.size() + found.at_infinity + found.singular + found.lost, 1442u);
+        EXPECT_EQ(found.complete(), found.lost == 0);
+        SeenOrbits seen;
+        for (std::size_t i = 0; i < found.solutions.size(); ++i)
+            EXPECT_FALSE(seen.find_or_keep(orbit_of(found.solutions[i]), i));
+    }
+}
+
+Problem nine_point_problem(const std::string& points) {
+    const ReadProblem read = parse_problem(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground       = { min = 0, max = 100 }
+crank        = { min = 0, max = 100 }
+coupler      = { min = 0, max = 100 }
+rocker       = { min = 0, max = 100 }
+point-along  = { min = -100, max = 100 }
+point-across = { min = -100, max = 100 }
+origin-x     = { min = -100, max = 100 }
+origin-y     = { min = -100, max = 100 }
+tilt         = { min = 0, max = 360 }
+assembly     = "either"
+[path]
+points = )" + points + R"(
+[objective]
+minimize = "total-length"
+[solver]
+method = "exact"
+)",
+                                           "p.toml");
+    EXPECT_TRUE(read.ok());
+    return read.problem;
+}
+
+TEST(ExactMethod, SinglesOutTheUsableLinkageOfProblem3) {
+    const Problem problem = nine_point_problem(
+        "[[0.25, 0], [0.52, 0.10], [0.80, 0.70], [1.20, 1.00], [1.40, 1.30], [1.10, 1.48], [0.70, 1.40], [0.20, 1.00], "
+        "[0.02, 0.40]]");
+    RunOptions options;
+    options.jobs = 2;
+    options.all = true;
+    const Result result = solve(problem, options);
+    EXPECT_EQ(result.status, Status::solved);
+    EXPECT_TRUE(result.search.complete);
+    ASSERT_TRUE(result.search.solutions);
+    EXPECT_EQ(result.search.solutions->real, 64u);
+    // One triplet, of which two cognates with a crank can be driven.
+    EXPECT_EQ(result.search.solutions->defect_free, 2u);
+    EXPECT_EQ(result.alternatives.size(), 1u);
+    EXPECT_EQ(result.excluded.size(), 64u * 6 - 2);
+    EXPECT_NEAR(result.best->objective, 2.6374391, 1e-6);
+    for (std::size_t i = 0; i < result.excluded.size(); ++i)
+        EXPECT_FALSE(result.excluded[i].defect.empty());
+    options.all = false;
+    EXPECT_TRUE(solve(problem, options).excluded.empty());
+}
+
+TEST(ExactMethod, SaysWhyItDoesNotApply) {
+    const std::string nine = "[[0,0],[1,0],[2,1],[3,1],[4,2],[5,1],[6,0],[5,-1],[3,-2]]";
+    EXPECT_EQ(why_not_applicable("exact", nine_point_problem(nine)), "");
+    const std::string ten = why_not_applicable(
+        "exact", nine_point_problem("[[0,0],[1,0],[2,1],[3,1],[4,2],[5,1],[6,0],[5,-1],[3,-2],[1,-2]]"));
+    EXPECT_NE(ten.find("there are 10"), std::string::npos);
+    EXPECT_NE(ten.find("least-squares"), std::string::npos);
+    const std::string twice =
+        why_not_applicable("exact", nine_point_problem("[[0,0],[1,0],[2,1],[0,0],[4,2],[5,1],[6,0],[5,-1],[3,-2]]"));
+    EXPECT_NE(twice.find("points 1 and 4 are the same"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mechwright::homotopy
