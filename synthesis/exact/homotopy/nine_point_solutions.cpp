@@ -24,6 +24,28 @@ constexpr std::size_t most_in_need_of_care = 900;
 /// More ends than this that are missing are not looked for by another way.
 constexpr std::size_t most_missing = 150;
 
+double size_of(const NinePointValues& u) {
+    double greatest = 0;
+    for (const Complex<double>& z : u)
+        greatest = std::max(greatest, norm(z));
+    return std::sqrt(greatest);
+}
+
+/// Couplers without length, or whose point is a pin: whole families of these solve the equations and are no linkages.
+bool is_degenerate(const NinePointValues& u) {
+    using S = NinePointSystem;
+    constexpr double least = 1e-13;  // the points lie about 1 apart
+    for (const Complex<double>& z : {u[S::x], u[S::x_conjugate], u[S::y], u[S::y_conjugate], u[S::x] - u[S::y],
+                                     u[S::x_conjugate] - u[S::y_conjugate]})
+        if (!(norm(z) > least * least)) return true;
+    return false;
+}
+
+/// Refines a solution. Whether it is one, isolated, and stands for a linkage.
+bool refined_to_regular(NinePointValues& u, const NinePointParameters& target) {
+    return refine(u, target) < regular_below && !is_degenerate(u);
+}
+
 struct Ends {
     const NinePointStart& start;
     const NinePointParameters& target;
@@ -32,7 +54,7 @@ struct Ends {
     std::vector<bool> regular;
 
     void refine_end(std::size_t i) {
-        regular[i] = paths[i].end == PathEnd::reached && refine(paths[i].point, target) < regular_below;
+        regular[i] = paths[i].end == PathEnd::reached && refined_to_regular(paths[i].point, target);
     }
 
     /// With twice the digits, from where they stopped or from their beginning.
@@ -83,13 +105,6 @@ NinePointParameters detour() {
     return p;
 }
 
-double size_of(const NinePointValues& u) {
-    double greatest = 0;
-    for (const Complex<double>& z : u)
-        greatest = std::max(greatest, norm(z));
-    return std::sqrt(greatest);
-}
-
 /// Regular ends of all solutions by way of other parameters: those that are not known yet are added, and are no longer
 /// missing.
 void add_by_another_way(const NinePointStart& start, const NinePointParameters& target, int jobs,
@@ -103,7 +118,7 @@ void add_by_another_way(const NinePointStart& start, const NinePointParameters& 
         seen.find_or_keep(orbit_of(found.solutions[i]), i);
     for (const NinePointPath& path : track(middle, between, target, {}, jobs)) {
         NinePointValues solution = path.point;
-        if (path.end != PathEnd::reached || refine(solution, target) > regular_below) continue;
+        if (path.end != PathEnd::reached || !refined_to_regular(solution, target)) continue;
         if (seen.find_or_keep(orbit_of(solution), found.solutions.size())) continue;
         found.solutions.push_back(solution);
         for (std::size_t* missing : {&found.lost, &found.singular, &found.at_infinity})
