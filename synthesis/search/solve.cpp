@@ -186,6 +186,11 @@ constexpr std::array<Method, 7> methods{{
      with_ipopt},
 }};
 
+/// Whether local searches from many starts are what a method does: a neighbour's design can take their place.
+bool is_search(const Method& method) {
+    return method.run == with_slsqp || method.run == with_ipopt || method.run == with_least_squares;
+}
+
 const Method* find_method(std::string_view name) {
     const auto at = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.name == name; });
     return at == methods.end() ? nullptr : &*at;
@@ -261,7 +266,7 @@ Result solve(const Problem& problem, const RunOptions& options) {
         found.candidates.push_back(evaluate_given(problem));
         found.report = {"given", true, "every dimension is given", 0, 1, 0, 0, 1, 0};
         found.infeasible = !found.candidates.front().feasible;
-    } else if (options.neighbour && method->run != automatic && method->run != closed_form) {
+    } else if (options.neighbour && is_search(*method)) {
         found = near_neighbour(problem, options, deadline);
     } else {
         found = method->run(problem, options, deadline);
