@@ -56,6 +56,10 @@ double from_file_unit(double number, Unit unit, const Units& units) {
     return unit == Unit::angle ? reading::to_radians(units, number) : number;
 }
 
+double file_units_per_inner(Unit unit, const Units& units) {
+    return unit == Unit::angle && units.degrees ? 180 / std::numbers::pi : 1;
+}
+
 std::string unit_label(Unit unit, const Units& units) {
     switch (unit) {
         case Unit::none:

@@ -20,6 +20,9 @@ double in_file_unit(double value, Unit unit, const Units& units);
 /// The value that the file means by a number.
 double from_file_unit(double number, Unit unit, const Units& units);
 
+/// What a difference or a derivative of inner values is multiplied by to be in the file's units.
+double file_units_per_inner(Unit unit, const Units& units);
+
 /// "deg", "rad", "mm", "mm^2", or empty for plain numbers.
 std::string unit_label(Unit unit, const Units& units);
 

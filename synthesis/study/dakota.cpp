@@ -4,7 +4,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -137,10 +136,6 @@ double value_of(const Problem& problem, const Solution& best, const std::string&
     return in_file_unit(*value, mechanism.quantities[at].unit, problem.units);
 }
 
-double factor(Unit unit, const Units& units) {
-    return unit == Unit::angle && units.degrees ? 180 / std::numbers::pi : 1;
-}
-
 std::vector<double> gradient_of(const Problem& problem, const Solution& best, const std::string& name,
                                 const Evaluation& evaluation) {
     const Mechanism& mechanism = *problem.mechanism;
@@ -155,8 +150,8 @@ std::vector<double> gradient_of(const Problem& problem, const Solution& best, co
         const int i = path.starts_with("dimensions.") ? find_dimension(mechanism, path.substr(11)) : -1;
         if (i < 0) throw Failure("there is no gradient with respect to '" + path + "': it is not a dimension");
         const auto at = static_cast<std::size_t>(i);
-        gradient.push_back((*all)[at] * factor(of, problem.units) /
-                           factor(unit_of(mechanism.dimensions[at].kind), problem.units));
+        gradient.push_back((*all)[at] * file_units_per_inner(of, problem.units) /
+                           file_units_per_inner(unit_of(mechanism.dimensions[at].kind), problem.units));
     }
     return gradient;
 }

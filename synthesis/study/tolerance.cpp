@@ -156,23 +156,18 @@ double standard_deviation(const Deviation& deviation, double size) {
     return deviation.uniform ? size / std::numbers::sqrt3 : size;
 }
 
-/// Factors from inner units to the file's.
-double outside(Unit unit, const Units& units) {
-    return unit == Unit::angle && units.degrees ? 180 / std::numbers::pi : 1;
-}
-
 void predict(const TolerancedDesign& design, const Study& study, std::size_t quantity, QuantitySpread& spread) {
     const auto gradient = sensitivities(design.problem, quantity, design.nominal.design);
     if (!gradient) return;
     const Mechanism& mechanism = *design.problem.mechanism;
-    const double factor = outside(mechanism.quantities[quantity].unit, design.problem.units);
+    const double factor = file_units_per_inner(mechanism.quantities[quantity].unit, design.problem.units);
     double variance = 0;
     for (std::size_t i = 0; i < study.deviations.size(); ++i) {
         const Deviation& deviation = study.deviations[i];
         const double derivative = (*gradient)[deviation.dimension] * factor;
         const double effect = derivative * standard_deviation(deviation, design.sizes[i]);
         const Unit unit = unit_of(mechanism.dimensions[deviation.dimension].kind);
-        spread.derivatives.push_back(derivative / outside(unit, design.problem.units));
+        spread.derivatives.push_back(derivative / file_units_per_inner(unit, design.problem.units));
         spread.parts.push_back(effect * effect);
         variance += effect * effect;
     }
@@ -235,7 +230,7 @@ ToleranceReport tolerance_report(const PreparedStudy& prepared, const Toleranced
         const Dimension& dimension = problem.mechanism->dimensions[study.deviations[i].dimension];
         report.dimensions.emplace_back(dimension.name);
         report.standard_deviations.push_back(standard_deviation(study.deviations[i], design.sizes[i]) *
-                                             outside(unit_of(dimension.kind), problem.units));
+                                             file_units_per_inner(unit_of(dimension.kind), problem.units));
     }
     SQLite::Database database(data.string(), SQLite::OPEN_READONLY);
     const auto counted = [&database](const std::string& where) {

@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
+#include <random>
 
+#include "analysis/four_bar.h"
+#include "synthesis/exact/crank_rocker.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -93,6 +97,39 @@ INSTANTIATE_TEST_SUITE_P(EveryMethod, CrankRockers, ::testing::Values("closed-fo
                          [](const auto& method) {
                              return method.param == "closed-form" ? "closed_form" : method.param;
                          });
+
+/// What the closed form says of all linkages of a swing and a stroke, against linkages that know nothing of their
+/// families: none is better than the bound, none stands where a family is said to be empty, and none beats an optimum.
+TEST(CrankRockers, OfRandomLinksKeepToTheBoundsOfTheirFamilies) {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> length(0.02, 3);
+    int linkages = 0;
+    double closest = 1;
+    for (int k = 0; k < 400000; ++k) {
+        const FourBar<double> m{1, length(random), length(random), length(random)};
+        const auto margins = crank_rocker_margins(m);
+        if (std::min({margins.ground_longest, margins.coupler_longest, margins.rocker_longest}) < 1e-3) continue;
+        ++linkages;
+        const double least = transmission_angle(m, HalfTurn<double>{1, 0});
+        const double greatest = transmission_angle(m, HalfTurn<double>{0, 1});
+        const double worst = std::min(least, std::numbers::pi - greatest);
+        const double stroke = std::numbers::pi + stroke_excess(m);
+        const double bound = transmission_bound_of_crank_rockers(swing(m), stroke);
+        ASSERT_GE(bound, worst - 1e-9) << m.crank << ' ' << m.coupler << ' ' << m.rocker;
+        closest = std::min(closest, bound - worst);
+        const auto best = best_transmission_crank_rocker(swing(m), stroke);
+        ASSERT_TRUE(best) << m.crank << ' ' << m.coupler << ' ' << m.rocker;
+        const double of_best = std::min(transmission_angle(*best, HalfTurn<double>{1, 0}),
+                                        std::numbers::pi - transmission_angle(*best, HalfTurn<double>{0, 1}));
+        ASSERT_GE(of_best, worst - 1e-9) << m.crank << ' ' << m.coupler << ' ' << m.rocker;
+    }
+    EXPECT_GT(linkages, 10000);
+    EXPECT_LT(closest, 1e-3);
+    EXPECT_EQ(transmission_bound_of_crank_rockers(100 * degree, 139 * degree), 0);
+    EXPECT_GT(transmission_bound_of_crank_rockers(100 * degree, 141 * degree), 0);
+    // A family just before it is empty has nothing but bad linkages.
+    EXPECT_LT(transmission_bound_of_crank_rockers(100 * degree, 140.000001 * degree), 0.1 * degree);
+}
 
 TEST(CrankRockers, MethodsAgreeToNineDigits) {
     for (const Row& row : rows) {

@@ -1,0 +1,82 @@
+#pragma once
+/// \file
+/// Gradients and Hessians of whole programs against differences of their values and gradients: the assembly of the
+/// program (scatter to variables, epigraphs, weights, path sums) is what is tested here; the formulas beneath are
+/// tested against fifty digits in tests/properties.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "synthesis/problem/reader.h"
+#include "synthesis/program/program.h"
+#include "synthesis/search/starts.h"
+
+namespace mechwright::testing {
+
+/// The links of a four-bar.
+inline constexpr const char* head = R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = { min = 20, max = 60 }
+crank = { min = 5, max = 15 }
+coupler = { min = 20, max = 60 }
+rocker = { min = 20, max = 60 }
+)";
+/// Where it is, and its coupler point.
+inline constexpr const char* placement = R"(point-along = { min = -30, max = 60 }
+point-across = { min = -30, max = 60 }
+origin-x = { min = -30, max = 30 }
+origin-y = { min = -30, max = 30 }
+tilt = { min = 0, max = 360 }
+)";
+
+inline Problem problem_of(const std::string& text) {
+    ReadProblem read = parse_problem(text, "test.toml");
+    for (const Message& m : read.messages)
+        ADD_FAILURE() << to_string(m);
+    return read.problem;
+}
+
+/// Derivatives at a start point of every variant against central differences, relative to the greatest entry.
+inline void expect_exact_derivatives(const Problem& problem) {
+    constexpr double h = 1e-6;
+    int tested = 0;
+    for (const Variant& variant : variants(problem)) {
+        const Program program = build_program(problem, variant);
+        Eigen::VectorXd x = start_point(program, 3, 1, 50);
+        ProgramValues at;
+        evaluate(program, x, true, at);
+        if (!at.assembled) continue;
+        ++tested;
+        const auto n = static_cast<Eigen::Index>(program.size());
+        const Eigen::VectorXd multipliers =
+            Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(program.rows.size()), -1.0, 1.3);
+        const Eigen::MatrixXd hessian = lagrangian_hessian(program, x, 0.7, multipliers);
+        const double slope = 1 + at.gradient.cwiseAbs().maxCoeff();
+        const double curvature = 1 + hessian.cwiseAbs().maxCoeff();
+        for (Eigen::Index i = 0; i < n; ++i) {
+            ProgramValues up;
+            ProgramValues down;
+            Eigen::VectorXd y = x;
+            y[i] = x[i] + h;
+            evaluate(program, y, true, up);
+            y[i] = x[i] - h;
+            evaluate(program, y, true, down);
+            EXPECT_NEAR(at.gradient[i], (up.objective - down.objective) / (2 * h), 1e-7 * slope)
+                << name_of(problem, variant) << ", " << program.variables[static_cast<std::size_t>(i)].name;
+            for (Eigen::Index r = 0; r < at.rows.size(); ++r)
+                EXPECT_NEAR(at.jacobian(r, i), (up.rows[r] - down.rows[r]) / (2 * h),
+                            1e-7 * (1 + at.jacobian.row(r).cwiseAbs().maxCoeff()))
+                    << program.rows[static_cast<std::size_t>(r)].name;
+            const Eigen::VectorXd column =
+                (0.7 * (up.gradient - down.gradient) + (up.jacobian - down.jacobian).transpose() * multipliers) /
+                (2 * h);
+            EXPECT_LE((hessian.col(i) - column).cwiseAbs().maxCoeff(), 1e-6 * curvature)
+                << name_of(problem, variant) << ", " << program.variables[static_cast<std::size_t>(i)].name;
+        }
+    }
+    EXPECT_GT(tested, 0);
+}
+
+}  // namespace mechwright::testing
