@@ -10,7 +10,7 @@
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/options.h"
-#include "synthesis/exact/homotopy/nine_point_start.h"
+#include "synthesis/exact/homotopy/guidance_start.h"
 #include "synthesis/problem/text.h"
 
 namespace mechwright {
@@ -26,22 +26,25 @@ struct StartOptions {
 
 int make(const StartOptions& options, Console& console) {
     constexpr int most_loops = 100;
-    if (options.problem != "nine-point") {
-        complain(console, "there is no start system for " + reading::quoted(std::string_view(options.problem)) +
-                              "; known is nine-point");
+    const auto system = homotopy::find_system(options.problem);
+    if (!system) {
+        std::vector<std::string> names;
+        for (std::size_t poses = 1; poses <= homotopy::GuidanceSystem::most_poses; ++poses)
+            names.push_back(homotopy::name_of({poses}));
+        complain(console, fmt::format("there is no start system for {}; known are {}",
+                                      reading::quoted(std::string_view(options.problem)), fmt::join(names, ", ")));
         return exit_code::wrong_usage;
     }
+    const std::size_t expected = homotopy::orbits_of(system->poses);
     const std::uint64_t seed = options.seed.value_or(1);
     const int jobs = static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
     const auto tell = [&](std::size_t known, int loops) {
-        if (!options.quiet)
-            console.err << fmt::format("loop {}: {} of {} triplets", loops, known, homotopy::nine_point_triplets)
-                        << std::endl;
+        if (!options.quiet) console.err << fmt::format("loop {}: {} of {} orbits", loops, known, expected) << std::endl;
     };
-    const homotopy::NinePointStart start = homotopy::make_nine_point_start(seed, jobs, most_loops, tell);
-    if (start.solutions.size() != homotopy::nine_point_triplets) {
-        complain(console, fmt::format("{} loops found {} of {} triplets: another --seed may do better", most_loops,
-                                      start.solutions.size(), homotopy::nine_point_triplets));
+    const homotopy::StartSystem start = homotopy::make_start_system(*system, seed, jobs, most_loops, expected, tell);
+    if (start.solutions.size() != expected) {
+        complain(console, fmt::format("{} loops found {} of {} orbits: another --seed may do better", most_loops,
+                                      start.solutions.size(), expected));
         return exit_code::limit;
     }
     print(console, homotopy::to_text(start, seed));
@@ -53,7 +56,10 @@ int make(const StartOptions& options, Console& console) {
 Command add_start_system(CLI::App& program) {
     const auto options = std::make_shared<StartOptions>();
     CLI::App* command = program.add_subcommand("start-system", "Make the start system of an exact method anew");
-    command->add_option("PROBLEM", options->problem, "nine-point")->required()->option_text(" ");
+    command
+        ->add_option("PROBLEM", options->problem, "nine-point, 2-poses-6-points, 3-poses-4-points or 4-poses-2-points")
+        ->required()
+        ->option_text(" ");
     add_whole_number(*command, "--seed", options->seed, 0, INT64_MAX, "Seed of the random parameters (1)");
     add_whole_number(*command, "--jobs", options->jobs, 1, 1024, "Threads (all)");
     command->add_flag("--quiet", options->quiet, "Nothing but errors on standard error");

@@ -67,6 +67,17 @@ std::string why_not_understood(const std::string& expression) {
     return {};
 }
 
+FunctionTarget at_accuracy_points(const FunctionTarget& target) {
+    FunctionTarget points;
+    points.parts = target.parts;
+    if (target.expression.empty()) return points;
+    ExpressionValues y(target.expression);
+    const double y0 = y(target.from), height = y(target.to) - y0;
+    for (const double x : target.accuracy_points)
+        points.parts.push_back({(x - target.from) / (target.to - target.from), (y(x) - y0) / height});
+    return points;
+}
+
 std::string complete(FunctionTarget& target) {
     if (!target.samples.empty()) return complete_samples(target);
     if (std::string why = why_not_understood(target.expression); !why.empty()) return why;

@@ -21,6 +21,7 @@ struct FunctionTarget {
     std::vector<Vector<double>> samples;  ///< (x, y), x increasing; empty where an expression is given
     double from = 0;                      ///< of x
     double to = 1;
+    std::vector<double> accuracy_points;  ///< of x, which an exact method meets; of samples it meets all
 
     // What follows from it, set by `complete`.
     std::vector<double> series;         ///< of an expression: part over 2 share - 1, in Chebyshev polynomials
@@ -40,6 +41,9 @@ std::string why_not_understood(const std::string& expression);
 
 /// Sets what follows. Returns why the function cannot be generated, or nothing.
 std::string complete(FunctionTarget& target);
+
+/// The accuracy points as a function of samples: their shares and parts.
+FunctionTarget at_accuracy_points(const FunctionTarget& target);
 
 /// y of x by the expression itself, in double; for verification, which does not use the series.
 struct ExpressionValues {

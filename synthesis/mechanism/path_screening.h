@@ -31,7 +31,7 @@ struct ScreenedPoint {
     Vector<double> target;
     double weight;
     Vector<double> half;
-    Vector<double> facing{1, 0};  ///< the direction of a guided body
+    Vector<double> facing{1, 0};  ///< the direction of a guided body; (0, 0) where any will do
 };
 
 /// Eight numbers, one for each candidate of a group.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/sections.h"
@@ -76,6 +77,47 @@ void read_target(Section& function, FunctionTarget& target, Messages& messages) 
     if (!why.empty()) add_error(messages, place_of(function, expression ? "expression" : "samples"), why);
 }
 
+/// How many, spread as Chebyshev's polynomials have their zeros; or a list of x.
+void read_accuracy_points(Section& function, FunctionTarget& target, Messages& messages) {
+    constexpr std::string_view key = "accuracy_points";
+    const toml::node* node = find(function, key);
+    if (node == nullptr) return;
+    const Place place = place_of(*node);
+    if (target.expression.empty())
+        return add_error(
+            messages, place,
+            fmt::format("{} go with an expression; of samples an exact method meets all", name_of(function, key)));
+    if (const auto count = node->value_exact<std::int64_t>()) {
+        if (*count < 3 || *count > 5)
+            return add_error(
+                messages, place,
+                fmt::format("{} must be 3, 4 or 5, or a list of x, not {}", name_of(function, key), *count));
+        const double middle = 0.5 * (target.from + target.to), half = 0.5 * (target.to - target.from);
+        for (std::int64_t k = 1; k <= *count; ++k)
+            target.accuracy_points.push_back(
+                middle -
+                half * std::cos(std::numbers::pi * static_cast<double>(2 * k - 1) / static_cast<double>(2 * *count)));
+        return;
+    }
+    const auto points = read_numbers(function, key, messages);
+    if (!points) return;
+    if (points->size() < 3 || points->size() > 5)
+        return add_error(
+            messages, place,
+            fmt::format("{} must be from 3 to 5 values of x, not {}", name_of(function, key), points->size()));
+    for (std::size_t i = 0; i < points->size(); ++i) {
+        const double x = (*points)[i];
+        if (x < target.from || x > target.to)
+            return add_error(
+                messages, place_of((*node->as_array())[i]),
+                fmt::format("accuracy point {} is outside the range of x, {} to {}", x, target.from, target.to));
+        if (i > 0 && !(x > (*points)[i - 1]))
+            return add_error(messages, place_of((*node->as_array())[i]),
+                             fmt::format("accuracy points must rise, not go from {} to {}", (*points)[i - 1], x));
+    }
+    target.accuracy_points = *points;
+}
+
 /// { start, range } of the input or the output.
 void read_scale_of(Section& function, std::string_view key, std::size_t first, Problem& problem, Messages& messages) {
     if (!has(function, key))
@@ -129,6 +171,7 @@ void read_function(Section& file, Problem& problem, Messages& messages) {
     read_target(*function, *target, messages);
     for (const char* key : {"expression", "samples", "x"})
         find(*function, key);
+    read_accuracy_points(*function, *target, messages);
     const std::size_t scales = mechanism.function_scales;
     read_scale_of(*function, "input", scales, problem, messages);
     read_scale_of(*function, "output", scales + 2, problem, messages);

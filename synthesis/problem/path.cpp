@@ -122,7 +122,7 @@ void read_path(Section& file, Problem& problem, Messages& messages) {
 
 namespace {
 
-/// The poses [x, y, angle], as points and directions.
+/// The poses [x, y, angle] and points [x, y], as points and directions.
 PointList read_pose_list(Section& poses, const Problem& problem, PathTarget& target, Messages& messages) {
     PointList list;
     const toml::node* node = find(poses, "poses");
@@ -140,15 +140,20 @@ PointList read_pose_list(Section& poses, const Problem& problem, PathTarget& tar
         const std::string what = fmt::format("pose {}", list.points.size() + 1);
         const toml::array* numbers = entry.as_array();
         std::array<std::optional<double>, 3> pose;
-        if (numbers == nullptr || numbers->size() != 3)
-            add_error(messages, place_of(entry), fmt::format("{} must be [x, y, angle]", what));
-        else
-            for (std::size_t k = 0; k < 3; ++k)
-                pose[k] = to_number((*numbers)[k], fmt::format("each number of {}", what), messages);
-        const bool right = pose[0] && pose[1] && pose[2];
+        bool right = numbers != nullptr && (numbers->size() == 2 || numbers->size() == 3);
+        if (!right)
+            add_error(messages, place_of(entry),
+                      fmt::format("{} must be [x, y, angle], or [x, y] where any angle will do", what));
+        for (std::size_t k = 0; right && k < numbers->size(); ++k)
+            pose[k] = to_number((*numbers)[k], fmt::format("each number of {}", what), messages);
+        right = right && pose[0] && pose[1] && (pose[2] || numbers->size() == 2);
         list.whole = list.whole && right;
         add_point(list, right ? std::optional(Vector<double>{*pose[0], *pose[1]}) : std::nullopt, place_of(entry));
-        target.directions.push_back(right ? to_radians(problem.units, *pose[2]) : 0);
+        target.directions.push_back(right && pose[2] ? to_radians(problem.units, *pose[2]) : std::nan(""));
+    }
+    if (list.whole && target.poses() == 0) {
+        add_error(messages, list.named_at, "no pose has an angle: points alone are a [path]");
+        list.whole = false;
     }
     if (list.points.size() < 2 || list.points.size() > most_free_points) {
         add_error(messages, list.named_at,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -71,10 +72,18 @@ struct PathTarget {
     std::vector<double> crank_angles;  ///< for prescribed timing: one per point, counted from crank-start; radians
     bool closed = false;               ///< the crank turns fully
     std::vector<double> weights;       ///< one per point, all 1 unless given
-    std::vector<double> directions;    ///< that a guided body faces at each point, radians; empty for a path
-    double body_length = 0;            ///< of a guided body: turning it by a small angle moves it by so much times that
+    /// That a guided body faces at each point, radians; NaN where any does. Empty for a path.
+    std::vector<double> directions;
+    double body_length = 0;  ///< of a guided body: turning it by a small angle moves it by so much times that
 
     bool guides_body() const { return !directions.empty(); }
+    /// Whether a direction is asked for at a point.
+    bool faces(std::size_t i) const { return guides_body() && !std::isnan(directions[i]); }
+    /// How many points are poses.
+    std::size_t poses() const {
+        return static_cast<std::size_t>(
+            std::count_if(directions.begin(), directions.end(), [](double d) { return !std::isnan(d); }));
+    }
 };
 
 /// A line or an arc that the guided point follows over an input range of the crank.

@@ -75,13 +75,13 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     t.arguments = reads + 1;
     PoseMiss miss{into(r[0], r[1], order), into(r[2], r[3], order)};
     if (target.guides_body()) {
-        const double direction = target.directions[point];
+        const double direction = target.faces(point) ? target.directions[point] : 0;
         mechanism.pose_miss(program.variant.assembly, dimensions, angle.angle, program.targets[point],
                             {std::cos(direction), std::sin(direction)}, miss);
         t.count = 4;
         r[2].value = miss.turn.miss.x;
         r[3].value = miss.turn.miss.y;
-        const double length = target.body_length / program.length;
+        const double length = target.faces(point) ? target.body_length / program.length : 0;
         scale(r[2], length, t.arguments, order);
         scale(r[3], length, t.arguments, order);
     } else {

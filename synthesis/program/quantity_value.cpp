@@ -90,14 +90,17 @@ MissedPoint missed_point(const Problem& problem, const Design& design, std::size
         problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], target.points[i], miss);
         return {miss.miss};
     }
-    const Vector<double> facing{std::cos(target.directions[i]), std::sin(target.directions[i])};
+    // Where any direction will do, the one that the body has is counted from 0.
+    const double asked = target.faces(i) ? target.directions[i] : 0;
+    const Vector<double> facing{std::cos(asked), std::sin(asked)};
     PoseMiss miss{};
     problem.mechanism->pose_miss(design.assembly, design.dimensions, design.path_angles[i], target.points[i], facing,
                                  miss);
     const Vector<double> faces = facing - miss.turn.miss;
     // The turn is added to the direction asked for, so that both are counted from the same whole turn.
     const double turned = std::atan2(cross(facing, faces), dot(facing, faces));
-    return {miss.place.miss, std::hypot(miss.turn.miss.x, miss.turn.miss.y), target.directions[i] + turned};
+    const double turn = target.faces(i) ? std::hypot(miss.turn.miss.x, miss.turn.miss.y) : 0;
+    return {miss.place.miss, turn, asked + turned};
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ struct SolutionCounts {
     std::size_t at_infinity = 0;
     std::size_t singular = 0;
     std::size_t real = 0;         ///< of the distinct ones: each is three cognates
+    std::size_t certified = 0;    ///< of the real ones: proven to exist, each alone in a small ball
     std::size_t defect_free = 0;  ///< designs that passed verification
 };
 

@@ -34,7 +34,7 @@ Json pairs(const std::vector<Vector<double>>& points) {
 Json angles(const std::vector<double>& radians, const Units& units) {
     Json list = Json::array();
     for (const double angle : radians)
-        list.push_back(in_file_unit(angle, Unit::angle, units));
+        list.push_back(finite(angle) ? Json(in_file_unit(angle, Unit::angle, units)) : Json());
     return list;
 }
 
@@ -180,8 +180,9 @@ Json alternatives_of(const Problem& problem, const Result& result) {
 }
 
 Json solutions_of(const SolutionCounts& counts) {
-    return {{"tracked", counts.tracked},   {"distinct", counts.distinct}, {"at_infinity", counts.at_infinity},
-            {"singular", counts.singular}, {"real", counts.real},         {"defect_free", counts.defect_free}};
+    return {{"tracked", counts.tracked},        {"distinct", counts.distinct}, {"at_infinity", counts.at_infinity},
+            {"singular", counts.singular},      {"real", counts.real},         {"certified", counts.certified},
+            {"defect_free", counts.defect_free}};
 }
 
 /// Targets, and how a design meets them.

@@ -88,7 +88,8 @@ std::string point_table(const Problem& problem, const Design& design, const Path
         if (!body) continue;
         auto& row = table.rows.back();
         const auto in_unit = [&](double a) { return in_file_unit(a, Unit::angle, problem.units); };
-        row.insert(row.begin() + 3, number_text(in_unit(problem.path->directions[i]), 6));
+        const double asked = problem.path->directions[i];
+        row.insert(row.begin() + 3, std::isnan(asked) ? "any" : number_text(in_unit(asked), 6));
         row.insert(row.begin() + 6, fixed_text(in_unit(values.directions[i]), problem.units.degrees ? 3 : 5));
     }
     return to_text(table, 2);

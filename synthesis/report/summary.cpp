@@ -135,8 +135,9 @@ std::string search_section(const SearchReport& search, bool colour) {
     if (search.solutions) {
         const SolutionCounts& n = *search.solutions;
         how += fmt::format(
-            " {} distinct solutions, {} at infinity, {} singular; {} real, {} as mechanisms without a defect.",
-            n.distinct, n.at_infinity, n.singular, n.real,
+            " {}, {} at infinity, {} singular; {} real, {} of them certified; {} as mechanisms without a defect.",
+            counted(static_cast<long>(n.distinct), "distinct solution", "distinct solutions"), n.at_infinity,
+            n.singular, n.real, n.certified == n.real ? "all" : std::to_string(n.certified),
             counted(static_cast<long>(n.defect_free), "of these", "of these"));
     }
     if (search.bound && !search.complete)

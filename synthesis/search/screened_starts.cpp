@@ -134,7 +134,10 @@ std::vector<ScreenedPoint> ScreenedStarts::points() const {
     const PathTarget& path = *program_.problem->path;
     for (std::size_t i = 0; i < program_.targets.size(); ++i) {
         all.push_back({program_.targets[i] - origin, path.weights[i], {1, 0}});
-        if (path.guides_body()) all.back().facing = {std::cos(path.directions[i]), std::sin(path.directions[i])};
+        if (path.faces(i))
+            all.back().facing = {std::cos(path.directions[i]), std::sin(path.directions[i])};
+        else if (path.guides_body())
+            all.back().facing = {0, 0};
     }
     return all;
 }

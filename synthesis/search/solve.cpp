@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "synthesis/exact/closed_form.h"
-#include "synthesis/exact/nine_points.h"
+#include "synthesis/exact/exact.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/proof/prove.h"
 #include "synthesis/report/document.h"
@@ -135,21 +135,21 @@ std::string why_no_least_squares(const Problem& problem) {
 }
 
 Found every_solution(const Problem& problem, const RunOptions& options, Clock::time_point) {
-    ExactDesigns designs = nine_point_designs(problem, options.jobs);
+    ExactDesigns designs = exact_designs(problem, options);
     Found found;
     found.candidates = std::move(designs.designs);
     found.excluded = std::move(designs.excluded);
     found.report.method = "exact";
     found.report.complete = designs.complete;
+    found.report.argument = designs.argument;
     found.report.solutions = designs.counts;
-    found.report.missed_chance = 0;
-    found.report.evaluations = static_cast<long>(designs.counts.tracked);
-    if (designs.complete)
-        found.report.argument =
-            fmt::format("homotopy: all {} cognate triplets through nine points are accounted for, {} of them real",
-                        designs.counts.tracked, designs.counts.real);
+    found.report.starts = designs.starts;
+    found.report.local_optima = static_cast<int>(found.candidates.size());
+    found.report.missed_chance = designs.counts ? 0 : 1;
+    found.report.evaluations = designs.evaluations;
     found.infeasible = found.candidates.empty() && designs.complete;
-    found.note = "every solution that was found has a defect: --all lists them";
+    found.stopped = designs.stopped;
+    found.note = designs.note.empty() ? "every solution that was found has a defect: --all lists them" : designs.note;
     return found;
 }
 
@@ -171,8 +171,11 @@ constexpr std::array<Method, 7> methods{{
      "ratio "
      "and stroke, with the best transmission angle; the smallest cams: the global optimum",
      why_no_closed_form, closed_form},
-    {"exact", "paths through nine points in order: every four-bar that meets them exactly, by homotopy",
-     why_no_nine_points, every_solution},
+    {"exact",
+     "four-bars that meet their targets exactly, every one where there are finitely many: nine points of a path, five "
+     "at "
+     "given crank angles, five poses, up to five points of a function; with fewer the best of the family",
+     why_not_exact, every_solution},
     {"least-squares",
      "paths: candidates screened many at a time, Levenberg-Marquardt from the best; slsqp where limits are active",
      why_no_least_squares, with_least_squares},

@@ -11,6 +11,10 @@
 
 namespace mechwright {
 
+namespace homotopy {
+struct StartSystem;
+}
+
 /// How a run is carried out. None of this changes what is found, except that a stop ends it early.
 struct RunOptions {
     int jobs = 1;                             ///< threads for independent local searches
@@ -25,6 +29,8 @@ struct RunOptions {
     /// place of the method.
     const Design* neighbour = nullptr;
     bool all = false;  ///< an exact method keeps designs with defects too
+    /// That a homotopy begins with, where it is one of the problem's kind; else the one that comes with the program.
+    const homotopy::StartSystem* start_system = nullptr;
 };
 
 /// Solves, then verifies. Never throws for anything a problem file can contain.

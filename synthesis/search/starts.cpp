@@ -103,7 +103,7 @@ void fit_placement(const Program& program, VectorXd& x) {
         const Complex w = guided_point(1, angle, margin) - p;
         if (!(margin >= 0)) return;
         const double weight = std::sqrt(program.problem->path->weights[k]);
-        if (program.problem->path->guides_body())
+        if (program.problem->path->faces(k))
             facing += weight * weight * std::conj(w) * std::polar(1.0, program.problem->path->directions[k]);
         Complex known(0);
         Index column = 0;

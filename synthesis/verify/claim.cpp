@@ -198,6 +198,18 @@ void read_quantities(Reader& in, const Json& document, Claim& claim) {
     }
 }
 
+/// Numbers, or null where any direction will do.
+std::vector<std::optional<double>> read_directions(Reader& in, const Json* json) {
+    std::vector<std::optional<double>> directions;
+    if (!in.array(json, "poses.directions", most_points)) return directions;
+    for (std::size_t i = 0; i < json->size(); ++i) {
+        const Json& one = (*json)[i];
+        const std::string place = fmt::format("poses.directions[{}]", i);
+        directions.push_back(one.is_null() ? std::nullopt : std::optional(in.number(&one, place)));
+    }
+    return directions;
+}
+
 void read_path(Reader& in, const Json& document, Claim& claim) {
     const Json* poses = member(document, "poses");
     const Json* json = poses ? poses : member(document, "path");
@@ -217,7 +229,7 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
             in.fail("path.timing is not one of free, prescribed and none");
     }
     if (poses) {
-        path.directions = in.numbers(member(*json, "directions"), "poses.directions", most_points, true);
+        path.directions = read_directions(in, member(*json, "directions"));
         path.body_length = in.number(member(*json, "body_length"), "poses.body_length");
         if (const Json* reached = member(*json, "reached_directions"))
             path.reached_directions = in.numbers(reached, "poses.reached_directions", most_points, true);

@@ -51,7 +51,8 @@ struct ClaimedPath {
     bool closed = false;
     std::vector<double> weights;
     std::vector<double> prescribed_angles;
-    std::vector<double> directions;  ///< of a guided body, one for each point; empty for a path
+    /// Of a guided body, one for each point, nothing where any will do; empty for a path.
+    std::vector<std::optional<double>> directions;
     double body_length = 0;
     std::vector<Vector<double>> reached;
     std::vector<double> reached_directions;

@@ -46,10 +46,12 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
             ahead[roles.along] += 1;
             const Vector<Digits50> link =
                 point(claim.assembly, ahead, result.crank_angles.back()) - result.reached.back();
-            const Digits50 asked = from_document(path.directions[i], Unit::angle, claim.units);
             const Digits50 faces = atan2(link.y, link.x) + design.dimensions[roles.body];
-            const Digits50 chord = 2 * path.body_length * sin((faces - asked) / 2);
-            square += chord * chord;
+            if (path.directions[i]) {
+                const Digits50 asked = from_document(*path.directions[i], Unit::angle, claim.units);
+                const Digits50 chord = 2 * path.body_length * sin((faces - asked) / 2);
+                square += chord * chord;
+            }
             result.directions.push_back(faces);
         }
         result.distances.push_back(sqrt(square));

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "analysis/four_bar.h"
-#include "synthesis/exact/homotopy/nine_point_linkages.h"
+#include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/search/solve.h"
 #include "tests/report/temporary_folder.h"
@@ -15,9 +15,19 @@
 namespace mechwright::homotopy {
 namespace {
 
-using S = NinePointSystem;
+using S = GuidanceSystem;
 using Number = std::complex<double>;
 using Points = std::array<Complex<double>, 9>;
+
+const GuidanceSystem nine_points{};
+constexpr std::size_t nine_point_triplets = 1442;
+
+GuidanceTarget target_of(const Points& points) {
+    std::vector<Place> places;
+    for (const Complex<double>& point : points)
+        places.push_back({point, {}});
+    return guidance_target(places);
+}
 
 /// Wampler, Morgan and Sommese 1992, Problem 3: 1442 triplets, of which 64 are real (their paper and the README of TOMS
 /// algorithm 921).
@@ -31,31 +41,31 @@ const Points problem_3{{{0.25, 0},
                         {0.20, 1.00},
                         {0.02, 0.40}}};
 
-std::size_t count_real(const NinePointSolutions& found) {
+std::size_t count_real(const GuidanceSolutions& found) {
     return static_cast<std::size_t>(std::count_if(found.solutions.begin(), found.solutions.end(), is_real));
 }
 
 /// Newton's step of a linear system is right if the matrix holds the derivatives: against differences of the values.
-TEST(NinePointSystem, HasTheDerivativesOfItsEquations) {
-    const NinePointStart& start = nine_point_start();
-    NinePointValues u = start.solutions[7];
+TEST(GuidanceSystem, HasTheDerivativesOfItsEquations) {
+    const StartSystem& start = start_system(nine_points);
+    GuidanceValues u = start.solutions[7];
     for (std::size_t i = 0; i < u.size(); ++i)
         u[i] = u[i] + Complex<double>{0.1, 0.05 * static_cast<double>(i)};
-    const auto values = [](const NinePointValues& at, const NinePointParameters& p) {
+    const auto values = [](const GuidanceValues& at, const GuidanceParameters& p) {
         Augmented<double, 8> a;
-        S::linearise(at, p, static_cast<const NinePointParameters*>(nullptr), a);
+        nine_points.linearise(at, p, static_cast<const GuidanceParameters*>(nullptr), a);
         std::array<Number, 8> f;
         for (std::size_t j = 0; j < 8; ++j)
             f[j] = {-a[j][8].re, -a[j][8].im};
         return f;
     };
     Augmented<double, 8> a;
-    NinePointParameters along = start.parameters;
-    S::linearise(u, start.parameters, &along, a);
+    GuidanceParameters along = start.parameters;
+    nine_points.linearise(u, start.parameters, &along, a);
     const double h = 1e-6;
     for (std::size_t i = 0; i <= 8; ++i) {
-        NinePointValues up = u, down = u;
-        NinePointParameters p_up = start.parameters, p_down = start.parameters;
+        GuidanceValues up = u, down = u;
+        GuidanceParameters p_up = start.parameters, p_down = start.parameters;
         if (i < 8) {
             up[i].re += h;
             down[i].re -= h;
@@ -74,50 +84,50 @@ TEST(NinePointSystem, HasTheDerivativesOfItsEquations) {
     }
 }
 
-TEST(NinePointSystem, IsMetByEveryMemberOfAnOrbit) {
-    const NinePointStart& start = nine_point_start();
+TEST(GuidanceSystem, IsMetByEveryMemberOfAnOrbit) {
+    const StartSystem& start = start_system(nine_points);
     for (std::size_t k = 0; k < start.solutions.size(); k += 97) {
-        const OrbitKey key = orbit_of(start.solutions[k]);
-        for (NinePointValues member : orbit_members(start.solutions[k])) {
-            const NinePointValues before = member;
-            EXPECT_LT(refine(member, start.parameters), 1e-13);
+        const OrbitKey key = orbit_of(nine_points, start.solutions[k]);
+        for (GuidanceValues member : orbit_members(nine_points, start.solutions[k])) {
+            const GuidanceValues before = member;
+            EXPECT_LT(refine(nine_points, member, start.parameters), 1e-13);
             for (std::size_t i = 0; i < member.size(); ++i)
                 EXPECT_LT(norm(member[i] - before[i]), 1e-18 * (1 + norm(member[i])) * 1e4);
-            EXPECT_TRUE(is_same(orbit_of(member), key));
+            EXPECT_TRUE(is_same(orbit_of(nine_points, member), key));
         }
     }
 }
 
 /// From nothing: the count is that of the literature, for three seeds.
-TEST(NinePointStart, IsMadeByMonodromy) {
+TEST(StartSystem, IsMadeByMonodromy) {
     for (const std::uint64_t seed : {11, 12, 13}) {
-        const NinePointStart start = make_nine_point_start(seed, 2, 60, {});
+        const StartSystem start = make_start_system(nine_points, seed, 2, 60, nine_point_triplets, {});
         ASSERT_EQ(start.solutions.size(), nine_point_triplets) << seed;
-        const ReadStart read = parse_nine_point_start(to_text(start, seed));
+        const ReadStart read = parse_start_system(to_text(start, seed));
         ASSERT_TRUE(read.start) << read.fault;
-        const auto found = solve_nine_points(*read.start, nine_point_target(problem_3).parameters, 2);
+        const auto found = solve_guidance(*read.start, target_of(problem_3).parameters, 2);
         EXPECT_EQ(found.solutions.size(), nine_point_triplets);
         EXPECT_EQ(count_real(found), 64u);
     }
 }
 
 /// But for the last digits of the mathematical library, of which the random numbers are made.
-TEST(NinePointStart, ThatComesWithTheProgramIsTheOneItMakes) {
-    const NinePointStart made = make_nine_point_start(1, 2, 60, {});
-    const NinePointStart& shipped = nine_point_start();
+TEST(StartSystem, ThatComesWithTheProgramIsTheOneItMakes) {
+    const StartSystem made = make_start_system(nine_points, 1, 2, 60, nine_point_triplets, {});
+    const StartSystem& shipped = start_system(nine_points);
     for (std::size_t i = 0; i < made.parameters.size(); ++i)
         EXPECT_LT(norm(made.parameters[i] - shipped.parameters[i]), 1e-24 * norm(shipped.parameters[i]));
     SeenOrbits seen;
     for (std::size_t i = 0; i < shipped.solutions.size(); ++i)
-        EXPECT_FALSE(seen.find_or_keep(orbit_of(shipped.solutions[i]), i));
+        EXPECT_FALSE(seen.find_or_keep(orbit_of(nine_points, shipped.solutions[i]), i));
     ASSERT_EQ(made.solutions.size(), shipped.solutions.size());
-    for (const NinePointValues& solution : made.solutions)
-        EXPECT_TRUE(seen.find_or_keep(orbit_of(solution), 0));
+    for (const GuidanceValues& solution : made.solutions)
+        EXPECT_TRUE(seen.find_or_keep(orbit_of(nine_points, solution), 0));
 }
 
-TEST(NinePointStart, ThatIsDamagedIsNamed) {
-    const std::string text = to_text(nine_point_start(), 1);
-    const auto fault = [](const std::string& damaged) { return parse_nine_point_start(damaged).fault; };
+TEST(StartSystem, ThatIsDamagedIsNamed) {
+    const std::string text = to_text(start_system(nine_points), 1);
+    const auto fault = [](const std::string& damaged) { return parse_start_system(damaged).fault; };
     EXPECT_EQ(fault(text), "");
     EXPECT_NE(fault("").find("another version"), std::string::npos);
     EXPECT_NE(fault("// mechwright start system: nine-point, version 2\n").find("another version"), std::string::npos);
@@ -137,14 +147,14 @@ TEST(NinePointStart, ThatIsDamagedIsNamed) {
 }
 
 TEST(NinePointPaths, AreTheSameForAnyInstructionSetAndNumberOfThreads) {
-    const NinePointStart& start = nine_point_start();
-    const std::vector<NinePointValues> some(start.solutions.begin(), start.solutions.begin() + 100);
-    const NinePointParameters target = nine_point_target(problem_3).parameters;
-    const auto baseline = track(some, start.parameters, target, {}, 1, InstructionSet::baseline);
+    const StartSystem& start = start_system(nine_points);
+    const std::vector<GuidanceValues> some(start.solutions.begin(), start.solutions.begin() + 100);
+    const GuidanceParameters target = target_of(problem_3).parameters;
+    const auto baseline = track(nine_points, some, start.parameters, target, {}, 1, InstructionSet::baseline);
     for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
         if (!is_available(set)) continue;
         for (const int jobs : {1, 2, 7}) {
-            const auto paths = track(some, start.parameters, target, {}, jobs, set);
+            const auto paths = track(nine_points, some, start.parameters, target, {}, jobs, set);
             for (std::size_t i = 0; i < some.size(); ++i)
                 for (std::size_t k = 0; k < paths[i].point.size(); ++k) {
                     ASSERT_EQ(paths[i].point[k].re, baseline[i].point[k].re);
@@ -155,15 +165,15 @@ TEST(NinePointPaths, AreTheSameForAnyInstructionSetAndNumberOfThreads) {
 }
 
 TEST(NinePoints, OfProblem3Have64RealTriplets) {
-    const NinePointTarget target = nine_point_target(problem_3);
-    const NinePointSolutions found = solve_nine_points(nine_point_start(), target.parameters, 2);
+    const GuidanceTarget target = target_of(problem_3);
+    const GuidanceSolutions found = solve_guidance(start_system(nine_points), target.parameters, 2);
     EXPECT_EQ(found.solutions.size(), 1442u);
     EXPECT_TRUE(found.complete());
     EXPECT_EQ(count_real(found), 64u);
     int linkages = 0;
-    for (const NinePointValues& solution : found.solutions) {
+    for (const GuidanceValues& solution : found.solutions) {
         if (!is_real(solution)) continue;
-        const auto members = orbit_members(solution);
+        const auto members = orbit_members(nine_points, solution);
         for (std::size_t k = 0; k < members.size(); ++k) {
             const auto linkage = linkage_of(members[k], target);
             ASSERT_TRUE(linkage);
@@ -201,13 +211,13 @@ TEST(NinePoints, OfRandomFourBarsHaveThatFourBarAmongTheirSolutions) {
         }
         if (!assembles) continue;
         ++done;
-        const NinePointTarget target = nine_point_target(points);
-        const NinePointSolutions found = solve_nine_points(nine_point_start(), target.parameters, 2);
+        const GuidanceTarget target = target_of(points);
+        const GuidanceSolutions found = solve_guidance(start_system(nine_points), target.parameters, 2);
         EXPECT_TRUE(found.complete()) << done;
         bool generated = false;
-        for (const NinePointValues& solution : found.solutions) {
+        for (const GuidanceValues& solution : found.solutions) {
             if (!is_real(solution)) continue;
-            for (const NinePointValues& member : orbit_members(solution)) {
+            for (const GuidanceValues& member : orbit_members(nine_points, solution)) {
                 const auto linkage = linkage_of(member, target);
                 if (!linkage) continue;
                 const FourBar<double>& links = linkage->linkage.links;
@@ -233,13 +243,13 @@ TEST(NinePoints, ThatAreSpecialComeToAnEnd) {
     twice[5] = twice[1];
     for (const Points& points : {line, circle, ellipse, twice, symmetric}) {
         const auto begin = std::chrono::steady_clock::now();
-        const NinePointSolutions found = solve_nine_points(nine_point_start(), nine_point_target(points).parameters, 2);
+        const GuidanceSolutions found = solve_guidance(start_system(nine_points), target_of(points).parameters, 2);
         EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
         EXPECT_EQ(found.solutions.size() + found.at_infinity + found.singular + found.lost, 1442u);
         EXPECT_EQ(found.complete(), found.lost == 0);
         SeenOrbits seen;
         for (std::size_t i = 0; i < found.solutions.size(); ++i)
-            EXPECT_FALSE(seen.find_or_keep(orbit_of(found.solutions[i]), i));
+            EXPECT_FALSE(seen.find_or_keep(orbit_of(nine_points, found.solutions[i]), i));
     }
 }
 

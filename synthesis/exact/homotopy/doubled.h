@@ -5,8 +5,10 @@
 /// but for a few units of the last place of both parts together.
 
 #include <cstddef>
+#include <type_traits>
 
 #include "analysis/numbers/lanes.h"
+#include "analysis/numbers/scalar.h"
 
 namespace mechwright::homotopy {
 
@@ -63,10 +65,11 @@ private:
     }
 };
 
-inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+using mechwright::select;
 
 template <class Mask, class T>
-Doubled<T> select(const Mask& condition, const Doubled<T>& yes, const Doubled<T>& no) {
+requires(!std::is_same_v<Mask, bool>) Doubled<T> select(const Mask& condition, const Doubled<T>& yes,
+                                                        const Doubled<T>& no) {
     return {select(condition, yes.high, no.high), select(condition, yes.low, no.low)};
 }
 

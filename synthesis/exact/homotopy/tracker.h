@@ -45,8 +45,9 @@ public:
     using Values = std::array<Complex<double>, System::size>;
     using ParameterValues = std::array<Complex<double>, System::parameters>;
 
-    Tracker(const ParameterValues& from, const ParameterValues& to, const TrackingOptions& options)
-        : options_(options) {
+    Tracker(const System& system, const ParameterValues& from, const ParameterValues& to,
+            const TrackingOptions& options)
+        : system_(system), options_(options) {
         for (std::size_t i = 0; i < System::parameters; ++i) {
             from_[i] = {T(from[i].re), T(from[i].im)};
             along_[i] = {T(to[i].re - from[i].re), T(to[i].im - from[i].im)};
@@ -132,7 +133,7 @@ private:
     }
 
     void tangent(const Point& u, const T& t, Point& out) {
-        System::linearise(u, parameters_at(t), &along_, matrix_);
+        system_.linearise(u, parameters_at(t), &along_, matrix_);
         solve(matrix_);
         for (std::size_t k = 0; k < System::size; ++k)
             out[k] = matrix_[k][System::size];
@@ -140,7 +141,7 @@ private:
 
     /// One Newton correction; the square of its greatest part.
     T correct(Point& u, const Parameters& p) {
-        System::linearise(u, p, static_cast<const Parameters*>(nullptr), matrix_);
+        system_.linearise(u, p, static_cast<const Parameters*>(nullptr), matrix_);
         solve(matrix_);
         T greatest = T(0.0);
         for (std::size_t k = 0; k < System::size; ++k) {
@@ -225,6 +226,7 @@ private:
 
     static constexpr double greatest_size = 1e8;
 
+    System system_;
     TrackingOptions options_;
     Parameters from_, along_, to_;
     std::array<Lane, N> lanes_{};

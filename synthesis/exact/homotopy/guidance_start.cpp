@@ -1,4 +1,4 @@
-#include "synthesis/exact/homotopy/nine_point_start.h"
+#include "synthesis/exact/homotopy/guidance_start.h"
 
 #include <fmt/format.h>
 
@@ -16,16 +16,39 @@ namespace {
 
 using Number = std::complex<double>;
 
-/// nine_point_start.txt as the build puts it here.
-constexpr char shipped_nine_point_start[] = {
+// The text files of this folder as the build puts them here.
+constexpr char nine_points[] = {
 #include "nine_point_start.inc"
 };
+constexpr char two_poses[] = {
+#include "two_pose_start.inc"
+};
+constexpr char three_poses[] = {
+#include "three_pose_start.inc"
+};
+constexpr char four_poses[] = {
+#include "four_pose_start.inc"
+};
 
-constexpr std::string_view first_line = "mechwright start system: nine-point, version 1";
+std::string first_line(const GuidanceSystem& system) {
+    return fmt::format("mechwright start system: {}, version 1", name_of(system));
+}
+
 constexpr double same_within = 1e-8;
 
 Number number(const Complex<double>& z) { return {z.re, z.im}; }
 Complex<double> plain(const Number& z) { return {z.real(), z.imag()}; }
+
+/// Those of the parameters that a system has, in their order.
+std::vector<std::size_t> used_parameters(const GuidanceSystem& system) {
+    std::vector<std::size_t> used;
+    for (const auto& [first, count] : {std::pair{std::size_t{0}, system.displacements()},
+                                       std::pair{GuidanceSystem::first_conjugate, system.displacements()},
+                                       std::pair{GuidanceSystem::first_turn, system.poses - 1}})
+        for (std::size_t i = 0; i < count; ++i)
+            used.push_back(first + i);
+    return used;
+}
 
 /// Normally distributed complex numbers, one after the other.
 class RandomNumbers {
@@ -37,10 +60,10 @@ public:
         return std::polar(std::sqrt(-2 * std::log(u)), 2 * std::numbers::pi * v);
     }
 
-    NinePointParameters parameters() {
-        NinePointParameters p;
-        for (Complex<double>& z : p)
-            z = plain(next());
+    GuidanceParameters parameters(const GuidanceSystem& system) {
+        GuidanceParameters p{};
+        for (const std::size_t i : used_parameters(system))
+            p[i] = plain(next());
         return p;
     }
 
@@ -53,8 +76,8 @@ private:
 
 /// Displacements, with their conjugates, at which both dyads of a linkage have turned by T: two equations
 /// (d + alpha)(d' + alpha') = rho, of which one is linear less the other.
-std::array<Number, 2> displacement(const NinePointValues& u, const Number& turn) {
-    using S = NinePointSystem;
+std::array<Number, 2> displacement(const GuidanceValues& u, const Number& turn) {
+    using S = GuidanceSystem;
     const auto at = [&u](S::Unknown i) { return number(u[i]); };
     const Number alpha = at(S::x) * turn - at(S::a), alpha_c = at(S::x_conjugate) / turn - at(S::a_conjugate);
     const Number beta = at(S::y) * turn - at(S::b), beta_c = at(S::y_conjugate) / turn - at(S::b_conjugate);
@@ -69,33 +92,52 @@ std::array<Number, 2> displacement(const NinePointValues& u, const Number& turn)
 }
 
 /// A random linkage, and parameters that it solves.
-NinePointStart random_linkage(RandomNumbers& random) {
-    NinePointStart start;
-    NinePointValues u;
+StartSystem random_linkage(const GuidanceSystem& system, RandomNumbers& random) {
+    StartSystem start;
+    start.system = system;
+    GuidanceValues u;
     for (Complex<double>& z : u)
         z = plain(random.next());
-    for (std::size_t j = 0; j < NinePointSystem::size; ++j) {
-        const auto [d, conjugate] = displacement(u, std::exp(random.next()));
+    for (std::size_t j = 0; j < system.displacements(); ++j) {
+        const Number turn = std::exp(random.next());
+        const auto [d, conjugate] = displacement(u, turn);
         start.parameters[j] = plain(d);
-        start.parameters[NinePointSystem::size + j] = plain(conjugate);
+        start.parameters[GuidanceSystem::first_conjugate + j] = plain(conjugate);
+        if (j + 1 < system.poses) start.parameters[GuidanceSystem::first_turn + j] = plain(turn);
     }
     start.solutions = {u};
     return start;
 }
 
-std::vector<NinePointValues> reached_ends(const std::vector<NinePointPath>& paths) {
-    std::vector<NinePointValues> ends;
-    for (const NinePointPath& path : paths)
+std::vector<GuidanceValues> reached_ends(const std::vector<GuidancePath>& paths) {
+    std::vector<GuidanceValues> ends;
+    for (const GuidancePath& path : paths)
         if (path.end == PathEnd::reached) ends.push_back(path.point);
     return ends;
 }
 
 }  // namespace
 
-OrbitKey orbit_of(const NinePointValues& u) {
-    using S = NinePointSystem;
+std::string name_of(const GuidanceSystem& system) {
+    if (system.poses == 1) return "nine-point";
+    return fmt::format("{}-poses-{}-points", system.poses, 10 - 2 * system.poses);
+}
+
+std::optional<GuidanceSystem> find_system(std::string_view name) {
+    for (std::size_t poses = 1; poses <= GuidanceSystem::most_poses; ++poses)
+        if (name_of({poses}) == name) return GuidanceSystem{poses};
+    return {};
+}
+
+OrbitKey orbit_of(const GuidanceSystem& system, const GuidanceValues& u) {
+    using S = GuidanceSystem;
     constexpr double rounding = 1e-14;
     OrbitKey key;
+    if (system.poses > 1) {
+        key.pivots = u[S::a] + u[S::b];
+        key.conjugates = u[S::a_conjugate] + u[S::b_conjugate];
+        return key;
+    }
     // The third pivot: a + k (b - a), k = (point - x)/(y - x), the point at the origin.
     const auto sum = [&](S::Unknown i, S::Unknown j, S::Unknown fixed, S::Unknown other) {
         const Number x = number(u[i]), y = number(u[j]), a = number(u[fixed]), b = number(u[other]);
@@ -129,34 +171,35 @@ std::optional<std::size_t> SeenOrbits::find_or_keep(const OrbitKey& key, std::si
     return {};
 }
 
-NinePointStart make_nine_point_start(std::uint64_t seed, int jobs, int most_loops,
-                                     const std::function<void(std::size_t known, int loops)>& progress) {
+StartSystem make_start_system(const GuidanceSystem& system, std::uint64_t seed, int jobs, int most_loops,
+                              std::size_t expected, const std::function<void(std::size_t known, int loops)>& progress) {
     RandomNumbers random(seed);
-    NinePointStart start = random_linkage(random);
+    StartSystem start = random_linkage(system, random);
     SeenOrbits seen;
-    seen.find_or_keep(orbit_of(start.solutions[0]), 0);
-    for (int loop = 0; loop < most_loops && start.solutions.size() < nine_point_triplets; ++loop) {
-        const std::array<NinePointParameters, 4> corners{start.parameters, random.parameters(), random.parameters(),
-                                                         start.parameters};
-        std::vector<NinePointValues> carried = start.solutions;
+    seen.find_or_keep(orbit_of(system, start.solutions[0]), 0);
+    for (int loop = 0; loop < most_loops && start.solutions.size() < expected; ++loop) {
+        const GuidanceParameters second = random.parameters(system), third = random.parameters(system);
+        const std::array<GuidanceParameters, 4> corners{start.parameters, second, third, start.parameters};
+        std::vector<GuidanceValues> carried = start.solutions;
         for (std::size_t side = 0; side < 3; ++side)
-            carried = reached_ends(track(carried, corners[side], corners[side + 1], {}, jobs));
-        for (NinePointValues& solution : carried) {
-            if (refine(solution, start.parameters) > 1e-12) continue;
-            if (!seen.find_or_keep(orbit_of(solution), start.solutions.size())) start.solutions.push_back(solution);
+            carried = reached_ends(track(system, carried, corners[side], corners[side + 1], {}, jobs));
+        for (GuidanceValues& solution : carried) {
+            if (refine(system, solution, start.parameters) > 1e-12) continue;
+            if (!seen.find_or_keep(orbit_of(system, solution), start.solutions.size()))
+                start.solutions.push_back(solution);
         }
         if (progress) progress(start.solutions.size(), loop + 1);
     }
     return start;
 }
 
-std::string to_text(const NinePointStart& start, std::uint64_t seed) {
-    std::string text =
-        fmt::format("// {}\n// made by: mechwright start-system nine-point --seed {}\n", first_line, seed);
-    text += "// parameters: 8 displacements, 8 conjugates; then, for each solution, x, x', a, a', y, y', b, b'\n";
-    for (const Complex<double>& z : start.parameters)
-        text += fmt::format("{:.17g},{:.17g},\n", z.re, z.im);
-    for (const NinePointValues& solution : start.solutions) {
+std::string to_text(const StartSystem& start, std::uint64_t seed) {
+    std::string text = fmt::format("// {}\n// made by: mechwright start-system {} --seed {}\n",
+                                   first_line(start.system), name_of(start.system), seed);
+    text += "// parameters: displacements, conjugates, turns; then, for each solution, x, x', a, a', y, y', b, b'\n";
+    for (const std::size_t i : used_parameters(start.system))
+        text += fmt::format("{:.17g},{:.17g},\n", start.parameters[i].re, start.parameters[i].im);
+    for (const GuidanceValues& solution : start.solutions) {
         for (const Complex<double>& z : solution)
             text += fmt::format("{:.9g},{:.9g},", z.re, z.im);
         text += '\n';
@@ -187,19 +230,19 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
 }
 
 /// What is wrong with the solutions; they are refined on the way.
-std::string fault_of(NinePointStart& start) {
+std::string fault_of(StartSystem& start) {
     SeenOrbits seen;
     for (std::size_t i = 0; i < start.solutions.size(); ++i) {
-        NinePointValues& solution = start.solutions[i];
-        const NinePointValues before = solution;
-        if (refine(solution, start.parameters) > 1e-12) return fmt::format("solution {} is none", i + 1);
+        GuidanceValues& solution = start.solutions[i];
+        const GuidanceValues before = solution;
+        if (refine(start.system, solution, start.parameters) > 1e-12) return fmt::format("solution {} is none", i + 1);
         double moved = 0, size = 0;
         for (std::size_t k = 0; k < solution.size(); ++k) {
             moved = std::max(moved, norm(solution[k] - before[k]));
             size = std::max(size, norm(solution[k]));
         }
         if (moved > 1e-8 * size) return fmt::format("solution {} is none", i + 1);
-        if (const auto same = seen.find_or_keep(orbit_of(solution), i))
+        if (const auto same = seen.find_or_keep(orbit_of(start.system, solution), i))
             return fmt::format("solutions {} and {} are the same", *same + 1, i + 1);
     }
     return {};
@@ -207,35 +250,60 @@ std::string fault_of(NinePointStart& start) {
 
 }  // namespace
 
-ReadStart parse_nine_point_start(std::string_view text) {
-    constexpr std::size_t of_parameters = 2 * NinePointSystem::parameters, of_solution = 2 * NinePointSystem::size;
-    if (text.substr(0, 3 + first_line.size()) != "// " + std::string(first_line))
-        return {
-            {},
-            fmt::format("its first line is not '// {}': it is no start system, or one of another version", first_line)};
+ReadStart parse_start_system(std::string_view text) {
+    GuidanceSystem system;
+    while (system.poses <= GuidanceSystem::most_poses && !text.starts_with("// " + first_line(system) + "\n"))
+        ++system.poses;
+    if (system.poses > GuidanceSystem::most_poses)
+        return {{},
+                fmt::format("its first line is not '// {}' or that of another system: it is no start system, or one of "
+                            "another version",
+                            first_line({}))};
     const auto numbers = numbers_in(text);
     if (!numbers) return {{}, "it is damaged: something in it is no number"};
-    const std::size_t expected = of_parameters + nine_point_triplets * of_solution;
+    const std::vector<std::size_t> used = used_parameters(system);
+    const std::size_t solutions = orbits_of(system.poses);
+    const std::size_t expected = 2 * (used.size() + solutions * GuidanceSystem::size);
     if (numbers->size() != expected)
         return {{}, fmt::format("it is damaged: it has {} numbers and not {}", numbers->size(), expected)};
-    NinePointStart start;
+    StartSystem start;
+    start.system = system;
     const auto at = [&numbers](std::size_t i) { return Complex<double>{(*numbers)[2 * i], (*numbers)[2 * i + 1]}; };
-    for (std::size_t i = 0; i < NinePointSystem::parameters; ++i)
-        start.parameters[i] = at(i);
-    start.solutions.resize(nine_point_triplets);
-    for (std::size_t k = 0; k < nine_point_triplets; ++k)
-        for (std::size_t i = 0; i < NinePointSystem::size; ++i)
-            start.solutions[k][i] = at(NinePointSystem::parameters + k * NinePointSystem::size + i);
+    for (std::size_t i = 0; i < used.size(); ++i)
+        start.parameters[used[i]] = at(i);
+    start.solutions.resize(solutions);
+    for (std::size_t k = 0; k < solutions; ++k)
+        for (std::size_t i = 0; i < GuidanceSystem::size; ++i)
+            start.solutions[k][i] = at(used.size() + k * GuidanceSystem::size + i);
     if (const std::string fault = fault_of(start); !fault.empty()) return {{}, "it is damaged: " + fault};
     return {std::move(start), {}};
 }
 
-const NinePointStart& nine_point_start() {
-    static const NinePointStart start = [] {
-        ReadStart read = parse_nine_point_start(shipped_nine_point_start);
-        if (!read.start) throw std::logic_error("the start system of the program: " + read.fault);
-        return *std::move(read.start);
-    }();
+namespace {
+
+StartSystem shipped(std::string_view text) {
+    ReadStart read = parse_start_system(text);
+    if (!read.start) throw std::logic_error("the start system of the program: " + read.fault);
+    return *std::move(read.start);
+}
+
+}  // namespace
+
+const StartSystem& start_system(const GuidanceSystem& system) {
+    // Each is read when it is needed first.
+    if (system.poses == 1) {
+        static const StartSystem start = shipped(nine_points);
+        return start;
+    }
+    if (system.poses == 2) {
+        static const StartSystem start = shipped(two_poses);
+        return start;
+    }
+    if (system.poses == 3) {
+        static const StartSystem start = shipped(three_poses);
+        return start;
+    }
+    static const StartSystem start = shipped(four_poses);
     return start;
 }
 

@@ -1,4 +1,4 @@
-#include "synthesis/exact/homotopy/nine_point_solutions.h"
+#include "synthesis/exact/homotopy/guidance_solutions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr std::size_t most_in_need_of_care = 900;
 /// More ends than this that are missing are not looked for by another way.
 constexpr std::size_t most_missing = 150;
 
-double size_of(const NinePointValues& u) {
+double size_of(const GuidanceValues& u) {
     double greatest = 0;
     for (const Complex<double>& z : u)
         greatest = std::max(greatest, norm(z));
@@ -32,8 +32,8 @@ double size_of(const NinePointValues& u) {
 }
 
 /// Couplers without length, or whose point is a pin: whole families of these solve the equations and are no linkages.
-bool is_degenerate(const NinePointValues& u) {
-    using S = NinePointSystem;
+bool is_degenerate(const GuidanceValues& u) {
+    using S = GuidanceSystem;
     constexpr double least = 1e-13;  // the points lie about 1 apart
     for (const Complex<double>& z : {u[S::x], u[S::x_conjugate], u[S::y], u[S::y_conjugate], u[S::x] - u[S::y],
                                      u[S::x_conjugate] - u[S::y_conjugate]})
@@ -42,29 +42,29 @@ bool is_degenerate(const NinePointValues& u) {
 }
 
 /// Refines a solution. Whether it is one, isolated, and stands for a linkage.
-bool refined_to_regular(NinePointValues& u, const NinePointParameters& target) {
-    return refine(u, target) < regular_below && !is_degenerate(u);
+bool refined_to_regular(const GuidanceSystem& system, GuidanceValues& u, const GuidanceParameters& target) {
+    return refine(system, u, target) < regular_below && !is_degenerate(u);
 }
 
 struct Ends {
-    const NinePointStart& start;
-    const NinePointParameters& target;
+    const StartSystem& start;
+    const GuidanceParameters& target;
     int jobs;
-    std::vector<NinePointPath> paths;
+    std::vector<GuidancePath> paths;
     std::vector<bool> regular;
 
     void refine_end(std::size_t i) {
-        regular[i] = paths[i].end == PathEnd::reached && refined_to_regular(paths[i].point, target);
+        regular[i] = paths[i].end == PathEnd::reached && refined_to_regular(start.system, paths[i].point, target);
     }
 
     /// With twice the digits, from where they stopped or from their beginning.
     void track_again(const std::vector<std::size_t>& which, const TrackingOptions& options, bool from_beginning) {
-        std::vector<NinePointPath> starts;
+        std::vector<GuidancePath> starts;
         for (const std::size_t i : which) {
             const bool stopped = !from_beginning && paths[i].end == PathEnd::too_slow;
             starts.push_back(stopped ? paths[i] : beginning_at(start.solutions[i]));
         }
-        const auto again = track_wide(starts, start.parameters, target, options, jobs);
+        const auto again = track_wide(start.system, starts, start.parameters, target, options, jobs);
         for (std::size_t k = 0; k < which.size(); ++k) {
             paths[which[k]] = again[k];
             refine_end(which[k]);
@@ -84,7 +84,8 @@ struct Ends {
         std::vector<bool> meets(paths.size(), false);
         for (std::size_t i = 0; i < paths.size(); ++i) {
             if (!regular[i]) continue;
-            if (const auto other = seen.find_or_keep(orbit_of(paths[i].point), i)) meets[i] = meets[*other] = true;
+            if (const auto other = seen.find_or_keep(orbit_of(start.system, paths[i].point), i))
+                meets[i] = meets[*other] = true;
         }
         std::vector<std::size_t> which;
         for (std::size_t i = 0; i < paths.size(); ++i)
@@ -94,9 +95,10 @@ struct Ends {
 };
 
 /// Parameters that have nothing to do with those of any start or target.
-NinePointParameters detour() {
-    NinePointParameters p;
+GuidanceParameters detour(const GuidanceParameters& start) {
+    GuidanceParameters p{};
     for (std::size_t i = 0; i < p.size(); ++i) {
+        if (norm(start[i]) == 0) continue;  // the system does not have it
         const auto part = [i](std::uint64_t k) {
             return std::ldexp(static_cast<double>(mixed(2 * i + k) >> 11), -53) - 0.5;
         };
@@ -107,19 +109,19 @@ NinePointParameters detour() {
 
 /// Regular ends of all solutions by way of other parameters: those that are not known yet are added, and are no longer
 /// missing.
-void add_by_another_way(const NinePointStart& start, const NinePointParameters& target, int jobs,
-                        NinePointSolutions& found) {
-    const NinePointParameters between = detour();
-    std::vector<NinePointValues> middle;
-    for (const NinePointPath& path : track(start.solutions, start.parameters, between, {}, jobs))
+void add_by_another_way(const StartSystem& start, const GuidanceParameters& target, int jobs,
+                        GuidanceSolutions& found) {
+    const GuidanceParameters between = detour(start.parameters);
+    std::vector<GuidanceValues> middle;
+    for (const GuidancePath& path : track(start.system, start.solutions, start.parameters, between, {}, jobs))
         if (path.end == PathEnd::reached) middle.push_back(path.point);
     SeenOrbits seen;
     for (std::size_t i = 0; i < found.solutions.size(); ++i)
-        seen.find_or_keep(orbit_of(found.solutions[i]), i);
-    for (const NinePointPath& path : track(middle, between, target, {}, jobs)) {
-        NinePointValues solution = path.point;
-        if (path.end != PathEnd::reached || !refined_to_regular(solution, target)) continue;
-        if (seen.find_or_keep(orbit_of(solution), found.solutions.size())) continue;
+        seen.find_or_keep(orbit_of(start.system, found.solutions[i]), i);
+    for (const GuidancePath& path : track(start.system, middle, between, target, {}, jobs)) {
+        GuidanceValues solution = path.point;
+        if (path.end != PathEnd::reached || !refined_to_regular(start.system, solution, target)) continue;
+        if (seen.find_or_keep(orbit_of(start.system, solution), found.solutions.size())) continue;
         found.solutions.push_back(solution);
         for (std::size_t* missing : {&found.lost, &found.singular, &found.at_infinity})
             if (*missing > 0) {
@@ -131,8 +133,8 @@ void add_by_another_way(const NinePointStart& start, const NinePointParameters& 
 
 }  // namespace
 
-NinePointSolutions solve_nine_points(const NinePointStart& start, const NinePointParameters& target, int jobs) {
-    Ends ends{start, target, jobs, track(start.solutions, start.parameters, target, {}, jobs), {}};
+GuidanceSolutions solve_guidance(const StartSystem& start, const GuidanceParameters& target, int jobs) {
+    Ends ends{start, target, jobs, track(start.system, start.solutions, start.parameters, target, {}, jobs), {}};
     ends.regular.resize(ends.paths.size());
     for (std::size_t i = 0; i < ends.paths.size(); ++i)
         ends.refine_end(i);
@@ -141,13 +143,13 @@ NinePointSolutions solve_nine_points(const NinePointStart& start, const NinePoin
     if (const auto which = ends.not_regular(); which.size() <= most_missing) ends.track_again(which, patient, false);
     if (const auto which = ends.meeting(); which.size() <= most_missing) ends.track_again(which, most_careful, true);
 
-    NinePointSolutions found;
+    GuidanceSolutions found;
     found.tracked = ends.paths.size();
     SeenOrbits seen;
     for (std::size_t i = 0; i < ends.paths.size(); ++i) {
-        const NinePointPath& path = ends.paths[i];
+        const GuidancePath& path = ends.paths[i];
         const bool at_the_end = path.reached >= near_the_end;
-        if (ends.regular[i] && !seen.find_or_keep(orbit_of(path.point), i))
+        if (ends.regular[i] && !seen.find_or_keep(orbit_of(start.system, path.point), i))
             found.solutions.push_back(path.point);
         else if (path.end == PathEnd::diverged || (at_the_end && !(size_of(path.point) < infinite_beyond)))
             ++found.at_infinity;
@@ -159,22 +161,58 @@ NinePointSolutions solve_nine_points(const NinePointStart& start, const NinePoin
     return found;
 }
 
-NinePointTarget nine_point_target(const std::array<Complex<double>, 9>& points) {
-    NinePointTarget target;
-    target.origin = points[0];
+GuidanceTarget guidance_target(const std::vector<Place>& places) {
+    GuidanceTarget target;
+    const auto is_pose = [](const Place& place) { return place.direction.has_value(); };
+    const auto first = std::find_if(places.begin(), places.end(), is_pose);
+    // With points alone the first of them is as good as a pose.
+    const std::size_t reference = first == places.end() ? 0 : static_cast<std::size_t>(first - places.begin());
+    target.origin = places[reference].point;
     double sum = 0;
-    for (std::size_t j = 1; j < points.size(); ++j)
-        sum += norm(points[j] - points[0]);
-    target.size = sum > 0 ? std::sqrt(sum / 8) : 1;
-    for (std::size_t j = 1; j < points.size(); ++j) {
-        const Complex<double> d = (1 / target.size) * (points[j] - points[0]);
-        target.parameters[j - 1] = d;
-        target.parameters[NinePointSystem::size + j - 1] = {d.re, -d.im};
+    for (const Place& place : places)
+        sum += norm(place.point - target.origin);
+    // A power of two: scaling costs no digits.
+    if (sum > 0) target.size = std::exp2(std::round(0.5 * std::log2(sum / static_cast<double>(places.size() - 1))));
+    target.places.resize(places.size());
+    std::size_t next = 0;
+    const auto take = [&](std::size_t i) {
+        const Complex<double> d = (1 / target.size) * (places[i].point - target.origin);
+        target.places[i] = next;
+        target.parameters[next] = d;
+        target.parameters[GuidanceSystem::first_conjugate + next] = {d.re, -d.im};
+        return next++;
+    };
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (i == reference || !is_pose(places[i])) continue;
+        const double turned = *places[i].direction - *places[reference].direction;
+        target.parameters[GuidanceSystem::first_turn + take(i)] = {std::cos(turned), std::sin(turned)};
+        ++target.system.poses;
     }
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (i != reference && !is_pose(places[i])) take(i);
     return target;
 }
 
-bool is_real(const NinePointValues& u) {
+GuidanceSystem::Parameters<Digits50> exact_parameters(const GuidanceTarget& target, const std::vector<Place>& places) {
+    using S = GuidanceSystem;
+    const auto reference = std::find(target.places.begin(), target.places.end(), std::nullopt) - target.places.begin();
+    const Place& first = places[static_cast<std::size_t>(reference)];
+    S::Parameters<Digits50> exact{};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!target.places[i]) continue;
+        const std::size_t k = *target.places[i];
+        const Digits50 x = (Digits50(places[i].point.re) - first.point.re) / target.size;
+        const Digits50 y = (Digits50(places[i].point.im) - first.point.im) / target.size;
+        exact[k] = {x, y};
+        exact[S::first_conjugate + k] = {x, -y};
+        if (k + 1 >= target.system.poses) continue;
+        const Digits50 turned = Digits50(*places[i].direction) - *first.direction;
+        exact[S::first_turn + k] = {cos(turned), sin(turned)};
+    }
+    return exact;
+}
+
+bool is_real(const GuidanceValues& u) {
     constexpr double rounding = 1e-9;
     double size = 0, apart = 0;
     for (std::size_t i = 0; i < u.size(); i += 2) {

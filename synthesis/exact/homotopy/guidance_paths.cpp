@@ -1,4 +1,4 @@
-#include "synthesis/exact/homotopy/nine_point_paths.h"
+#include "synthesis/exact/homotopy/guidance_paths.h"
 
 #include <atomic>
 #include <functional>
@@ -11,11 +11,12 @@ namespace {
 
 /// What the workers of one call share.
 struct Work {
-    const std::vector<NinePointPath>& starts;
-    const NinePointParameters& from;
-    const NinePointParameters& to;
+    const GuidanceSystem& system;
+    const std::vector<GuidancePath>& starts;
+    const GuidanceParameters& from;
+    const GuidanceParameters& to;
     const TrackingOptions& options;
-    std::vector<NinePointPath>& out;
+    std::vector<GuidancePath>& out;
     std::atomic<std::ptrdiff_t> next{0};
 
     std::ptrdiff_t take() {
@@ -26,7 +27,7 @@ struct Work {
 
 template <class T, std::size_t N>
 void work_on(Work& work) {
-    Tracker<NinePointSystem, T, N> tracker(work.from, work.to, work.options);
+    Tracker<GuidanceSystem, T, N> tracker(work.system, work.from, work.to, work.options);
     tracker.run(
         work.starts, [&work] { return work.take(); }, work.out);
 }
@@ -66,54 +67,55 @@ Body wide_body_for(InstructionSet set) {
     return wide_baseline;
 }
 
-std::vector<NinePointPath> tracked(const std::vector<NinePointPath>& starts, const NinePointParameters& from,
-                                   const NinePointParameters& to, const TrackingOptions& options, int jobs, Body body) {
-    std::vector<NinePointPath> out(starts.size());
-    Work work{starts, from, to, options, out};
+std::vector<GuidancePath> tracked(const GuidanceSystem& system, const std::vector<GuidancePath>& starts,
+                                  const GuidanceParameters& from, const GuidanceParameters& to,
+                                  const TrackingOptions& options, int jobs, Body body) {
+    std::vector<GuidancePath> out(starts.size());
+    Work work{system, starts, from, to, options, out};
     share_work(jobs, jobs, [&](int) { body(work); });
     return out;
 }
 
 }  // namespace
 
-std::vector<NinePointPath> track(const std::vector<NinePointValues>& starts, const NinePointParameters& from,
-                                 const NinePointParameters& to, const TrackingOptions& options, int jobs,
-                                 InstructionSet set) {
-    std::vector<NinePointPath> beginnings;
-    for (const NinePointValues& start : starts)
+std::vector<GuidancePath> track(const GuidanceSystem& system, const std::vector<GuidanceValues>& starts,
+                                const GuidanceParameters& from, const GuidanceParameters& to,
+                                const TrackingOptions& options, int jobs, InstructionSet set) {
+    std::vector<GuidancePath> beginnings;
+    for (const GuidanceValues& start : starts)
         beginnings.push_back(beginning_at(start));
-    return tracked(beginnings, from, to, options, jobs, body_for(set));
+    return tracked(system, beginnings, from, to, options, jobs, body_for(set));
 }
 
-std::vector<NinePointPath> track_wide(const std::vector<NinePointPath>& stopped, const NinePointParameters& from,
-                                      const NinePointParameters& to, const TrackingOptions& options, int jobs,
-                                      InstructionSet set) {
-    return tracked(stopped, from, to, options, jobs, wide_body_for(set));
+std::vector<GuidancePath> track_wide(const GuidanceSystem& system, const std::vector<GuidancePath>& stopped,
+                                     const GuidanceParameters& from, const GuidanceParameters& to,
+                                     const TrackingOptions& options, int jobs, InstructionSet set) {
+    return tracked(system, stopped, from, to, options, jobs, wide_body_for(set));
 }
 
-NinePointPath beginning_at(const NinePointValues& solution) {
-    NinePointPath path;
+GuidancePath beginning_at(const GuidanceValues& solution) {
+    GuidancePath path;
     path.point = solution;
     return path;
 }
 
-double refine(NinePointValues& solution, const NinePointParameters& at) {
+double refine(const GuidanceSystem& system, GuidanceValues& solution, const GuidanceParameters& at) {
     constexpr int most_corrections = 8;
     using T = Doubled<double>;
-    NinePointSystem::Point<T> u;
-    NinePointSystem::Parameters<T> p;
+    GuidanceSystem::Point<T> u;
+    GuidanceSystem::Parameters<T> p;
     for (std::size_t i = 0; i < u.size(); ++i)
         u[i] = {T(solution[i].re), T(solution[i].im)};
     for (std::size_t i = 0; i < p.size(); ++i)
         p[i] = {T(at[i].re), T(at[i].im)};
-    Augmented<T, NinePointSystem::size> matrix;
+    Augmented<T, GuidanceSystem::size> matrix;
     double last = 1;
     for (int k = 0; k < most_corrections && last > 1e-20; ++k) {
-        NinePointSystem::linearise(u, p, static_cast<const NinePointSystem::Parameters<T>*>(nullptr), matrix);
+        system.linearise(u, p, static_cast<const GuidanceSystem::Parameters<T>*>(nullptr), matrix);
         solve(matrix);
         double correction = 0, size = 0;
         for (std::size_t i = 0; i < u.size(); ++i) {
-            const Complex<T>& change = matrix[i][NinePointSystem::size];
+            const Complex<T>& change = matrix[i][GuidanceSystem::size];
             u[i] = u[i] + change;
             correction = std::max(correction, norm(change).high);
             size = std::max(size, norm(u[i]).high);

@@ -1,0 +1,52 @@
+#include "synthesis/exact/certified_dyad.h"
+
+#include "synthesis/exact/homotopy/certify.h"
+#include "synthesis/exact/homotopy/dyad_system.h"
+
+namespace mechwright {
+
+namespace {
+
+ExactCondition on_line(const Vector<Digits50>& point, const Vector<Digits50>& direction, std::size_t first) {
+    ExactCondition row{};
+    row[first] = -direction.y;
+    row[first + 1] = direction.x;
+    row[0] = direction.y * point.x - direction.x * point.y;
+    return row;
+}
+
+std::complex<double> rounded(const Vector<Digits50>& z) { return {z.x.convert_to<double>(), z.y.convert_to<double>()}; }
+
+}  // namespace
+
+ExactCondition exact_condition(const ExactDisplacement& displacement) {
+    const auto& [d, turn] = displacement;
+    const Vector<Digits50> moving{d.x * turn.x + d.y * turn.y, d.x * turn.y - d.y * turn.x};  // conj(d) T
+    return {(d.x * d.x + d.y * d.y) / 2, -d.x, -d.y, moving.x, -moving.y, 1 - turn.x, turn.y};
+}
+
+ExactCondition exact_fixed_pivot_on_line(const Vector<Digits50>& point, const Vector<Digits50>& direction) {
+    return on_line(point, direction, 1);
+}
+
+ExactCondition exact_moving_pivot_on_line(const Vector<Digits50>& point, const Vector<Digits50>& direction) {
+    return on_line(point, direction, 3);
+}
+
+std::optional<CertifiedDyad> certified(const Dyad& approximation, std::span<const ExactCondition, 4> conditions) {
+    using System = homotopy::DyadSystem;
+    System::Parameters<Digits50> parameters;
+    for (std::size_t i = 0; i < conditions.size(); ++i)
+        for (std::size_t j = 0; j < System::terms; ++j)
+            parameters[System::terms * i + j] = {conditions[i][j], Digits50(0)};
+    const auto& [fixed, moving] = approximation;
+    const auto proof = homotopy::certify(
+        System{}, {{{fixed.real(), 0}, {fixed.imag(), 0}, {moving.real(), 0}, {moving.imag(), 0}}}, parameters);
+    if (!proof || !proof->real) return {};
+    const auto& s = proof->solution;
+    CertifiedDyad found{{}, {s[0].re, s[1].re}, {s[2].re, s[3].re}};
+    found.dyad = {rounded(found.fixed), rounded(found.moving)};
+    return found;
+}
+
+}  // namespace mechwright

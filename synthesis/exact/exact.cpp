@@ -1,0 +1,45 @@
+#include "synthesis/exact/exact.h"
+
+#include <algorithm>
+#include <array>
+
+#include "synthesis/exact/accuracy_points.h"
+#include "synthesis/exact/places.h"
+#include "synthesis/exact/poses.h"
+
+namespace mechwright {
+
+namespace {
+
+/// One kind of exact problem: whether a problem is meant to be of it, why it cannot be solved as such, and the answer.
+struct ExactKind {
+    bool (*concerns)(const Problem&);
+    std::string (*why_not)(const Problem&);
+    ExactDesigns (*designs)(const Problem&, const RunOptions&);
+};
+
+constexpr std::array<ExactKind, 4> kinds{{
+    {[](const Problem& p) { return p.path && p.path->guides_body() && p.path->poses() == p.path->points.size(); },
+     why_no_poses, pose_designs},
+    {[](const Problem& p) { return p.path && p.path->prescribed_timing; }, why_no_timed_points, timed_point_designs},
+    {[](const Problem& p) { return p.path.has_value(); }, why_no_places, place_designs},
+    {[](const Problem& p) { return p.function != nullptr; }, why_no_accuracy_points, accuracy_point_designs},
+}};
+
+const ExactKind* kind_of(const Problem& problem) {
+    const auto at = std::find_if(kinds.begin(), kinds.end(), [&](const ExactKind& k) { return k.concerns(problem); });
+    return at == kinds.end() ? nullptr : &*at;
+}
+
+}  // namespace
+
+std::string why_not_exact(const Problem& problem) {
+    const ExactKind* kind = kind_of(problem);
+    return kind ? kind->why_not(problem) : "it needs targets that are met exactly: a [path], [poses], or a [function]";
+}
+
+ExactDesigns exact_designs(const Problem& problem, const RunOptions& options) {
+    return kind_of(problem)->designs(problem, options);
+}
+
+}  // namespace mechwright

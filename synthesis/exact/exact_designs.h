@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// What an exact method finds: designs that meet their targets exactly, and those with a defect.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synthesis/exact/guided_linkage.h"
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+struct ExactDesigns {
+    std::vector<Solution> designs;         ///< without a defect that shows at the targets, best first
+    std::vector<ExcludedDesign> excluded;  ///< with one
+    std::optional<SolutionCounts> counts;  ///< of solutions that are isolated; none where they form families
+    bool complete = false;                 ///< every solution is accounted for
+    std::string argument;                  ///< if so, how
+    long evaluations = 0;                  ///< paths that were followed, or members of families that were examined
+    std::string note;                      ///< for the user, where there is no design
+    int starts = 0;                        ///< local searches in a family
+    bool stopped = false;
+};
+
+/// A linkage with the defect that excludes it, if there is one that shows at the targets; defects between them are for
+/// verification.
+struct ExactDesign {
+    Solution solution;
+    std::string defect;
+};
+
+/// A four-bar that passes the points or poses of a problem, as a design of it.
+ExactDesign exact_design(const Problem& problem, const GuidedLinkage& found);
+
+/// A design that need not be checked for its order along a path. What excludes it: the assembly, a dimension outside
+/// its range, a requirement, a target that is missed.
+ExactDesign exact_design(const Problem& problem, Design design);
+
+/// Puts a design where it belongs.
+void add_design(ExactDesigns& out, ExactDesign design);
+
+/// Keeps the better of two: without a defect before with one, then as the problem prefers.
+void keep_better(const Problem& problem, std::optional<ExactDesign>& best, ExactDesign design);
+
+/// Best first.
+void rank(const Problem& problem, ExactDesigns& out);
+
+}  // namespace mechwright

@@ -1,0 +1,148 @@
+#include "synthesis/exact/family_search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <nlopt.hpp>
+
+#include "synthesis/program/assess.h"
+#include "synthesis/search/low_discrepancy.h"
+#include "synthesis/search/work_sharing.h"
+
+namespace mechwright {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Numbers = std::vector<double>;
+
+constexpr int members_examined = 4096;
+constexpr int most_improvements = 1500;  ///< evaluations of one run of a local search
+constexpr int most_runs = 6;             ///< each from where the last one stopped
+/// A run that gains less, relative to the objective, was the last one.
+constexpr double least_gain = 1e-10;
+/// Members whose dimensions differ less, relative to their size, are one.
+constexpr double same_within = 1e-4;
+
+struct Candidate {
+    Numbers numbers;
+    std::optional<ExactDesign> design;
+};
+
+/// Smaller is better: first the violation, then the objective.
+double merit(const Problem& problem, const std::optional<ExactDesign>& design) {
+    constexpr double infeasible = 1e12, worst = 1e30;
+    if (!design || std::isnan(design->solution.violation)) return worst;
+    const Solution& s = design->solution;
+    if (!design->defect.empty()) return infeasible * (1 + std::min(std::max(s.violation, 1e-12), 1e12));
+    return maximizes(problem) ? -s.objective : s.objective;
+}
+
+struct Search {
+    const Problem& problem;
+    const FamilyMember& member;
+    const RunOptions& options;
+    Clock::time_point deadline;
+    std::atomic<long> evaluations{0};
+
+    bool ended() const { return Clock::now() >= deadline || (options.stop && options.stop->load()); }
+
+    Candidate at(Numbers numbers) {
+        ++evaluations;
+        Candidate candidate{std::move(numbers), {}};
+        candidate.design = member(candidate.numbers);
+        return candidate;
+    }
+};
+
+double value_for_nlopt(const Numbers& numbers, Numbers&, void* search) {
+    auto& s = *static_cast<Search*>(search);
+    if (s.ended()) throw nlopt::forced_stop();
+    ++s.evaluations;
+    return merit(s.problem, s.member(numbers));
+}
+
+/// A run of Subplex; never worse than where it began.
+Candidate run_from(Search& search, const Candidate& from) {
+    constexpr double margin = 1e-9, first_step = 0.02, last_step = 1e-12;
+    nlopt::opt subplex(nlopt::LN_SBPLX, static_cast<unsigned>(from.numbers.size()));
+    subplex.set_min_objective(value_for_nlopt, &search);
+    subplex.set_lower_bounds(margin);
+    subplex.set_upper_bounds(1 - margin);
+    subplex.set_initial_step(first_step);
+    subplex.set_xtol_rel(last_step);
+    subplex.set_maxeval(most_improvements);
+    Numbers numbers = from.numbers;
+    double value = 0;
+    try {
+        subplex.optimize(numbers, value);
+    } catch (const std::exception&) {  // its status says nothing: the candidate is evaluated anew
+    }
+    Candidate found = search.at(std::move(numbers));
+    return merit(search.problem, found.design) < merit(search.problem, from.design) ? found : from;
+}
+
+Candidate improved(Search& search, Candidate candidate) {
+    for (int run = 0; run < most_runs; ++run) {
+        const double before = merit(search.problem, candidate.design);
+        candidate = run_from(search, candidate);
+        const double after = merit(search.problem, candidate.design);
+        if (search.ended() || before - after <= least_gain * std::abs(after)) break;
+    }
+    return candidate;
+}
+
+bool is_same(const Design& a, const Design& b) {
+    double apart = 0, size = 0;
+    for (std::size_t i = 0; i < a.dimensions.size(); ++i) {
+        apart = std::max(apart, std::abs(a.dimensions[i] - b.dimensions[i]));
+        size = std::max(size, std::abs(a.dimensions[i]));
+    }
+    return a.assembly == b.assembly && apart <= same_within * size;
+}
+
+}  // namespace
+
+ExactDesigns search_family(const Problem& problem, std::size_t numbers, const FamilyMember& member,
+                           const RunOptions& options) {
+    const auto budget = std::chrono::duration<double>(std::min(problem.solver.time_limit, 1e9));
+    Search search{problem, member, options, Clock::now() + std::chrono::duration_cast<Clock::duration>(budget)};
+    const LowDiscrepancy sequence(std::max<std::size_t>(numbers, 1), problem.solver.seed, 0);
+    std::vector<Candidate> candidates(members_examined);
+    constexpr int chunk = 64;
+    share_work(members_examined / chunk, options.jobs, [&](int part) {
+        for (int k = part * chunk; k < (part + 1) * chunk && !search.ended(); ++k) {
+            Numbers drawn;
+            for (std::size_t j = 0; j < numbers; ++j)
+                drawn.push_back(sequence(static_cast<std::uint64_t>(k), j));
+            candidates[static_cast<std::size_t>(k)] = search.at(std::move(drawn));
+        }
+    });
+    std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+        return merit(problem, a.design) < merit(problem, b.design);
+    });
+    candidates.resize(static_cast<std::size_t>(std::clamp(problem.solver.starts, 1, members_examined)));
+    if (numbers > 0)
+        share_work(static_cast<int>(candidates.size()), options.jobs, [&](int k) {
+            Candidate& candidate = candidates[static_cast<std::size_t>(k)];
+            if (candidate.design && !search.ended()) candidate = improved(search, std::move(candidate));
+        });
+    ExactDesigns out;
+    for (Candidate& candidate : candidates) {
+        if (!candidate.design) continue;
+        const Design& design = candidate.design->solution.design;
+        const bool known = std::any_of(out.designs.begin(), out.designs.end(),
+                                       [&](const Solution& s) { return is_same(s.design, design); });
+        if (!known) add_design(out, *std::move(candidate.design));
+    }
+    rank(problem, out);
+    out.starts = static_cast<int>(candidates.size());
+    out.evaluations = search.evaluations;
+    out.stopped = search.ended();
+    out.note =
+        "no member of the family that meets the targets has all that is asked for: more [solver] starts examine more";
+    return out;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// The best members of a family of exact designs, where fewer conditions than dimensions leave some of them free.
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "synthesis/exact/exact_designs.h"
+#include "synthesis/search/solve.h"
+
+namespace mechwright {
+
+/// The best design of those that numbers in (0, 1) stand for; nothing where there is none.
+using FamilyMember = std::function<std::optional<ExactDesign>(std::span<const double> numbers)>;
+
+/// Members spread evenly over the cube of the numbers, the best of which are improved by Subplex; as many as the
+/// problem's `starts`. Every design meets its targets exactly; that it is the best is not proved.
+ExactDesigns search_family(const Problem& problem, std::size_t numbers, const FamilyMember& member,
+                           const RunOptions& options);
+
+}  // namespace mechwright

@@ -1,0 +1,119 @@
+#include "synthesis/exact/places.h"
+
+#include <fmt/format.h>
+
+#include "synthesis/exact/homotopy/certify.h"
+#include "synthesis/exact/homotopy/guidance_linkages.h"
+#include "synthesis/mechanism/four_bar/four_bar.h"
+#include "synthesis/search/work_sharing.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr std::size_t nine = 9;
+
+std::string why_not_so_many_points(const std::vector<Vector<double>>& points) {
+    if (points.size() == nine) return {};
+    return fmt::format("it finds four-bars through nine points, and there are {}: {}", points.size(),
+                       points.size() > nine
+                           ? "through more no linkage passes in general; least-squares finds the closest"
+                           : "through fewer pass whole families; least-squares finds members of them");
+}
+
+std::string why_not_these(std::size_t poses, std::size_t points) {
+    if (poses <= 4 && 2 * poses + points == 10) return {};
+    return fmt::format(
+        "there are {} poses and {} points; it finds four-bars through 4 poses and 2 points, 3 and 4, 2 and 6, or 1 and "
+        "8: "
+        "more leave no linkage in general, fewer whole families, and least-squares finds the closest or members of "
+        "them",
+        poses, points);
+}
+
+std::string why_points_coincide(const PathTarget& path) {
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+        for (std::size_t j = i + 1; j < path.points.size(); ++j)
+            if (path.points[i].x == path.points[j].x && path.points[i].y == path.points[j].y &&
+                !(path.faces(i) && path.faces(j)))
+                return fmt::format("points {} and {} are the same: different ones are needed", i + 1, j + 1);
+    return {};
+}
+
+std::vector<homotopy::Place> places_of(const PathTarget& path) {
+    std::vector<homotopy::Place> places;
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+        places.push_back(
+            {{path.points[i].x, path.points[i].y}, path.faces(i) ? std::optional(path.directions[i]) : std::nullopt});
+    return places;
+}
+
+struct RealSolution {
+    homotopy::GuidanceValues values;
+    bool certified = false;
+};
+
+/// The real ones, each from its certificate where there is one.
+std::vector<RealSolution> real_solutions(const std::vector<homotopy::GuidanceValues>& all,
+                                         const homotopy::GuidanceTarget& target,
+                                         const std::vector<homotopy::Place>& places, int jobs) {
+    std::vector<RealSolution> real;
+    for (const homotopy::GuidanceValues& solution : all)
+        if (homotopy::is_real(solution)) real.push_back({solution});
+    const auto exact = homotopy::exact_parameters(target, places);
+    share_work(static_cast<int>(real.size()), jobs, [&](int i) {
+        RealSolution& solution = real[static_cast<std::size_t>(i)];
+        const auto proof = homotopy::certify(target.system, solution.values, exact);
+        solution.certified = proof && proof->real;
+        for (std::size_t k = 0; solution.certified && k < solution.values.size(); ++k)
+            solution.values[k] = homotopy::detail::rounded(proof->solution[k]);
+    });
+    return real;
+}
+
+}  // namespace
+
+std::string why_no_places(const Problem& problem) {
+    if (problem.mechanism != &four_bar_mechanism()) return "it guides by four-bars alone";
+    if (!problem.path) return "it needs a [path] or [poses]";
+    if (problem.path->prescribed_timing || problem.path->any_order)
+        return "it needs points that are met in their order at any crank angle: timing = \"free\"";
+    if (has_ties(problem)) return "dimensions are tied to others";
+    const PathTarget& path = *problem.path;
+    const std::size_t poses = path.poses();
+    const std::string why =
+        path.guides_body() ? why_not_these(poses, path.points.size() - poses) : why_not_so_many_points(path.points);
+    return why.empty() ? why_points_coincide(path) : why;
+}
+
+ExactDesigns place_designs(const Problem& problem, const RunOptions& options) {
+    const std::vector<homotopy::Place> places = places_of(*problem.path);
+    const homotopy::GuidanceTarget target = homotopy::guidance_target(places);
+    const homotopy::GuidanceSystem& system = target.system;
+    const bool given = options.start_system && options.start_system->system.poses == system.poses;
+    const homotopy::StartSystem& start = given ? *options.start_system : homotopy::start_system(system);
+    const auto found = homotopy::solve_guidance(start, target.parameters, options.jobs);
+    ExactDesigns out;
+    out.counts = SolutionCounts{found.tracked, found.solutions.size(), found.at_infinity, found.singular, 0, 0, 0};
+    out.complete = found.complete();
+    out.evaluations = static_cast<long>(found.tracked);
+    const std::vector<RealSolution> real = real_solutions(found.solutions, target, places, options.jobs);
+    out.counts->real = real.size();
+    for (const RealSolution& solution : real) {
+        if (solution.certified) ++out.counts->certified;
+        for (const homotopy::GuidanceValues& member : homotopy::orbit_members(system, solution.values))
+            if (const auto linkage = homotopy::linkage_of(member, target))
+                add_design(out, exact_design(problem, *linkage));
+    }
+    rank(problem, out);
+    if (!out.complete) return out;
+    const std::size_t points = problem.path->points.size() - problem.path->poses();
+    out.argument = fmt::format(
+        "homotopy: all {} {} through {} are accounted for, {} of them real", out.counts->tracked,
+        system.poses == 1 ? "cognate triplets" : "pairs of dyads",
+        problem.path->guides_body() ? fmt::format("{} poses and {} points", system.poses, points) : "nine points",
+        out.counts->real);
+    return out;
+}
+
+}  // namespace mechwright
