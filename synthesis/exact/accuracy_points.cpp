@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "synthesis/exact/certified_dyad.h"
+#include "synthesis/exact/sized_linkage.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/mechanism/four_bar/function.h"
 #include "synthesis/mechanism/function_target.h"
@@ -98,17 +99,6 @@ std::optional<Pins> through_three(const AccuracyProblem& a, const Scales& s) {
     return Pins{std::polar(1.0, a.input(s, 0)) / k[0], 1.0 + std::polar(1.0, a.output(s, 0)) / k[1]};
 }
 
-/// The largest scale that ranges of lengths allow, or where they have a least one, the middle in proportion.
-double scale_for(const Problem& problem, const std::array<double, 4>& links) {
-    double least = 0, greatest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < links.size(); ++i) {
-        if (problem.dimensions[i].fixed()) return problem.dimensions[i].min / links[i];
-        least = std::max(least, problem.dimensions[i].min / links[i]);
-        greatest = std::min(greatest, problem.dimensions[i].max / links[i]);
-    }
-    return least > 0 ? std::sqrt(least * greatest) : 0.5 * greatest;
-}
-
 /// An angle that is found up to whole turns, as the file counts it.
 double counted_as_asked(double angle, const DimensionRange& range) {
     constexpr double turn = 2 * std::numbers::pi;
@@ -119,17 +109,9 @@ double counted_as_asked(double angle, const DimensionRange& range) {
 
 ExactDesign design_of(const AccuracyProblem& a, const Scales& s, const Pins& pins) {
     const Problem& problem = a.problem;
-    const std::array<double, 4> links{1, std::abs(pins.crank), std::abs(pins.rocker - pins.crank),
-                                      std::abs(pins.rocker - 1.0)};
-    const double scale = scale_for(problem, links);
-    Design design;
-    for (const DimensionRange& range : problem.dimensions)
-        design.dimensions.push_back(range.min);
+    Design design = mechwright::design_of(
+        problem, SizedLinkage{1, std::abs(pins.crank), std::abs(pins.rocker - pins.crank), std::abs(pins.rocker - 1.0)});
     auto& d = design.dimensions;
-    for (std::size_t i = 0; i < links.size(); ++i)
-        d[i] = problem.dimensions[i].fixed() && scale * links[i] == problem.dimensions[i].min
-                   ? problem.dimensions[i].min
-                   : scale * links[i];
     for (std::size_t k = 0; k < s.size(); ++k)
         d[input_start + k] = s[k];
     d[input_start] = counted_as_asked(std::arg(pins.crank) - s[1] * a.points.parts[0].x, a.scale(0));

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "synthesis/exact/accuracy_points.h"
+#include "synthesis/exact/extreme_velocity_ratio.h"
+#include "synthesis/exact/instant.h"
 #include "synthesis/exact/places.h"
 #include "synthesis/exact/poses.h"
 
@@ -18,12 +20,14 @@ struct ExactKind {
     ExactDesigns (*designs)(const Problem&, const RunOptions&);
 };
 
-constexpr std::array<ExactKind, 4> kinds{{
+constexpr std::array<ExactKind, 6> kinds{{
     {[](const Problem& p) { return p.path && p.path->guides_body() && p.path->poses() == p.path->points.size(); },
      why_no_poses, pose_designs},
     {[](const Problem& p) { return p.path && p.path->prescribed_timing; }, why_no_timed_points, timed_point_designs},
     {[](const Problem& p) { return p.path.has_value(); }, why_no_places, place_designs},
     {[](const Problem& p) { return p.function != nullptr; }, why_no_accuracy_points, accuracy_point_designs},
+    {[](const Problem& p) { return p.has_instant; }, why_no_instant, instant_designs},
+    {requires_extreme_velocity_ratio, why_no_extreme_velocity_ratio, extreme_velocity_ratio_designs},
 }};
 
 const ExactKind* kind_of(const Problem& problem) {
@@ -35,7 +39,8 @@ const ExactKind* kind_of(const Problem& problem) {
 
 std::string why_not_exact(const Problem& problem) {
     const ExactKind* kind = kind_of(problem);
-    return kind ? kind->why_not(problem) : "it needs targets that are met exactly: a [path], [poses], or a [function]";
+    return kind ? kind->why_not(problem) : "it needs targets that are met exactly: a [path], [poses], a [function], an [instant], or an extreme velocity "
+                        "ratio that equals a value";
 }
 
 ExactDesigns exact_designs(const Problem& problem, const RunOptions& options) {

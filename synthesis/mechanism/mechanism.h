@@ -80,6 +80,7 @@ struct Motion {
     const MotionProgram* program = nullptr;        ///< what the follower of a cam does; null for linkages
     const FunctionTarget* function = nullptr;      ///< what a function generator does; null without one
     Followed followed = Followed::nothing;         ///< by a guided point, over an input range
+    bool has_instant = false;                      ///< velocities at one crank angle are asked for
 };
 
 /// Where a measure writes its smooth components. Derivatives are with respect to the first `reads` dimensions of the

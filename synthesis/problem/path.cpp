@@ -151,7 +151,7 @@ PointList read_pose_list(Section& poses, const Problem& problem, PathTarget& tar
         add_point(list, right ? std::optional(Vector<double>{*pose[0], *pose[1]}) : std::nullopt, place_of(entry));
         target.directions.push_back(right && pose[2] ? to_radians(problem.units, *pose[2]) : std::nan(""));
     }
-    if (list.whole && target.poses() == 0) {
+    if (list.whole && !list.points.empty() && target.poses() == 0) {
         add_error(messages, list.named_at, "no pose has an angle: points alone are a [path]");
         list.whole = false;
     }
@@ -163,7 +163,7 @@ PointList read_pose_list(Section& poses, const Problem& problem, PathTarget& tar
     }
     for (std::size_t i = 1; i < list.points.size() && list.whole; ++i)
         if (list.points[i].x == list.points[i - 1].x && list.points[i].y == list.points[i - 1].y &&
-            target.directions[i] == target.directions[i - 1])
+            !(target.faces(i) && target.faces(i - 1) && target.directions[i] != target.directions[i - 1]))
             add_error(messages, list.places[i],
                       fmt::format("poses {} and {} are one pose: leave one of them out", i, i + 1));
     return list;

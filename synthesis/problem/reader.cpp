@@ -53,6 +53,7 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     read_settings(file, problem, messages);
     read_solver(file, problem, messages);
     read_requirements(file, problem, messages);
+    read_instant(file, problem, messages);
     read_study(file, problem, messages);
     report_unknown_keys(file, messages);
 }

@@ -36,6 +36,8 @@ void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& m
 void set_crank_range(Problem& problem);
 /// The poses of a guided body: a path with directions.
 void read_poses(Section& file, Problem& problem, Messages& messages);
+/// Velocities and accelerations at one crank angle, as requirements; after those of [[require]].
+void read_instant(Section& file, Problem& problem, Messages& messages);
 void read_motion(Section& file, Problem& problem, Messages& messages);
 /// The sections that the mechanism's settings stand in.
 void read_settings(Section& file, Problem& problem, Messages& messages);

@@ -81,9 +81,9 @@ struct Builder {
             const double scale = scales(kinds[i].kind) ? program.length : 1;
             program.dimensions.push_back(range.min / scale);
             if (range.fixed() || range.tied()) continue;
-            // A timed path alone needs the start angle; an untimed one finds its own crank angles.
+            // A timed path and an instant need the start angle; an untimed path finds its own crank angles.
             const bool unused_start = problem.mechanism->path_reads > 0 && i == problem.mechanism->path_roles.start &&
-                                      !(problem.path && problem.path->prescribed_timing);
+                                      !problem.has_instant && !(problem.path && problem.path->prescribed_timing);
             if (unused_start) {
                 program.dimensions.back() = range.start.value_or(range.min) / scale;
                 continue;

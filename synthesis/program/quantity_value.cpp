@@ -50,6 +50,7 @@ Motion motion_of(const Problem& problem, const Design& design) {
     motion.program = problem.program.get();
     motion.function = problem.function.get();
     motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
+    motion.has_instant = problem.has_instant;
     return motion;
 }
 

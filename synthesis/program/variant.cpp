@@ -13,6 +13,7 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     motion.program = problem.program.get();
     motion.function = problem.function.get();
     motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
+    motion.has_instant = problem.has_instant;
     motion.full_turn =
         problem.mechanism->families[family].full_turn && !problem.crank_range && !has_input_range(problem);
     if (problem.crank_range) {

@@ -256,6 +256,7 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
         json["crank_range"] = angles({problem.crank_range->x, problem.crank_range->y}, problem.units);
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)
         json["settings"][std::string(problem.mechanism->settings[i].name)] = problem.settings[i];
+    if (problem.has_instant) json["instant"] = true;
     if (best) return put_findings(json, problem, *best);
     put_targets(json, problem, nullptr);
 }

@@ -29,7 +29,8 @@ Json function_document(const Problem& problem, const Design* design) {
         for (const Vector<double>& s : f.samples)
             json["samples"].push_back({s.x, s.y});
     }
-    if (!f.accuracy_points.empty()) json["accuracy_points"] = f.accuracy_points;
+    // Other methods pay no attention to them.
+    if (!f.accuracy_points.empty() && problem.solver.method == "exact") json["accuracy_points"] = f.accuracy_points;
     if (!design) return json;
     const ErrorExtremes extremes = error_extremes_of(problem, *design);
     json["extremes"] = Json::array();

@@ -158,6 +158,7 @@ Found automatic(const Problem& problem, const RunOptions& options, Clock::time_p
         Found found = closed_form(problem, options, deadline);
         if (found.report.complete) return found;
     }
+    if (problem.has_instant && why_not_exact(problem).empty()) return every_solution(problem, options, deadline);
     if (options.neighbour) return near_neighbour(problem, options, deadline);
     if (why_no_path_search(problem).empty()) return with_least_squares(problem, options, deadline);
     return with_slsqp(problem, options, deadline);

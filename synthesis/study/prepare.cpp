@@ -23,6 +23,7 @@ void add_new(std::vector<std::string>& names, std::string_view name) {
 
 bool has_section(const Problem& problem, std::string_view section) {
     if (section.empty()) return true;
+    if (section == "instant") return problem.has_instant;
     if (section == "path") return problem.path && !problem.path->guides_body();
     if (section == "poses") return problem.path && problem.path->guides_body();
     if (section == "function") return problem.function != nullptr;

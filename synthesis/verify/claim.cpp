@@ -274,6 +274,8 @@ void read_function(Reader& in, const Json& document, Claim& claim) {
             if (!(target->samples[i].x > target->samples[i - 1].x)) in.fail("function.samples do not rise in x");
         if (target->samples.size() < 2) in.fail("function.samples are fewer than two");
     }
+    if (const Json* points = member(*json, "accuracy_points"))
+        target->accuracy_points = in.numbers(points, "function.accuracy_points", most_points, false);
     if (!in.understood()) return;
     if (const std::string why = complete(*target); !why.empty()) return in.fail("function: " + why);
     claim.function = std::move(target);
@@ -297,6 +299,7 @@ ReadClaim read_claim(const Json& document) {
     Reader in;
     Claim claim;
     if (!document.is_object()) return {{}, "it is not a JSON object"};
+    if (const Json* instant = member(document, "instant")) claim.has_instant = in.flag(instant, "instant");
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
     for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_function, read_followed,

@@ -73,6 +73,7 @@ struct Claim {
     std::shared_ptr<const MotionProgram> program;  ///< of a cam
     std::shared_ptr<const FunctionTarget> function;
     std::optional<FollowedTarget> followed;
+    bool has_instant = false;
     std::vector<ClaimedRequirement> requirements;
     std::optional<ClaimedObjective> objective;
     std::vector<std::pair<std::size_t, double>> quantities;  ///< quantity and its value

@@ -131,6 +131,7 @@ Rebuilt rebuilt(const Claim& claim) {
     design.motion.program = claim.program.get();
     design.motion.function = claim.function.get();
     design.motion.followed = claim.followed ? claim.followed->shape : Followed::nothing;
+    design.motion.has_instant = claim.has_instant;
     if (claim.path && claim.path->crank_angles.size() == claim.path->points.size()) design.path = rebuilt_path(design);
     return design;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/verify/path_checks.h"
@@ -177,6 +178,20 @@ Check check_objective(const ClaimedObjective& objective, Measurements& measureme
     return stated_check("the objective is as stated", std::move(defects));
 }
 
+/// The greatest error at the accuracy points of a function, which an exact method has met.
+Check check_accuracy_points(const Rebuilt& design) {
+    constexpr double met_within = 1e-9;  // radians
+    const Claim& claim = *design.claim;
+    const FunctionTarget points = at_accuracy_points(*claim.function);
+    Motion motion = design.motion;
+    motion.function = &points;
+    const Digits50 error = deviation_from(*claim.mechanism, "function").measure_again(motion, design.dimensions);
+    return {"meets the function at the accuracy points", error <= met_within,
+            isfinite(error) ? fmt::format("the greatest error is {} rad, allowed is {}", shown_small(error),
+                                          shown_small(met_within))
+                            : std::string("the mechanism does not assemble at one of them")};
+}
+
 std::vector<Check> checks_of(const Claim& claim) {
     std::vector<Check> checks{check_ranges(claim)};
     const Rebuilt design = rebuilt(claim);
@@ -198,6 +213,8 @@ std::vector<Check> checks_of(const Claim& claim) {
             defects.push_back(stated_defect(quantity, value, measurements));
         checks.push_back(stated_check("all listed quantities are as stated", std::move(defects)));
     }
+    if (claim.function && !claim.function->accuracy_points.empty())
+        checks.push_back(check_accuracy_points(design));
     if (claim.followed && claim.followed->full_turn) checks.push_back(check_full_turn(design));
     if (claim.path)
         for (Check& check : check_path(design))

@@ -29,8 +29,12 @@ TEST(Poses, OnePoseIsNoMotion) {
     EXPECT_TRUE(accepted(read_poses("poses = [[1, 2, 3], [1, 2, 4]]\nlength = 1")));
 }
 
-TEST(Poses, AreThreeNumbersEach) {
-    EXPECT_TRUE(only_says(read_poses("poses = [[1, 2, 3], [1, 2]]"), "p.toml:9:21", {"pose 2", "[x, y, angle]"}));
+TEST(Poses, AreThreeNumbersEachOrTwoWhereAnyAngleWillDo) {
+    EXPECT_TRUE(accepted(read_poses("poses = [[1, 2, 3], [2, 2]]")));
+    EXPECT_TRUE(only_says(read_poses("poses = [[1, 2, 3], [1, 2, 3, 4]]"), "p.toml:9:21",
+                          {"pose 2", "[x, y, angle]", "[x, y] where any angle will do"}));
+    EXPECT_TRUE(only_says(read_poses("poses = [[1, 2], [2, 2]]"), "p.toml:9:9", {"[path]"}));
+    EXPECT_TRUE(says(read_poses("poses = [[1, 2, 3], [1, 2]]\nlength = 1"), "p.toml:9:21", {"one pose"}));
     EXPECT_TRUE(only_says(read_poses("poses = [[1, 2, nan], [1, 2, 3]]"), "p.toml:9:17", {"pose 1", "finite"}));
     EXPECT_TRUE(only_says(read_poses("poses = 3"), "p.toml:9:9", {"list"}));
     EXPECT_TRUE(only_says(read_poses(""), "p.toml:8:1", {"poses = [[x, y, angle], ...]"}));

@@ -9,6 +9,7 @@
 #include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/mechanism/four_bar/function.h"
+#include "synthesis/mechanism/four_bar/instant.h"
 #include "synthesis/mechanism/four_bar/measure_again.h"
 #include "synthesis/mechanism/four_bar/screening.h"
 
@@ -78,7 +79,7 @@ const std::array<Quantity, 3> over_input{
      input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max"),
      input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst")}};
 
-const std::array<Quantity, 21> quantities{{
+const std::array<Quantity, 25> quantities{{
     {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest, links,
      of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
     {"swing", Unit::angle, "angle through which the rocker swings over a full turn of the crank", Reduce::only, links,
@@ -115,6 +116,15 @@ const std::array<Quantity, 21> quantities{{
     coupler_line[1],
     coupler_arc[0],
     coupler_arc[1],
+    instant_quantity<OfLink::coupler, Rate::velocity>("instant-coupler-velocity",
+                                                      "angular velocity of the coupler over that of the crank at the "
+                                                      "crank angle crank-start"),
+    instant_quantity<OfLink::rocker, Rate::velocity>(
+        "instant-rocker-velocity", "angular velocity of the rocker over that of the crank there"),
+    instant_quantity<OfLink::coupler, Rate::acceleration>(
+        "instant-coupler-acceleration", "angular acceleration of the coupler there, for unit velocity of the crank"),
+    instant_quantity<OfLink::rocker, Rate::acceleration>(
+        "instant-rocker-acceleration", "angular acceleration of the rocker there, for unit velocity of the crank"),
 }};
 
 const Quantity function_errors = error_quantity<RockerAngle>();
