@@ -27,12 +27,14 @@ std::vector<std::string> result_names(const std::vector<std::string>& files) {
 }
 
 std::optional<std::string> prepare_results(const std::string& folder, const std::vector<std::string>& names,
-                                           bool with_table) {
+                                           bool with_table, bool with_solutions) {
     if (auto fault = prepare_folder(folder)) return fault;
     for (const std::string& name : names) {
-        for (const std::string_view extension : {".json", ".csv"}) {
-            if (extension == ".csv" && !with_table) continue;
-            const fs::path path = fs::path(folder) / (name + std::string(extension));
+        std::vector<std::string> files{name + ".json"};
+        if (with_table) files.push_back(name + ".csv");
+        if (with_solutions) files.push_back(name + solutions_ending);
+        for (const std::string& file : files) {
+            const fs::path path = fs::path(folder) / file;
             std::error_code ignored;
             if (fs::is_directory(path, ignored)) return "cannot write '" + path.string() + "': it is a folder";
         }
@@ -43,7 +45,9 @@ std::optional<std::string> prepare_results(const std::string& folder, const std:
 std::optional<std::string> write_result(const std::string& folder, const std::string& name, const ResultText& text) {
     const fs::path path = fs::path(folder) / name;
     if (auto fault = write_atomically(path.string() + ".json", text.document)) return fault;
-    return text.table ? write_atomically(path.string() + ".csv", *text.table) : std::nullopt;
+    if (text.table)
+        if (auto fault = write_atomically(path.string() + ".csv", *text.table)) return fault;
+    return text.solutions ? write_atomically(path.string() + solutions_ending, *text.solutions) : std::nullopt;
 }
 
 }  // namespace mechwright

@@ -16,12 +16,16 @@ std::vector<std::string> result_names(const std::vector<std::string>& files);
 
 /// Makes the folder ready for the results of these names before anything is computed. Returns what stands in the way.
 std::optional<std::string> prepare_results(const std::string& folder, const std::vector<std::string>& names,
-                                           bool with_table);
+                                           bool with_table, bool with_solutions);
 
-/// The files of one result: the text of its document, and the motion table.
+/// What the name of the table of all solutions ends in.
+inline constexpr const char* solutions_ending = ".solutions.csv";
+
+/// The files of one result: the text of its document, the motion table, and the table of all solutions.
 struct ResultText {
     std::string document;
     std::optional<std::string> table;
+    std::optional<std::string> solutions;
 };
 
 /// Writes them. Returns what went wrong.

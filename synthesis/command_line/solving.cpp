@@ -13,10 +13,12 @@
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/progress_line.h"
 #include "synthesis/command_line/results.h"
+#include "synthesis/command_line/start_system.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/json_text.h"
 #include "synthesis/report/motion_table.h"
+#include "synthesis/report/solutions_table.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright {
@@ -64,12 +66,16 @@ std::string objective_unit(const Problem& problem) {
     return unit_label(problem.mechanism->quantities[problem.objective->terms.front().quantity].unit, problem.units);
 }
 
-Result solve_task(const Task& task, const SolvingOptions& options, const std::string& label, Console& console) {
+using StartSystem = std::optional<homotopy::StartSystem>;
+
+Result solve_task(const Task& task, const SolvingOptions& options, const StartSystem& start, const std::string& label,
+                  Console& console) {
     ProgressLine line{&console, label, objective_unit(task.problem)};
     RunOptions run;
     run.jobs = static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
     run.stop = &Interrupt::requested();
     run.all = options.all;
+    run.start_system = start ? &*start : nullptr;
     if (!options.quiet && progress_wanted(console))
         run.progress = [&line](int done, int total, double best) { draw(line, done, total, best); };
     if (run.progress) run.bounding = [&line](double part, long boxes) { draw_bound(line, part, boxes); };
@@ -82,17 +88,19 @@ Result solve_task(const Task& task, const SolvingOptions& options, const std::st
 int keep(const Task& task, const Result& result, const std::string& document, const SolvingOptions& options,
          Console& console) {
     if (options.out.empty()) return exit_code::solved;
-    ResultText text{document, std::nullopt};
+    ResultText text{document, std::nullopt, std::nullopt};
     if (options.csv)
         text.table =
             result.best ? motion_table(task.problem, result.best->design, table_steps) : motion_header(task.problem);
+    if (options.csv && options.all) text.solutions = solutions_table(task.problem, result);
     if (const auto fault = write_result(options.out, task.result_name, text)) {
         complain(console, *fault);
         return exit_code::no_access;
     }
     if (!options.quiet) {
         const std::string path = (std::filesystem::path(options.out) / task.result_name).string();
-        console.err << "wrote " << path << ".json" << (options.csv ? " and " + path + ".csv" : "") << std::endl;
+        console.err << "wrote " << path << ".json" << (text.solutions ? ", " + path + solutions_ending : "")
+                    << (options.csv ? " and " + path + ".csv" : "") << std::endl;
     }
     return exit_code::solved;
 }
@@ -109,9 +117,9 @@ std::string tally(const std::vector<Status>& outcomes, std::size_t not_run) {
 }
 
 /// Solves one problem and hands out what came of it.
-void carry_out(const Task& task, const std::string& label, const SolvingOptions& options, Console& console,
-               const TakeResult& take, SolvingRun& run) {
-    const Result result = solve_task(task, options, label, console);
+void carry_out(const Task& task, const std::string& label, const SolvingOptions& options, const StartSystem& start,
+               Console& console, const TakeResult& take, SolvingRun& run) {
+    const Result result = solve_task(task, options, start, label, console);
     const nlohmann::ordered_json json = document(task.problem, result);
     const int kept = keep(task, result, json_text(json), options, console);
     take(task.problem, result, json);
@@ -120,10 +128,10 @@ void carry_out(const Task& task, const std::string& label, const SolvingOptions&
 }
 
 /// A defect that one problem brings to light does not cost the others their results.
-void carry_out_guarded(const Task& task, const std::string& label, const SolvingOptions& options, Console& console,
-                       const TakeResult& take, SolvingRun& run) {
+void carry_out_guarded(const Task& task, const std::string& label, const SolvingOptions& options,
+                       const StartSystem& start, Console& console, const TakeResult& take, SolvingRun& run) {
     try {
-        carry_out(task, label, options, console, take, run);
+        carry_out(task, label, options, start, console, take, run);
     } catch (...) {
         run.code = exit_code::worse(run.code, report_defect(console, task.problem.file));
     }
@@ -135,7 +143,7 @@ int prepare(const std::vector<Task>& tasks, const SolvingOptions& options, Conso
     std::vector<std::string> names;
     for (const Task& task : tasks)
         names.push_back(task.result_name);
-    const auto fault = prepare_results(options.out, names, options.csv);
+    const auto fault = prepare_results(options.out, names, options.csv, options.csv && options.all);
     if (!fault) return exit_code::solved;
     complain(console, *fault);
     return exit_code::no_access;
@@ -167,6 +175,11 @@ SolvingRun solve_files(const SolvingOptions& options, Console& console, const Ta
             return run;
         }
     }
+    StartSystem start;
+    if (!options.start_system.empty()) {
+        run.code = read_start_system(options.start_system, console, start);
+        if (run.code != exit_code::solved) return run;
+    }
     const std::vector<Task> tasks = read_tasks(options, console, run.code);
     if (run.code == exit_code::wrong_usage) return run;
     if (const int prepared = prepare(tasks, options, console); prepared != exit_code::solved) {
@@ -179,7 +192,7 @@ SolvingRun solve_files(const SolvingOptions& options, Console& console, const Ta
     std::size_t started = 0;
     for (; started < tasks.size() && !Interrupt::requested(); ++started) {
         const std::string count = several ? fmt::format("[{}/{}] ", started + 1, tasks.size()) : "";
-        carry_out_guarded(tasks[started], count + tasks[started].problem.file, options, console, take, run);
+        carry_out_guarded(tasks[started], count + tasks[started].problem.file, options, start, console, take, run);
     }
     if (started < tasks.size()) run.code = exit_code::worse(run.code, exit_code::interrupted);
     if (several && !options.quiet)

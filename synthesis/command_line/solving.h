@@ -27,6 +27,7 @@ struct SolvingOptions {
     std::optional<std::uint64_t> jobs;
     std::optional<double> time_limit;
     std::string method;
+    std::string start_system;  ///< a file; none: what comes with the program
 };
 
 /// Adds FILE, --out, --json, --seed, --jobs, --time-limit, --method and --quiet; returns --out. `options` must outlive

@@ -10,7 +10,8 @@
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/options.h"
-#include "synthesis/exact/homotopy/guidance_start.h"
+#include "synthesis/command_line/start_system.h"
+#include "synthesis/problem/bytes.h"
 #include "synthesis/problem/text.h"
 
 namespace mechwright {
@@ -52,6 +53,22 @@ int make(const StartOptions& options, Console& console) {
 }
 
 }  // namespace
+
+int read_start_system(const std::string& file, Console& console, std::optional<homotopy::StartSystem>& start) {
+    constexpr std::size_t most_bytes = 16 << 20;
+    const reading::Bytes bytes = reading::read_bytes(file, most_bytes, true);
+    if (!bytes.failure.empty()) {
+        complain(console, file + ": " + bytes.failure);
+        return bytes.unreadable ? exit_code::no_access : exit_code::invalid_file;
+    }
+    homotopy::ReadStart read = homotopy::parse_start_system(bytes.bytes);
+    if (!read.start) {
+        complain(console, file + ": " + read.fault + "; mechwright start-system makes one anew");
+        return exit_code::invalid_file;
+    }
+    start = *std::move(read.start);
+    return exit_code::solved;
+}
 
 Command add_start_system(CLI::App& program) {
     const auto options = std::make_shared<StartOptions>();
