@@ -1,5 +1,7 @@
 // mechwright start-system: the solutions that exact methods begin with.
 
+#include "synthesis/command_line/start_system.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,7 +12,6 @@
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/options.h"
-#include "synthesis/command_line/start_system.h"
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/text.h"
 
@@ -73,8 +74,7 @@ int read_start_system(const std::string& file, Console& console, std::optional<h
 Command add_start_system(CLI::App& program) {
     const auto options = std::make_shared<StartOptions>();
     CLI::App* command = program.add_subcommand("start-system", "Make the start system of an exact method anew");
-    command
-        ->add_option("PROBLEM", options->problem, "nine-point, 2-poses-6-points, 3-poses-4-points or 4-poses-2-points")
+    command->add_option("PROBLEM", options->problem, "nine-point, or N-poses-M-points: 4 and 2, 3 and 4, 2 and 6")
         ->required()
         ->option_text(" ");
     add_whole_number(*command, "--seed", options->seed, 0, INT64_MAX, "Seed of the random parameters (1)");

@@ -110,7 +110,8 @@ double counted_as_asked(double angle, const DimensionRange& range) {
 ExactDesign design_of(const AccuracyProblem& a, const Scales& s, const Pins& pins) {
     const Problem& problem = a.problem;
     Design design = mechwright::design_of(
-        problem, SizedLinkage{1, std::abs(pins.crank), std::abs(pins.rocker - pins.crank), std::abs(pins.rocker - 1.0)});
+        problem,
+        SizedLinkage{1, std::abs(pins.crank), std::abs(pins.rocker - pins.crank), std::abs(pins.rocker - 1.0)});
     auto& d = design.dimensions;
     for (std::size_t k = 0; k < s.size(); ++k)
         d[input_start + k] = s[k];

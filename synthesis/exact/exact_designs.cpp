@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -56,14 +57,55 @@ std::string miss_defect(const Problem& problem, const Design& design) {
 /// An angle of a full turn, moved by whole turns into its range where that can be done.
 double moved_into(double angle, const DimensionRange& range) {
     constexpr double turn = 2 * std::numbers::pi;
-    const double moved = angle + turn * std::ceil((range.min - angle) / turn);
-    return moved <= range.max ? moved : angle;
+    constexpr double rounding = 1e-11;
+    const double moved = angle + turn * std::ceil((range.min - rounding - angle) / turn);
+    return moved <= range.max + rounding ? std::clamp(moved, range.min, range.max) : angle;
 }
 
 void move_angles_into_ranges(const Problem& problem, Design& design) {
     for (std::size_t i = 0; i < design.dimensions.size(); ++i)
         if (problem.mechanism->dimensions[i].kind == DimensionKind::angle)
             design.dimensions[i] = moved_into(design.dimensions[i], problem.dimensions[i]);
+}
+
+/// By how much the loop closes, at least, on the way from the first target to the last, relative to its size; < 0 where
+/// the linkage would have to be taken apart between them. Infinite without a path.
+double least_closure(const Problem& problem, const Design& design) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    if (design.path_angles.size() < 2) return none;
+    const auto& families = problem.mechanism->families;
+    const auto limited =
+        std::find_if(families.begin(), families.end(), [](const Family& f) { return f.assembly_margin != nullptr; });
+    if (limited == families.end()) return none;
+    const auto [from, to] = std::minmax_element(design.path_angles.begin(), design.path_angles.end());
+    Motion motion;
+    motion.assembly = design.assembly;
+    motion.family = static_cast<std::size_t>(limited - families.begin());
+    motion.full_turn = false;
+    motion.from = *from;
+    motion.to = *to;
+    std::array<double, Quantity::most_components> components{};
+    Measurement measurement;
+    measurement.value = components;
+    limited->assembly_margin->measure(motion, design.dimensions, measurement);
+    const auto count = static_cast<std::ptrdiff_t>(limited->assembly_margin->components(motion));
+    double size = 0;
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+        if (problem.mechanism->dimensions[i].kind == DimensionKind::length) size = std::max(size, design.dimensions[i]);
+    return *std::min_element(components.begin(), components.begin() + count) / size;
+}
+
+/// What is given as one number is that number where it has come out so but for rounding.
+void settle_given(const Problem& problem, Design& design) {
+    constexpr double rounding = 1e-11;
+    double size = 0;
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+        if (scales(problem.mechanism->dimensions[i].kind)) size = std::max(size, std::abs(design.dimensions[i]));
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i) {
+        const DimensionRange& range = problem.dimensions[i];
+        const double slack = rounding * (scales(problem.mechanism->dimensions[i].kind) ? size : 1);
+        if (range.fixed() && std::abs(design.dimensions[i] - range.min) <= slack) design.dimensions[i] = range.min;
+    }
 }
 
 Design design_of(const Problem& problem, const GuidedLinkage& found) {
@@ -104,19 +146,29 @@ ExactDesign without_value(Design design, std::string defect) {
 }  // namespace
 
 ExactDesign exact_design(const Problem& problem, Design design) {
+    move_angles_into_ranges(problem, design);
+    settle_given(problem, design);
     ExactDesign out{assess(problem, std::move(design)), {}};
     const Design& assessed = out.solution.design;
     const auto& assemblies = problem.assemblies;
-    if (std::string missed = miss_defect(problem, assessed); !missed.empty())
+    // At a change point between the targets a hair decides.
+    constexpr double least = 1e-9;
+    const double closure = least_closure(problem, assessed);
+    if (std::string missed = miss_defect(problem, assessed); !missed.empty()) {
         out.defect = std::move(missed);
-    else if (std::find(assemblies.begin(), assemblies.end(), assessed.assembly) == assemblies.end())
+    } else if (!(closure > least)) {
+        out.defect = "circuit: it does not assemble everywhere between the targets";
+        out.solution.violation = std::max(out.solution.violation, least - closure);
+        out.solution.feasible = false;
+    } else if (std::find(assemblies.begin(), assemblies.end(), assessed.assembly) == assemblies.end()) {
         out.defect = "assembly: it is not the one that is asked for";
-    else if (std::string range = range_defect(problem, assessed); !range.empty())
+    } else if (std::string range = range_defect(problem, assessed); !range.empty()) {
         out.defect = std::move(range);
-    else if (!out.solution.feasible)
+    } else if (!out.solution.feasible) {
         out.defect = std::isfinite(out.solution.violation)
                          ? fmt::format("requirements: violated by {:.3g}, relative", out.solution.violation)
                          : "requirements: a quantity that is asked for has no value";
+    }
     return out;
 }
 

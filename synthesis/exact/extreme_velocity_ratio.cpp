@@ -23,10 +23,10 @@ const Requirement* required_extreme(const Problem& problem) {
 }
 
 /// The four-bar on ground 1 of an extreme ratio m. The coupler's line meets the ground's in P, the instant centre of
-/// rocker against crank, whose distances from the pivots have the ratio m; the ratio is extreme where the line from P to
-/// Q, where crank and rocker meet, is square to the coupler (Freudenstein; Theory of Machines, section 9-5). `angle` is
-/// that of the coupler's line against the ground, `distance` that of Q from P, either side. With p and p + 1 the places of
-/// the pivots from P, the pins stand along the coupler's line at
+/// rocker against crank, whose distances from the pivots have the ratio m; the ratio is extreme where the line from P
+/// to Q, where crank and rocker meet, is square to the coupler (Freudenstein; Theory of Machines, section 9-5). `angle`
+/// is that of the coupler's line against the ground, `distance` that of Q from P, either side. With p and p + 1 the
+/// places of the pivots from P, the pins stand along the coupler's line at
 ///     p cos(angle) / (1 + p sin(angle) / distance), likewise for p + 1.
 struct ExtremePose {
     SizedLinkage linkage;
@@ -67,7 +67,8 @@ std::string why_no_extreme_velocity_ratio(const Problem& problem) {
     if (has_ties(problem)) return "dimensions are tied to others";
     const double ratio = *required_extreme(problem)->equal;
     if (ratio == 0 || ratio == 1)
-        return "the theorem gives no four-bar whose extreme velocity ratio is 0 or 1: at 0 the rocker stands still, at 1 the "
+        return "the theorem gives no four-bar whose extreme velocity ratio is 0 or 1: at 0 the rocker stands still, at "
+               "1 the "
                "coupler is parallel to the ground link";
     return {};
 }

@@ -38,8 +38,8 @@ Rates rates_of(const Problem& problem) {
     return rates;
 }
 
-/// Crank, coupler and rocker as vectors. The loop crank + coupler - rocker = ground and its two derivatives are linear in
-/// them; of the last two, with k and r the velocities of coupler and rocker and k', r' their accelerations,
+/// Crank, coupler and rocker as vectors. The loop crank + coupler - rocker = ground and its two derivatives are linear
+/// in them; of the last two, with k and r the velocities of coupler and rocker and k', r' their accelerations,
 ///     crank + k coupler = r rocker,  -crank + (i k' - k^2) coupler = (i r' - r^2) rocker
 /// (Theory of Machines, section 9-3).
 struct LoopVectors {
@@ -58,7 +58,8 @@ std::string why_no_instant(const Problem& problem) {
     if (problem.mechanism != &four_bar_mechanism()) return "it knows four-bars alone";
     if (has_ties(problem)) return "dimensions are tied to others";
     if (!rates_of(problem).all())
-        return "it needs the angular velocities and accelerations of coupler and rocker in [instant]; with fewer, slsqp "
+        return "it needs the angular velocities and accelerations of coupler and rocker in [instant]; with fewer, "
+               "slsqp "
                "finds members of the family";
     return {};
 }
@@ -84,7 +85,8 @@ ExactDesigns instant_designs(const Problem& problem, const RunOptions&) {
     out.counts = counts;
     out.evaluations = 1;
     out.complete = true;
-    out.argument = "Rosenauer: the loop and its two derivatives are linear in the links, which they determine but for size";
+    out.argument =
+        "Rosenauer: the loop and its two derivatives are linear in the links, which they determine but for size";
     return out;
 }
 

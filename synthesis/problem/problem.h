@@ -117,7 +117,7 @@ struct Problem {
     std::shared_ptr<const MotionProgram> program;  ///< of a cam
     std::shared_ptr<const FunctionTarget> function;
     std::optional<FollowedTarget> followed;
-    bool has_instant = false;  ///< velocities are asked for at the crank angle crank-start
+    bool has_instant = false;      ///< velocities are asked for at the crank angle crank-start
     std::size_t cam_rotation = 0;  ///< of a cam: ccw, cw, or either
     SolverOptions solver;
     std::optional<std::vector<std::size_t>> wanted;  ///< quantities that are reported and verified; all unless given

@@ -302,7 +302,7 @@ Result solve(const Problem& problem, const RunOptions& options) {
         result.status = result.verified() ? Status::solved : Status::unverified;
     if (result.status == Status::infeasible) {
         if (found.infeasible && found.report.solutions)
-            result.note = "proved: no four-bar meets the points without a defect; --all lists them";
+            result.note = "proved: nothing meets the targets without a defect; --all lists what does";
         else if (found.infeasible && !result.best)
             result.note = "proved: no design meets the requirements; " + found.report.argument;
         else if (found.infeasible)

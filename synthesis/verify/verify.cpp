@@ -213,8 +213,7 @@ std::vector<Check> checks_of(const Claim& claim) {
             defects.push_back(stated_defect(quantity, value, measurements));
         checks.push_back(stated_check("all listed quantities are as stated", std::move(defects)));
     }
-    if (claim.function && !claim.function->accuracy_points.empty())
-        checks.push_back(check_accuracy_points(design));
+    if (claim.function && !claim.function->accuracy_points.empty()) checks.push_back(check_accuracy_points(design));
     if (claim.followed && claim.followed->full_turn) checks.push_back(check_full_turn(design));
     if (claim.path)
         for (Check& check : check_path(design))

@@ -33,8 +33,8 @@ public:
     }
 
 private:
-    /// A few roundings of double away from zero, and never zero for what is not.
-    static double up(double value) { return value > 0 ? value * (1 + 1e-14) + 1e-300 : 0; }
+    /// A few roundings of double away from zero, and never zero for what is not; NaN stays.
+    static double up(double value) { return value == 0 ? 0 : value * (1 + 1e-14) + 1e-300; }
     static double size_of(const Digits50& value) { return up(std::abs(value.convert_to<double>())); }
     /// Fifty digits round by less than this part.
     static Ball rounded(const Digits50& middle, double radius) {

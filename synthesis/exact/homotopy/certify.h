@@ -9,6 +9,7 @@
 /// that rounding is part of the proof.
 
 #include <Eigen/LU>
+#include <complex>
 #include <optional>
 
 #include "synthesis/exact/homotopy/ball.h"
@@ -53,7 +54,7 @@ template <class System>
 bool refined(const System& system, typename System::template Point<Digits50>& u,
              const typename System::template Parameters<Digits50>& p) {
     constexpr int most = 10;
-    constexpr double done = 1e-40;
+    constexpr double done = 1e-30;  // relative: far inside the box, also where half of the digits cancel
     Augmented<Digits50, System::size> matrix;
     for (int k = 0; k < most; ++k) {
         system.linearise(u, p, static_cast<const typename System::template Parameters<Digits50>*>(nullptr), matrix);
@@ -72,6 +73,72 @@ bool refined(const System& system, typename System::template Point<Digits50>& u,
 
 inline double magnitude(const Complex<Ball>& z) { return std::hypot(z.re.magnitude(), z.im.magnitude()) * (1 + 1e-14); }
 
+template <std::size_t n>
+using Square = std::array<std::array<Complex<Digits50>, n>, n>;
+
+/// About the inverse of the derivatives, in double.
+template <std::size_t n>
+Square<n> rough_inverse(const Augmented<Ball, n>& slopes) {
+    Eigen::Matrix<std::complex<double>, n, n> plain;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+            plain(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = {
+                slopes[i][j].re.middle().template convert_to<double>(),
+                slopes[i][j].im.middle().template convert_to<double>()};
+    const Eigen::Matrix<std::complex<double>, n, n> inverse = plain.partialPivLu().inverse();
+    Square<n> out;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) {
+            const auto& z = inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+            out[i][j] = {Digits50(z.real()), Digits50(z.imag())};
+        }
+    return out;
+}
+
+/// The same in fifty digits.
+template <std::size_t n>
+Square<n> fine_inverse(const Augmented<Ball, n>& slopes) {
+    Square<n> out;
+    for (std::size_t column = 0; column < n; ++column) {
+        Augmented<Digits50, n> equations;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j)
+                equations[i][j] = {slopes[i][j].re.middle(), slopes[i][j].im.middle()};
+            equations[i][n] = {Digits50(i == column ? 1 : 0), Digits50(0)};
+        }
+        solve(equations);
+        for (std::size_t i = 0; i < n; ++i)
+            out[i][column] = equations[i][n];
+    }
+    return out;
+}
+
+/// How far from m, in any part, a solution in the box can be at most; nothing where the operator does not lie inside
+/// the box.
+template <std::size_t n>
+std::optional<double> contraction(const Augmented<Ball, n>& at_middle, const Augmented<Ball, n>& over_box,
+                                  const Square<n>& inverse, double half_width) {
+    constexpr double corner = 1.4142135623731;  // a number of the box is at most so many half-widths long
+    double farthest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        Complex<Ball> step{Ball(0.0), Ball(0.0)};
+        double spread = 0;
+        for (std::size_t j = 0; j < n; ++j) {
+            Complex<Ball> entry{Ball(i == j ? 1.0 : 0.0), Ball(0.0)};
+            for (std::size_t k = 0; k < n; ++k) {
+                const Complex<Ball> factor{Ball(inverse[i][k].re, 0), Ball(inverse[i][k].im, 0)};
+                entry = entry - factor * over_box[k][j];
+                if (j == 0) step = step + factor * at_middle[k][n];
+            }
+            spread += magnitude(entry);
+        }
+        const double here = magnitude(step) + corner * spread * half_width * (1 + 1e-12);
+        if (!(here < half_width)) return {};
+        farthest = std::max(farthest, here);
+    }
+    return farthest;
+}
+
 }  // namespace detail
 
 /// Nothing where the proof does not succeed. `System` is as for Tracker, with `template <class T> static Point<T>
@@ -81,7 +148,8 @@ std::optional<Certificate<System>> certify(const System& system,
                                            const typename System::template Point<double>& approximation,
                                            const typename System::template Parameters<Digits50>& parameters) {
     constexpr std::size_t n = System::size;
-    constexpr double relative_half_width = 1e-22;
+    // A wide box where double does for the inverse; a narrow one where solutions lie close together.
+    constexpr double wide = 1e-22, narrow = 1e-27;
     Certificate<System> certificate;
     auto& m = certificate.solution;
     double size = 0;
@@ -90,45 +158,22 @@ std::optional<Certificate<System>> certify(const System& system,
         size = std::max(size, std::sqrt(norm(approximation[i])));
     }
     if (!detail::refined(system, m, parameters)) return {};
-    const double r = certificate.radius = relative_half_width * size;
     const auto balls = detail::in_balls<System>(parameters);
-    const auto at_middle = detail::at_box(system, m, 0, balls), over_box = detail::at_box(system, m, r, balls);
-
-    Eigen::Matrix<std::complex<double>, n, n> slopes;
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j)
-            slopes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = {
-                at_middle[i][j].re.middle().template convert_to<double>(),
-                at_middle[i][j].im.middle().template convert_to<double>()};
-    const Eigen::Matrix<std::complex<double>, n, n> inverse = slopes.partialPivLu().inverse();
-    if (!inverse.allFinite()) return {};
-    double off = 0;  // how far the operator's middle is from m, at most
-    for (std::size_t i = 0; i < n; ++i) {
-        Complex<Ball> step{Ball(0.0), Ball(0.0)};
-        double spread = 0;
-        for (std::size_t j = 0; j < n; ++j) {
-            Complex<Ball> entry{Ball(i == j ? 1.0 : 0.0), Ball(0.0)};
-            for (std::size_t k = 0; k < n; ++k) {
-                const std::complex<double>& y = inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
-                const Complex<Ball> factor{Ball(y.real()), Ball(y.imag())};
-                entry = entry - factor * over_box[k][j];
-                if (j == 0) step = step + factor * at_middle[k][n];
-            }
-            spread += detail::magnitude(entry);
-        }
-        // A number of the box has an absolute value of at most sqrt(2) r.
-        constexpr double corner = 1.4142135623731;
-        const double here = detail::magnitude(step);
-        if (!(here + corner * spread * r * (1 + 1e-12) < r)) return {};
-        off = std::max(off, here + corner * spread * r);
-    }
+    const auto at_middle = detail::at_box(system, m, 0, balls);
+    const auto within = [&](double half_width, const auto& inverse) {
+        certificate.radius = half_width;
+        return detail::contraction<n>(at_middle, detail::at_box(system, m, half_width, balls), inverse, half_width);
+    };
+    auto off = within(wide * size, detail::rough_inverse<n>(at_middle));
+    if (!off) off = within(narrow * size, detail::fine_inverse<n>(at_middle));
+    if (!off) return {};
     const auto mirrored = System::mirrored(m);
     double apart = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const Complex<Digits50> difference = mirrored[i] - m[i];
         apart = std::max(apart, std::sqrt(norm(detail::rounded(difference))));
     }
-    certificate.real = apart + off < r;
+    certificate.real = apart + *off < certificate.radius;
     return certificate;
 }
 

@@ -119,8 +119,8 @@ const std::array<Quantity, 25> quantities{{
     instant_quantity<OfLink::coupler, Rate::velocity>("instant-coupler-velocity",
                                                       "angular velocity of the coupler over that of the crank at the "
                                                       "crank angle crank-start"),
-    instant_quantity<OfLink::rocker, Rate::velocity>(
-        "instant-rocker-velocity", "angular velocity of the rocker over that of the crank there"),
+    instant_quantity<OfLink::rocker, Rate::velocity>("instant-rocker-velocity",
+                                                     "angular velocity of the rocker over that of the crank there"),
     instant_quantity<OfLink::coupler, Rate::acceleration>(
         "instant-coupler-acceleration", "angular acceleration of the coupler there, for unit velocity of the crank"),
     instant_quantity<OfLink::rocker, Rate::acceleration>(

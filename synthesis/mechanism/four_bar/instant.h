@@ -33,8 +33,8 @@ struct InstantRate {
     }
 };
 
-/// The same in fifty digits: velocities from the loop rebuilt by circle intersection (linkage_again.h), accelerations by
-/// differences of these.
+/// The same in fifty digits: velocities from the loop rebuilt by circle intersection (linkage_again.h), accelerations
+/// by differences of these.
 template <OfLink link, Rate rate>
 Digits50 instant_rate_again(const Motion& motion, std::span<const Digits50> dimensions) {
     const auto m = again::linkage(motion.assembly, dimensions);
