@@ -74,7 +74,7 @@ int read_start_system(const std::string& file, Console& console, std::optional<h
 Command add_start_system(CLI::App& program) {
     const auto options = std::make_shared<StartOptions>();
     CLI::App* command = program.add_subcommand("start-system", "Make the start system of an exact method anew");
-    command->add_option("PROBLEM", options->problem, "nine-point, or N-poses-M-points: 4 and 2, 3 and 4, 2 and 6")
+    command->add_option("PROBLEM", options->problem, "nine-point, or P-poses-Q-points (4 2, 3 4, 2 6)")
         ->required()
         ->option_text(" ");
     add_whole_number(*command, "--seed", options->seed, 0, INT64_MAX, "Seed of the random parameters (1)");
