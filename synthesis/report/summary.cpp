@@ -134,11 +134,13 @@ std::string search_section(const SearchReport& search, bool colour) {
     }
     if (search.solutions) {
         const SolutionCounts& n = *search.solutions;
-        how += fmt::format(
-            " {}, {} at infinity, {} singular; {} real, {} of them certified; {} as mechanisms without a defect.",
-            counted(static_cast<long>(n.distinct), "distinct solution", "distinct solutions"), n.at_infinity,
-            n.singular, n.real, n.certified == n.real ? "all" : std::to_string(n.certified),
-            counted(static_cast<long>(n.defect_free), "of these", "of these"));
+        how += fmt::format(" {}, {} at infinity, {} singular; {} real",
+                           counted(static_cast<long>(n.distinct), "distinct solution", "distinct solutions"),
+                           n.at_infinity, n.singular, n.real);
+        if (n.real > 0)
+            how += fmt::format(", {} of them certified; {} of these as mechanisms without a defect",
+                               n.certified == n.real ? "all" : std::to_string(n.certified), n.defect_free);
+        how += '.';
     }
     if (search.bound && !search.complete)
         how += fmt::format(" No design has an objective below {}: {} boxes were examined.", number_text(*search.bound),

@@ -32,6 +32,7 @@ struct Found {
     bool stopped = false;
     std::string note;  ///< for the user, where there are no candidates
     std::vector<ExcludedDesign> excluded{};
+    std::string excluded_note{};  ///< where every solution of an exact problem is known, and excluded
 };
 
 struct Method {
@@ -149,6 +150,13 @@ Found every_solution(const Problem& problem, const RunOptions& options, Clock::t
     found.report.evaluations = designs.evaluations;
     found.infeasible = found.candidates.empty() && designs.complete;
     found.stopped = designs.stopped;
+    // Of a family the member that comes closest is shown where none has all that is asked for.
+    if (!designs.counts && found.candidates.empty() && !found.excluded.empty() &&
+        std::isfinite(found.excluded.front().solution.violation))
+        found.candidates.push_back(found.excluded.front().solution);
+    found.excluded_note = designs.note.empty()
+                              ? "proved: nothing meets the targets without a defect; --all lists what does"
+                              : "proved: " + designs.note;
     found.note = designs.note.empty() ? "every solution that was found has a defect: --all lists them" : designs.note;
     return found;
 }
@@ -302,7 +310,7 @@ Result solve(const Problem& problem, const RunOptions& options) {
         result.status = result.verified() ? Status::solved : Status::unverified;
     if (result.status == Status::infeasible) {
         if (found.infeasible && found.report.solutions)
-            result.note = "proved: nothing meets the targets without a defect; --all lists what does";
+            result.note = found.excluded_note;
         else if (found.infeasible && !result.best)
             result.note = "proved: no design meets the requirements; " + found.report.argument;
         else if (found.infeasible)

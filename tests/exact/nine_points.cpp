@@ -15,7 +15,6 @@
 namespace mechwright::homotopy {
 namespace {
 
-using S = GuidanceSystem;
 using Number = std::complex<double>;
 using Points = std::array<Complex<double>, 9>;
 
@@ -45,46 +44,7 @@ std::size_t count_real(const GuidanceSolutions& found) {
     return static_cast<std::size_t>(std::count_if(found.solutions.begin(), found.solutions.end(), is_real));
 }
 
-/// Newton's step of a linear system is right if the matrix holds the derivatives: against differences of the values.
-TEST(GuidanceSystem, HasTheDerivativesOfItsEquations) {
-    const StartSystem& start = start_system(nine_points);
-    GuidanceValues u = start.solutions[7];
-    for (std::size_t i = 0; i < u.size(); ++i)
-        u[i] = u[i] + Complex<double>{0.1, 0.05 * static_cast<double>(i)};
-    const auto values = [](const GuidanceValues& at, const GuidanceParameters& p) {
-        Augmented<double, 8> a;
-        nine_points.linearise(at, p, static_cast<const GuidanceParameters*>(nullptr), a);
-        std::array<Number, 8> f;
-        for (std::size_t j = 0; j < 8; ++j)
-            f[j] = {-a[j][8].re, -a[j][8].im};
-        return f;
-    };
-    Augmented<double, 8> a;
-    GuidanceParameters along = start.parameters;
-    nine_points.linearise(u, start.parameters, &along, a);
-    const double h = 1e-6;
-    for (std::size_t i = 0; i <= 8; ++i) {
-        GuidanceValues up = u, down = u;
-        GuidanceParameters p_up = start.parameters, p_down = start.parameters;
-        if (i < 8) {
-            up[i].re += h;
-            down[i].re -= h;
-        } else {
-            for (std::size_t k = 0; k < p_up.size(); ++k) {
-                p_up[k] = p_up[k] + h * along[k];
-                p_down[k] = p_down[k] - h * along[k];
-            }
-        }
-        const auto f = values(up, p_up), g = values(down, p_down);
-        for (std::size_t j = 0; j < 8; ++j) {
-            const Number difference = (f[j] - g[j]) / (2 * h);
-            const Number exact = i < 8 ? Number(a[j][i].re, a[j][i].im) : -Number(a[j][8].re, a[j][8].im);
-            EXPECT_LT(std::abs(difference - exact), 1e-6 * (1 + std::abs(exact)) * 10) << i << ' ' << j;
-        }
-    }
-}
-
-TEST(GuidanceSystem, IsMetByEveryMemberOfAnOrbit) {
+TEST(NinePoints, AreMetByEveryMemberOfAnOrbit) {
     const StartSystem& start = start_system(nine_points);
     for (std::size_t k = 0; k < start.solutions.size(); k += 97) {
         const OrbitKey key = orbit_of(nine_points, start.solutions[k]);

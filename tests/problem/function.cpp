@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "synthesis/mechanism/function_target.h"
 #include "tests/problem/problem_text.h"
 
 namespace mechwright::test {
@@ -23,6 +24,28 @@ TEST(Function, IsReadWithItsScales) {
     EXPECT_NEAR(p.dimensions[13].max, std::acos(-1.0) / 2, 1e-15);
     ASSERT_TRUE(p.crank_range);
     EXPECT_NEAR(p.crank_range->y, std::acos(-1.0) * 2 / 3, 1e-15);
+}
+
+TEST(Function, HasAccuracyPointsAsANumberOrAsAList) {
+    const ReadProblem three = read_function(power + scales + "accuracy_points = 3");
+    ASSERT_TRUE(accepted(three));
+    const auto& spread = three.problem.function->accuracy_points;
+    ASSERT_EQ(spread.size(), 3u);
+    EXPECT_NEAR(spread[0], 2.5 - 1.5 * std::cos(std::acos(-1.0) / 6), 1e-15);
+    const ReadProblem listed = read_function(power + scales + "accuracy_points = [1, 2, 2.5, 4]");
+    ASSERT_TRUE(accepted(listed));
+    EXPECT_EQ(listed.problem.function->accuracy_points, (std::vector<double>{1, 2, 2.5, 4}));
+    // Line 13: behind the section's head, two lines of the function and two of its scales.
+    EXPECT_TRUE(
+        only_says(read_function(power + scales + "accuracy_points = 6"), "p.toml:13:19", {"3, 4 or 5", "not 6"}));
+    EXPECT_TRUE(only_says(read_function(power + scales + "accuracy_points = [1, 2]"), "p.toml:13:19",
+                          {"from 3 to 5", "not 2"}));
+    EXPECT_TRUE(only_says(read_function(power + scales + "accuracy_points = [1, 2, 5]"), "p.toml:13:26",
+                          {"5 is outside the range of x, 1 to 4"}));
+    EXPECT_TRUE(only_says(read_function(power + scales + "accuracy_points = [1, 3, 2]"), "p.toml:13:26",
+                          {"must rise", "from 3 to 2"}));
+    EXPECT_TRUE(only_says(read_function("samples = [[0, 0], [1, 1], [2, 3]]\n" + scales + "accuracy_points = 3"),
+                          "p.toml:12:19", {"go with an expression"}));
 }
 
 TEST(Function, ARangeThatRunsBackwardsSetsTheMotionForwards) {
