@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mechwright {
 
@@ -173,17 +174,26 @@ Eigen::RowVector3d on_moving_pivot(const DyadCondition& c, Complex fixed) {
     return {c[3] + c[5] * u - c[6] * v, c[4] + c[5] * v + c[6] * u, c[0] + c[1] * u + c[2] * v};
 }
 
-/// The one vector that three conditions leave of four of their columns.
-std::optional<Eigen::Vector4d> left_by(std::span<const Displacement, 3> displacements,
-                                       const std::array<Eigen::Index, 4>& columns) {
-    Eigen::Matrix<double, 3, 4> rows;
-    for (Eigen::Index i = 0; i < 3; ++i)
+/// What conditions leave of four of their columns, chosen by an angle where that are two dimensions, by two where
+/// three.
+std::optional<Eigen::Vector4d> left_by(std::span<const Displacement> displacements,
+                                       const std::array<Eigen::Index, 4>& columns, std::span<const double> numbers) {
+    const auto count = static_cast<Eigen::Index>(displacements.size());
+    Eigen::Matrix4d rows = Eigen::Matrix4d::Zero();
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const DyadCondition condition = condition_of(displacements[static_cast<std::size_t>(i)]);
         for (Eigen::Index j = 0; j < 4; ++j)
-            rows(i, j) = condition_of(displacements[static_cast<std::size_t>(i)])[columns[static_cast<std::size_t>(j)]];
-    Eigen::FullPivLU<Eigen::Matrix<double, 3, 4>> lu(rows);
-    lu.setThreshold(rounding);
-    if (lu.rank() < 3) return std::nullopt;
-    return Eigen::Vector4d(lu.kernel().col(0));
+            rows(i, j) = condition[columns[static_cast<std::size_t>(j)]];
+        if (const double size = rows.row(i).norm(); size > 0) rows.row(i) /= size;
+    }
+    const Eigen::ColPivHouseholderQR<Eigen::Matrix4d> qr(rows.transpose());
+    if (!(std::abs(qr.matrixR()(count - 1, count - 1)) > rounding * std::abs(qr.matrixR()(0, 0)))) return std::nullopt;
+    const Eigen::Matrix4d basis = qr.householderQ();
+    const auto angle = [&](std::size_t k) { return k < numbers.size() ? std::numbers::pi * numbers[k] : 0.0; };
+    Eigen::Vector4d left = std::cos(angle(0)) * basis.col(3);
+    if (count <= 2) left += std::sin(angle(0)) * std::cos(angle(1)) * basis.col(2);
+    if (count == 1) left += std::sin(angle(0)) * std::sin(angle(1)) * basis.col(1);
+    return left;
 }
 
 }  // namespace
@@ -253,22 +263,13 @@ std::optional<Line> moving_pivots_of(Complex fixed, const Displacement& displace
     return Line{-row[2] / size * normal, Complex(0, 1) * normal / std::sqrt(size)};
 }
 
-std::optional<SliderDyad> slider_through(std::span<const Displacement, 3> displacements) {
-    const auto left = left_by(displacements, {1, 2, 5, 6});
+std::optional<SliderDyad> slider_through(std::span<const Displacement> displacements, std::span<const double> numbers) {
+    const auto left = left_by(displacements, {1, 2, 5, 6}, numbers);
     if (!left) return std::nullopt;
     const Complex normal((*left)[0], (*left)[1]), product((*left)[2], (*left)[3]);
     const Complex moving = product / std::conj(normal);
     if (!(std::abs(moving) < infinite_beyond)) return std::nullopt;
     return SliderDyad{moving, normal / std::abs(normal)};
-}
-
-std::optional<BlockDyad> block_through(std::span<const Displacement, 3> displacements) {
-    const auto left = left_by(displacements, {3, 4, 5, 6});
-    if (!left) return std::nullopt;
-    const Complex normal((*left)[0], (*left)[1]), product((*left)[2], (*left)[3]);
-    const Complex fixed = std::conj(product / normal);
-    if (!(std::abs(fixed) < infinite_beyond)) return std::nullopt;
-    return BlockDyad{fixed, normal / std::abs(normal)};
 }
 
 std::optional<Dyad> real_dyad(const ComplexDyad& dyad) {

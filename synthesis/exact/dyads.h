@@ -12,6 +12,7 @@
 /// projective plane, which meet in four points.
 
 #include <Eigen/Core>
+#include <array>
 #include <complex>
 #include <optional>
 #include <span>
@@ -43,12 +44,6 @@ struct SliderDyad {
     std::complex<double> normal;  ///< of the slide line, of length 1
 };
 
-/// A line of the body that always passes through a fixed point: the dyad of a block that turns there.
-struct BlockDyad {
-    std::complex<double> fixed;
-    std::complex<double> normal;  ///< of the line, in the first pose
-};
-
 /// Linear conditions on (1, a.x, a.y, x.x, x.y, Re(x conj(a)), Im(x conj(a))).
 using DyadCondition = Eigen::Matrix<double, 1, 7>;
 using DyadConditions = Eigen::Matrix<double, 4, 7>;
@@ -73,22 +68,24 @@ DyadSolutions dyads_meeting(const DyadConditions& conditions);
 /// Those that guide a body through five poses.
 DyadSolutions dyads_through(std::span<const Displacement, 4> displacements);
 
-/// The dyad of a given fixed or moving pivot through three poses, where there is one; with two poses and a line that
-/// the other pivot lies on.
+/// The dyad of a given fixed pivot through three poses, where there is one.
 std::optional<Dyad> dyad_with_fixed_pivot(std::complex<double> fixed, std::span<const Displacement, 2> displacements);
 
-/// The moving pivots that go with a fixed pivot through two poses: those of a line, given by its point nearest to the
-/// fixed pivot's own place and its direction.
 struct Line {
     std::complex<double> point;
     std::complex<double> direction;
 };
+
+/// The moving pivots that go with a fixed pivot through two poses: those of a line, given by its point nearest to the
+/// body's reference point.
 std::optional<Line> moving_pivots_of(std::complex<double> fixed, const Displacement& displacement);
 
-/// The one point of a body whose places in four poses lie on a line (Ball's point), and the one line of it that passes
-/// through one point in all of them; nothing where there is none or are many.
-std::optional<SliderDyad> slider_through(std::span<const Displacement, 3> displacements);
-std::optional<BlockDyad> block_through(std::span<const Displacement, 3> displacements);
+/// How many numbers choose a slider dyad through so many poses, 2 to 4.
+constexpr std::size_t numbers_of_slider(std::size_t poses) { return 4 - poses; }
+
+/// A point of the body whose places in two to four poses lie on a line: in four poses the one that there is (Ball's
+/// point), in fewer one that the numbers, in (0, 1), choose. Nothing where the poses leave more than that.
+std::optional<SliderDyad> slider_through(std::span<const Displacement> displacements, std::span<const double> numbers);
 
 /// Whether both pivots are real but for rounding, and the dyad as one that can be built.
 std::optional<Dyad> real_dyad(const ComplexDyad& dyad);

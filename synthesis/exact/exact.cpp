@@ -8,6 +8,8 @@
 #include "synthesis/exact/instant.h"
 #include "synthesis/exact/places.h"
 #include "synthesis/exact/poses.h"
+#include "synthesis/exact/slider_crank_poses.h"
+#include "synthesis/mechanism/quick_return/quick_return.h"
 
 namespace mechwright {
 
@@ -20,7 +22,9 @@ struct ExactKind {
     ExactDesigns (*designs)(const Problem&, const RunOptions&);
 };
 
-constexpr std::array<ExactKind, 6> kinds{{
+constexpr std::array<ExactKind, 7> kinds{{
+    {[](const Problem& p) { return p.mechanism == &slider_crank_mechanism() && p.path && p.path->guides_body(); },
+     why_no_slider_crank_poses, slider_crank_pose_designs},
     {[](const Problem& p) { return p.path && p.path->guides_body() && p.path->poses() == p.path->points.size(); },
      why_no_poses, pose_designs},
     {[](const Problem& p) { return p.path && p.path->prescribed_timing; }, why_no_timed_points, timed_point_designs},

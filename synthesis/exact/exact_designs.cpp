@@ -134,7 +134,9 @@ Design design_of(const Problem& problem, const GuidedLinkage& found) {
     return design;
 }
 
-ExactDesign without_value(Design design, std::string defect) {
+}  // namespace
+
+ExactDesign excluded_design(Design design, std::string defect) {
     ExactDesign out;
     out.solution.design = std::move(design);
     out.solution.objective = std::nan("");
@@ -142,8 +144,6 @@ ExactDesign without_value(Design design, std::string defect) {
     out.defect = std::move(defect);
     return out;
 }
-
-}  // namespace
 
 ExactDesign exact_design(const Problem& problem, Design design) {
     move_angles_into_ranges(problem, design);
@@ -175,14 +175,14 @@ ExactDesign exact_design(const Problem& problem, Design design) {
 ExactDesign exact_design(const Problem& problem, const GuidedLinkage& found) {
     Design design = design_of(problem, found);
     if (!found.one_assembly)
-        return without_value(std::move(design), "branch: it has to be taken apart between the points");
+        return excluded_design(std::move(design), "branch: it has to be taken apart between the points");
     if (problem.path->prescribed_timing) {
         for (const double angle : problem.path->crank_angles)
             design.path_angles.push_back(design.dimensions[problem.mechanism->path_roles.start] + angle);
     } else if (const auto angles = in_order(found.crank_angles)) {
         design.path_angles = *angles;
     } else {
-        return without_value(std::move(design), "order: the crank does not meet the points in their order");
+        return excluded_design(std::move(design), "order: the crank does not meet the points in their order");
     }
     return exact_design(problem, std::move(design));
 }

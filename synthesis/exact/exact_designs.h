@@ -37,6 +37,9 @@ ExactDesign exact_design(const Problem& problem, const GuidedLinkage& found);
 /// its range, a requirement, a target that is missed.
 ExactDesign exact_design(const Problem& problem, Design design);
 
+/// A design that is of no use, whatever it is worth.
+ExactDesign excluded_design(Design design, std::string defect);
+
 /// Puts a design where it belongs.
 void add_design(ExactDesigns& out, ExactDesign design);
 

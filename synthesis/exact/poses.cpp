@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "synthesis/exact/certified_dyad.h"
-#include "synthesis/exact/dyad_family.h"
+#include "synthesis/exact/pose_targets.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 
 namespace mechwright {
@@ -15,48 +15,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The targets as displacements from the first, lengths scaled to about 1.
-struct Guidance {
-    const Problem* problem;
-    DrawingPlace place;
-    std::vector<Displacement> displacements;  ///< turns of the body; for timed points of the crank
-    std::vector<ExactDisplacement> exact;     ///< the same
-
-    std::size_t places() const { return displacements.size() + 1; }
-};
-
-Guidance guidance_of(const Problem& problem) {
-    const PathTarget& path = *problem.path;
-    const auto at = [&](std::size_t i) { return Complex(path.points[i].x, path.points[i].y); };
-    const std::vector<double>& angles = path.prescribed_timing ? path.crank_angles : path.directions;
-    Guidance g{&problem, {at(0), 1}, {}, {}};
-    double sum = 0;
-    for (std::size_t i = 1; i < path.points.size(); ++i)
-        sum += std::norm(at(i) - at(0));
-    // A power of two: scaling then costs no digits.
-    if (sum > 0)
-        g.place.size = std::exp2(std::round(std::log2(std::sqrt(sum / static_cast<double>(path.points.size())))));
-    for (std::size_t i = 1; i < path.points.size(); ++i) {
-        g.displacements.push_back({(at(i) - at(0)) / g.place.size, std::polar(1.0, angles[i] - angles[0])});
-        const Digits50 turned = Digits50(angles[i]) - angles[0];
-        g.exact.push_back({{(Digits50(path.points[i].x) - path.points[0].x) / g.place.size,
-                            (Digits50(path.points[i].y) - path.points[0].y) / g.place.size},
-                           {cos(turned), sin(turned)}});
-    }
-    return g;
-}
-
-/// Ranges of the crank's pivot.
-PivotRanges crank_pivot_ranges(const Guidance& g) {
-    const Problem& problem = *g.problem;
-    const PathRoles& roles = problem.mechanism->path_roles;
-    const DimensionRange &x = problem.dimensions[roles.origin_x], &y = problem.dimensions[roles.origin_y];
-    const double size = g.place.size;
-    return {-g.place.origin / size, false, x.min / size, x.max / size, y.min / size, y.max / size};
-}
-
 /// Those of the rocker's, from the crank's.
-PivotRanges rocker_pivot_ranges(const Guidance& g, Complex crank_pivot) {
+PivotRanges rocker_pivot_ranges(const PoseTargets& g, Complex crank_pivot) {
     const Problem& problem = *g.problem;
     const DimensionRange &ground = problem.dimensions[0],
                          &tilt = problem.dimensions[problem.mechanism->path_roles.tilt];
@@ -71,7 +31,7 @@ bool is_same(const Dyad& a, const Dyad& b) {
 
 /// Every four-bar of a crank dyad and those of the rocker.
 template <class Take>
-void for_each_linkage(const Guidance& g, const Dyad& crank, std::span<const Displacement> displacements,
+void for_each_linkage(const PoseTargets& g, const Dyad& crank, std::span<const Displacement> displacements,
                       const std::vector<Dyad>& rockers, const Take& take) {
     std::vector<Displacement> places{{0, 1}};
     places.insert(places.end(), displacements.begin(), displacements.end());
@@ -82,7 +42,7 @@ void for_each_linkage(const Guidance& g, const Dyad& crank, std::span<const Disp
 }
 
 /// The best four-bar of the poses whose dyads the numbers choose.
-std::optional<ExactDesign> member_of_poses(const Guidance& g, std::span<const double> numbers) {
+std::optional<ExactDesign> member_of_poses(const PoseTargets& g, std::span<const double> numbers) {
     const std::size_t each = numbers_of_dyad(g.places());
     std::optional<ExactDesign> best;
     for (const Dyad& crank : dyads_of(g.displacements, numbers.first(each), crank_pivot_ranges(g)))
@@ -100,7 +60,7 @@ struct TimedCrank {
     std::vector<Displacement> displacements;
 };
 
-TimedCrank timed_crank(const Guidance& g, const Dyad& seen) {
+TimedCrank timed_crank(const PoseTargets& g, const Dyad& seen) {
     TimedCrank crank{{seen.fixed, seen.fixed - seen.moving}, {}};
     const Complex first = seen.moving - seen.fixed;  // from the pin to the point
     for (const auto& [shift, turn] : g.displacements) {
@@ -112,7 +72,7 @@ TimedCrank timed_crank(const Guidance& g, const Dyad& seen) {
 }
 
 /// Where the crank's start and the ground link's direction are given, the crank pin's direction is.
-std::optional<DyadCondition> line_of_crank_pin(const Guidance& g) {
+std::optional<DyadCondition> line_of_crank_pin(const PoseTargets& g) {
     const Problem& problem = *g.problem;
     const PathRoles& roles = problem.mechanism->path_roles;
     const DimensionRange &start = problem.dimensions[roles.start], &tilt = problem.dimensions[roles.tilt];
@@ -120,7 +80,7 @@ std::optional<DyadCondition> line_of_crank_pin(const Guidance& g) {
     return moving_pivot_on_line(0, std::polar(1.0, tilt.min + start.min + problem.path->crank_angles.front()));
 }
 
-std::optional<ExactDesign> member_of_timed_points(const Guidance& g, std::span<const double> numbers) {
+std::optional<ExactDesign> member_of_timed_points(const PoseTargets& g, std::span<const double> numbers) {
     const std::size_t each = numbers_of_dyad(g.places());
     std::optional<ExactDesign> best;
     for (const Dyad& seen :
@@ -177,7 +137,7 @@ std::size_t certified_of(const std::vector<RealDyad>& dyads) {
 }
 
 /// How the coupler turns with a crank at five points, in fifty digits; nothing without a proof of the crank.
-std::vector<ExactDisplacement> exact_coupler(const Guidance& g, const std::optional<CertifiedDyad>& seen) {
+std::vector<ExactDisplacement> exact_coupler(const PoseTargets& g, const std::optional<CertifiedDyad>& seen) {
     std::vector<ExactDisplacement> all;
     if (!seen) return all;
     const auto& a = seen->fixed;
@@ -196,7 +156,7 @@ constexpr std::string_view not_independent =
     "the targets are special: whole families of dyads meet them, of which none are listed; one target less leaves a "
     "family that is searched";
 
-ExactDesigns through_five_poses(const Guidance& g) {
+ExactDesigns through_five_poses(const PoseTargets& g) {
     ExactDesigns out;
     out.complete = true;
     SolutionCounts counts;
@@ -214,7 +174,7 @@ ExactDesigns through_five_poses(const Guidance& g) {
     return out;
 }
 
-ExactDesigns through_five_timed_points(const Guidance& g) {
+ExactDesigns through_five_timed_points(const PoseTargets& g) {
     ExactDesigns out;
     out.complete = true;
     SolutionCounts counts;
@@ -273,7 +233,7 @@ std::string why_no_poses(const Problem& problem) {
 }
 
 ExactDesigns pose_designs(const Problem& problem, const RunOptions& options) {
-    const Guidance g = guidance_of(problem);
+    const PoseTargets g = pose_targets(problem);
     if (g.places() == 5) return finished(problem, through_five_poses(g));
     return search_family(
         problem, 2 * numbers_of_dyad(g.places()),
@@ -288,7 +248,7 @@ std::string why_no_timed_points(const Problem& problem) {
 }
 
 ExactDesigns timed_point_designs(const Problem& problem, const RunOptions& options) {
-    const Guidance g = guidance_of(problem);
+    const PoseTargets g = pose_targets(problem);
     if (g.places() == 5) return finished(problem, through_five_timed_points(g));
     return search_family(
         problem, 2 * numbers_of_dyad(g.places()),

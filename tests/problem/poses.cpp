@@ -50,9 +50,13 @@ TEST(Poses, StandAloneAndHaveQuantitiesOfTheirOwn) {
                      "p.toml:10:1", {"not both"}));
     EXPECT_TRUE(says(read_poses("poses = [[1, 2, 3], [2, 2, 3]]\n[objective]\nminimize = \"path-rms\""), "p.toml:11:12",
                      {"[path]"}));
-    EXPECT_TRUE(says(read("schema = 1\nmechanism = \"slider-crank\"\n[dimensions]\ncrank = 1\nrod = 3\noffset = 0\n"
-                          "[poses]\nposes = [[1, 2, 3], [2, 2, 3]]\n"),
-                     "p.toml:7:1", {"guides no body"}));
+    EXPECT_TRUE(
+        says(read("schema = 1\nmechanism = \"whitworth\"\n[dimensions]\ncentre-distance = 1\ncrank = 3\narm = 1\n"
+                  "[poses]\nposes = [[1, 2, 3], [2, 2, 3]]\n"),
+             "p.toml:7:1", {"guides no body"}));
+    EXPECT_TRUE(
+        accepted(read("schema = 1\nmechanism = \"slider-crank\"\n[dimensions]\ncrank = 1\nrod = 3\noffset = 0\n"
+                      "[poses]\nposes = [[1, 2, 3], [2, 2, 3]]\n")));
 }
 
 }  // namespace

@@ -158,7 +158,8 @@ std::vector<Check> RamAgain<Geometry>::check_motion(const Motion& motion, Dimens
     checks.push_back(check_reach(places, m.unit));
     checks.push_back(check_branch(places, checks.back().passed));
     constexpr std::size_t two_strokes = 0;  // family
-    if (motion.family == two_strokes && checks.back().passed) checks.push_back(check_strokes(m, motion));
+    if (motion.family == two_strokes && motion.full_turn && checks.back().passed)
+        checks.push_back(check_strokes(m, motion));
     return checks;
 }
 

@@ -18,7 +18,7 @@
 namespace mechwright::quick_return {
 
 /// Where the scales stand among the dimensions of the slider-crank.
-enum ScaleIndex : std::size_t { input_start = 9, input_range, output_start, output_range, function_reads };
+enum ScaleIndex : std::size_t { input_start = 10, input_range, output_start, output_range, function_reads };
 
 /// The generator of function_formulas.h: the position of the ram less the one that the function asks for.
 struct RamPosition {

@@ -14,7 +14,7 @@ namespace {
 
 using namespace quick_return;
 
-constexpr std::array<Dimension, 18> dimensions{{
+constexpr std::array<Dimension, 19> dimensions{{
     {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
     {"rod", DimensionKind::length, true, "rod, crank pin to ram"},
     {"offset", DimensionKind::coordinate, true,
@@ -25,6 +25,7 @@ constexpr std::array<Dimension, 18> dimensions{{
     {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
     {"tilt", DimensionKind::angle, false, "direction of the slide in the drawing"},
     {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
+    {"body-angle", DimensionKind::angle, false, "direction of a guided body, from that of the rod"},
     {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's, line's or arc's range",
      false, true},
     {"input-range", DimensionKind::angle, false, "crank angle over the range of a function, line or arc", false, true},
@@ -44,8 +45,8 @@ const Quantity input_margin = input_margin_quantity<RamInputMargin>();
 const std::array<Quantity, 2> over_input{
     {input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min"),
      input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst")}};
-constexpr std::size_t line_angle = 13;
-constexpr std::size_t arc_x = 15;
+constexpr std::size_t line_angle = 14;
+constexpr std::size_t arc_x = 16;
 const Quantity function_errors = error_quantity<RamPosition>();
 const Quantity line_errors = error_quantity<ShapeDistance<RodPath, LineShape, input_start, line_angle>>();
 const Quantity arc_errors = error_quantity<ShapeDistance<RodPath, ArcShape, input_start, arc_x>>();
@@ -104,6 +105,8 @@ std::vector<Quantity> all_quantities() {
         "greatest angle at the ram over the motion", "least angle at the ram over the motion");
     for (const Quantity& q : path_quantities)
         all.push_back(q);
+    for (const Quantity& q : pose_quantities)
+        all.push_back(q);
     for (const Quantity& q : function_quantities<RamPosition, RamPositionAgain>(
              Unit::length, "greatest difference of the ram's position from the function",
              "root mean square difference of the ram's position from the function"))
@@ -130,8 +133,10 @@ const Mechanism& slider_crank_mechanism() {
                                      .describe = describe,
                                      .check_motion = SliderCrankAgain::check_motion,
                                      .path_reads = RodPath::reads,
-                                     .path_roles = {3, 4, 5, 6, 7, 8},
+                                     .path_roles = {3, 4, 5, 6, 7, 8, 9},
                                      .path_miss = path_miss_by<RodPath>,
+                                     .pose_reads = RodPose::reads,
+                                     .pose_miss = pose_miss_by<RodPose>,
                                      .path_point = rod_path_point,
                                      .input_margin = &input_margin,
                                      .function_fit = fit_ram_function,
