@@ -27,27 +27,25 @@ std::vector<std::string> result_names(const std::vector<std::string>& files) {
 }
 
 std::optional<std::string> prepare_results(const std::string& folder, const std::vector<std::string>& names,
-                                           bool with_table, bool with_solutions) {
+                                           const std::vector<std::string>& table_endings) {
     if (auto fault = prepare_folder(folder)) return fault;
-    for (const std::string& name : names) {
-        std::vector<std::string> files{name + ".json"};
-        if (with_table) files.push_back(name + ".csv");
-        if (with_solutions) files.push_back(name + solutions_ending);
-        for (const std::string& file : files) {
-            const fs::path path = fs::path(folder) / file;
+    std::vector<std::string> endings{".json"};
+    endings.insert(endings.end(), table_endings.begin(), table_endings.end());
+    for (const std::string& name : names)
+        for (const std::string& ending : endings) {
+            const fs::path path = fs::path(folder) / (name + ending);
             std::error_code ignored;
             if (fs::is_directory(path, ignored)) return "cannot write '" + path.string() + "': it is a folder";
         }
-    }
     return std::nullopt;
 }
 
 std::optional<std::string> write_result(const std::string& folder, const std::string& name, const ResultText& text) {
     const fs::path path = fs::path(folder) / name;
     if (auto fault = write_atomically(path.string() + ".json", text.document)) return fault;
-    if (text.table)
-        if (auto fault = write_atomically(path.string() + ".csv", *text.table)) return fault;
-    return text.solutions ? write_atomically(path.string() + solutions_ending, *text.solutions) : std::nullopt;
+    for (const ResultTable& table : text.tables)
+        if (auto fault = write_atomically(path.string() + table.ending, table.text)) return fault;
+    return std::nullopt;
 }
 
 }  // namespace mechwright

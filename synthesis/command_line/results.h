@@ -16,16 +16,18 @@ std::vector<std::string> result_names(const std::vector<std::string>& files);
 
 /// Makes the folder ready for the results of these names before anything is computed. Returns what stands in the way.
 std::optional<std::string> prepare_results(const std::string& folder, const std::vector<std::string>& names,
-                                           bool with_table, bool with_solutions);
+                                           const std::vector<std::string>& table_endings);
 
-/// What the name of the table of all solutions ends in.
-inline constexpr const char* solutions_ending = ".solutions.csv";
+/// A table beside a result: what the name of its file ends in, and its text.
+struct ResultTable {
+    std::string ending;
+    std::string text;
+};
 
-/// The files of one result: the text of its document, the motion table, and the table of all solutions.
+/// The files of one result: the text of its document, and tables.
 struct ResultText {
     std::string document;
-    std::optional<std::string> table;
-    std::optional<std::string> solutions;
+    std::vector<ResultTable> tables;
 };
 
 /// Writes them. Returns what went wrong.

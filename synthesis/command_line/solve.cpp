@@ -38,7 +38,7 @@ Command add_solve(CLI::App& program) {
     CLI::App* command = program.add_subcommand("solve", "Synthesise mechanisms and verify them");
     CLI::Option* out = add_solving_options(*command, *options);
     command->add_flag("--all", options->all, "Put solutions with defects into the alternatives too");
-    command->add_flag("--csv", options->csv, "Write motion tables too; with --all all designs")->needs(out);
+    command->add_flag("--csv", options->csv, "Write tables too: motion; with --all all designs")->needs(out);
     command->add_option("--start-system", options->start_system, "Start system of a homotopy (see start-system)")
         ->type_name("FILE")
         ->check(not_empty);

@@ -15,6 +15,7 @@
 #include "synthesis/command_line/results.h"
 #include "synthesis/command_line/start_system.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/report/burmester_table.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/json_text.h"
 #include "synthesis/report/motion_table.h"
@@ -84,23 +85,36 @@ Result solve_task(const Task& task, const SolvingOptions& options, const StartSy
     return result;
 }
 
+constexpr const char* motion_ending = ".csv";
+constexpr const char* solutions_ending = ".solutions.csv";
+constexpr const char* burmester_ending = ".burmester.csv";
+
+/// What --csv asks for besides the document.
+std::vector<ResultTable> tables_of(const Problem& problem, const Result& result, const SolvingOptions& options) {
+    std::vector<ResultTable> tables;
+    if (!options.csv) return tables;
+    tables.push_back({motion_ending,
+                      result.best ? motion_table(problem, result.best->design, table_steps) : motion_header(problem)});
+    if (options.all) tables.push_back({solutions_ending, solutions_table(problem, result)});
+    if (has_burmester_curves(problem)) tables.push_back({burmester_ending, burmester_table(problem)});
+    return tables;
+}
+
 /// Writes the files of a result. Returns the exit code.
 int keep(const Task& task, const Result& result, const std::string& document, const SolvingOptions& options,
          Console& console) {
     if (options.out.empty()) return exit_code::solved;
-    ResultText text{document, std::nullopt, std::nullopt};
-    if (options.csv)
-        text.table =
-            result.best ? motion_table(task.problem, result.best->design, table_steps) : motion_header(task.problem);
-    if (options.csv && options.all) text.solutions = solutions_table(task.problem, result);
+    const ResultText text{document, tables_of(task.problem, result, options)};
     if (const auto fault = write_result(options.out, task.result_name, text)) {
         complain(console, *fault);
         return exit_code::no_access;
     }
     if (!options.quiet) {
         const std::string path = (std::filesystem::path(options.out) / task.result_name).string();
-        console.err << "wrote " << path << ".json" << (text.solutions ? ", " + path + solutions_ending : "")
-                    << (options.csv ? " and " + path + ".csv" : "") << std::endl;
+        console.err << "wrote " << path << ".json";
+        for (const ResultTable& table : text.tables)
+            console.err << (&table == &text.tables.back() ? " and " : ", ") << path << table.ending;
+        console.err << std::endl;
     }
     return exit_code::solved;
 }
@@ -143,7 +157,8 @@ int prepare(const std::vector<Task>& tasks, const SolvingOptions& options, Conso
     std::vector<std::string> names;
     for (const Task& task : tasks)
         names.push_back(task.result_name);
-    const auto fault = prepare_results(options.out, names, options.csv, options.csv && options.all);
+    const std::vector<std::string> endings{motion_ending, solutions_ending, burmester_ending};
+    const auto fault = prepare_results(options.out, names, options.csv ? endings : std::vector<std::string>{});
     if (!fault) return exit_code::solved;
     complain(console, *fault);
     return exit_code::no_access;

@@ -25,6 +25,18 @@ TEST(Exact, AllSolutionsAreWrittenAsATable) {
     expect_has_not(fewer.err, "solutions.csv");
 }
 
+TEST(Exact, FourPosesHaveTheirBurmesterCurvesAsATable) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "out";
+    const Outcome outcome =
+        run({"solve", "--csv", "--out", out, MECHWRIGHT_SOURCE_DIR "/problems/exact/four-poses.toml"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_has(outcome.err, "four-poses.csv and ");
+    const std::string table = content_of(out + "/four-poses.burmester.csv");
+    expect_has(table, "stretch,fixed-x [mm],fixed-y [mm],moving-x [mm],moving-y [mm]\n1,");
+    EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 100);
+}
+
 TEST(Exact, BeginsWithAGivenStartSystem) {
     const TemporaryFolder folder;
     const Outcome made = run({"start-system", "3-poses-4-points", "--seed", "7", "--quiet"});
