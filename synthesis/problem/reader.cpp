@@ -4,6 +4,7 @@
 
 #include <exception>
 
+#include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/sections.h"
 #include "synthesis/problem/text.h"
@@ -33,6 +34,14 @@ void read_mechanism(Section& file, Problem& problem, Messages& messages) {
         problem.mechanism = find_mechanism(names[*index]);
 }
 
+/// Accuracy points that no method will look at.
+void warn_of_accuracy_points(const Section& file, const Problem& problem, Messages& messages) {
+    if (!problem.function || problem.function->accuracy_points.empty() || problem.solver.method == "exact") return;
+    if (const toml::node* node = file.table->at_path("function.accuracy_points").node())
+        add_warning(messages, place_of(*node),
+                    "accuracy points are met by method = \"exact\" in [solver]; every other method passes them over");
+}
+
 }  // namespace
 
 void read_problem_table(const toml::table& table, Problem& problem, Messages& messages) {
@@ -52,6 +61,7 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     read_followed(file, problem, messages);
     read_settings(file, problem, messages);
     read_solver(file, problem, messages);
+    warn_of_accuracy_points(file, problem, messages);
     read_requirements(file, problem, messages);
     read_instant(file, problem, messages);
     read_study(file, problem, messages);

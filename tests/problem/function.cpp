@@ -27,12 +27,15 @@ TEST(Function, IsReadWithItsScales) {
 }
 
 TEST(Function, HasAccuracyPointsAsANumberOrAsAList) {
-    const ReadProblem three = read_function(power + scales + "accuracy_points = 3");
+    const std::string exactly = "\n[solver]\nmethod = \"exact\"";
+    EXPECT_TRUE(only_says(read_function(power + scales + "accuracy_points = 3"), "p.toml:13:19",
+                          {"warning", "method = \"exact\"", "passes them over"}));
+    const ReadProblem three = read_function(power + scales + "accuracy_points = 3" + exactly);
     ASSERT_TRUE(accepted(three));
     const auto& spread = three.problem.function->accuracy_points;
     ASSERT_EQ(spread.size(), 3u);
     EXPECT_NEAR(spread[0], 2.5 - 1.5 * std::cos(std::acos(-1.0) / 6), 1e-15);
-    const ReadProblem listed = read_function(power + scales + "accuracy_points = [1, 2, 2.5, 4]");
+    const ReadProblem listed = read_function(power + scales + "accuracy_points = [1, 2, 2.5, 4]" + exactly);
     ASSERT_TRUE(accepted(listed));
     EXPECT_EQ(listed.problem.function->accuracy_points, (std::vector<double>{1, 2, 2.5, 4}));
     // Line 13: behind the section's head, two lines of the function and two of its scales.
