@@ -44,9 +44,8 @@ const ExactKind* kind_of(const Problem& problem) {
 std::string why_not_exact(const Problem& problem) {
     const ExactKind* kind = kind_of(problem);
     return kind ? kind->why_not(problem)
-                : "it needs targets that are met exactly: a [path], [poses], a [function], an [instant], or an extreme "
-                  "velocity "
-                  "ratio that equals a value";
+                : "it needs targets that are met exactly: a [path], [poses], a [function], an [instant], or an "
+                  "extreme velocity ratio that equals a value";
 }
 
 ExactDesigns exact_designs(const Problem& problem, const RunOptions& options) {

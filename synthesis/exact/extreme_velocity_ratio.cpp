@@ -67,9 +67,8 @@ std::string why_no_extreme_velocity_ratio(const Problem& problem) {
     if (has_ties(problem)) return "dimensions are tied to others";
     const double ratio = *required_extreme(problem)->equal;
     if (ratio == 0 || ratio == 1)
-        return "the theorem gives no four-bar whose extreme velocity ratio is 0 or 1: at 0 the rocker stands still, at "
-               "1 the "
-               "coupler is parallel to the ground link";
+        return "the theorem gives no four-bar whose extreme velocity ratio is 0 or 1: at 0 the rocker stands still, "
+               "at 1 the coupler is parallel to the ground link";
     return {};
 }
 

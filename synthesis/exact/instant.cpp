@@ -59,8 +59,7 @@ std::string why_no_instant(const Problem& problem) {
     if (has_ties(problem)) return "dimensions are tied to others";
     if (!rates_of(problem).all())
         return "it needs the angular velocities and accelerations of coupler and rocker in [instant]; with fewer, "
-               "slsqp "
-               "finds members of the family";
+               "slsqp finds members of the family";
     return {};
 }
 

@@ -21,14 +21,17 @@ std::string why_not_so_many_points(const std::vector<Vector<double>>& points) {
                            : "through fewer pass whole families; least-squares finds members of them");
 }
 
+/// "3 poses and 1 point"
+std::string counted(std::size_t poses, std::size_t points) {
+    return fmt::format("{} pose{} and {} point{}", poses, poses == 1 ? "" : "s", points, points == 1 ? "" : "s");
+}
+
 std::string why_not_these(std::size_t poses, std::size_t points) {
     if (poses <= 4 && 2 * poses + points == 10) return {};
     return fmt::format(
-        "there are {} poses and {} points; it finds four-bars through 4 poses and 2 points, 3 and 4, 2 and 6, or 1 and "
-        "8: "
-        "more leave no linkage in general, fewer whole families, and least-squares finds the closest or members of "
-        "them",
-        poses, points);
+        "there are {}; it finds four-bars through 4 poses and 2 points, 3 and 4, 2 and 6, or 1 and 8: more leave no "
+        "linkage in general, fewer whole families, and least-squares finds the closest or members of them",
+        counted(poses, points));
 }
 
 std::string why_points_coincide(const PathTarget& path) {
@@ -108,11 +111,10 @@ ExactDesigns place_designs(const Problem& problem, const RunOptions& options) {
     rank(problem, out);
     if (!out.complete) return out;
     const std::size_t points = problem.path->points.size() - problem.path->poses();
-    out.argument = fmt::format(
-        "homotopy: all {} {} through {} are accounted for, {} of them real", out.counts->tracked,
-        system.poses == 1 ? "cognate triplets" : "pairs of dyads",
-        problem.path->guides_body() ? fmt::format("{} poses and {} points", system.poses, points) : "nine points",
-        out.counts->real);
+    out.argument =
+        fmt::format("homotopy: all {} {} through {} are accounted for, {} of them real", out.counts->tracked,
+                    system.poses == 1 ? "cognate triplets" : "pairs of dyads",
+                    problem.path->guides_body() ? counted(system.poses, points) : "nine points", out.counts->real);
     return out;
 }
 

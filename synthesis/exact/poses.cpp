@@ -193,9 +193,8 @@ ExactDesigns through_five_timed_points(const PoseTargets& g) {
     out.counts = counts;
     out.evaluations = static_cast<long>(counts.tracked);
     out.argument = fmt::format(
-        "Burmester, twice: of all 4 cranks at five points with their timing {} are real; the 4 dyads that go with each "
-        "of "
-        "these are accounted for",
+        "Burmester, twice: of all 4 cranks at five points with their timing {} are real; the 4 dyads that go with "
+        "each of these are accounted for",
         cranks.size());
     return out;
 }

@@ -177,8 +177,7 @@ constexpr std::array<Method, 7> methods{{
      automatic},
     {"closed-form",
      "crank-rockers of given swing and time ratio, slider-cranks, crank shapers and Whitworth drives of given time "
-     "ratio "
-     "and stroke, with the best transmission angle; the smallest cams: the global optimum",
+     "ratio and stroke, with the best transmission angle; the smallest cams: the global optimum",
      why_no_closed_form, closed_form},
     {"exact",
      "mechanisms that meet their targets exactly, every one where there are finitely many: nine points of a path, "
