@@ -207,6 +207,7 @@ std::string why_no_four_bar_targets(const Problem& problem) {
 
 /// A number of targets that the method does not take.
 std::string why_not_so_many(std::size_t count, std::string_view targets) {
+    if (count < 2) return fmt::format("it needs from two to five {}, and there is one", targets);
     if (count <= 5) return {};
     return fmt::format(
         "it finds four-bars through up to five {}, and there are {}: through more no linkage passes in "

@@ -239,6 +239,7 @@ TEST(ExactMethod, SaysWhyItDoesNotApplyToPosesAndTimedPoints) {
     EXPECT_NE(six.find("least-squares"), std::string::npos);
     EXPECT_NE(why(with_start, timed_points_of(random_motion(random, 6))).find("up to five points"), std::string::npos);
     EXPECT_EQ(why(with_start, timed_points_of(random_motion(random, 5))), "");
+    EXPECT_NE(why(with_start, timed_points_of(random_motion(random, 1))).find("there is one"), std::string::npos);
     const std::string mixed = why(with_body, "[poses]\nposes = [[0, 0, 0], [1, 1], [2, 0, 30]]");
     EXPECT_NE(mixed.find("2 poses and 1 point;"), std::string::npos) << mixed;
     const std::string same =
