@@ -40,6 +40,19 @@ std::string range_defect(const Problem& problem, const Design& design) {
     return defect;
 }
 
+/// A link that is nothing beside the others.
+std::string degenerate_defect(const Problem& problem, const Design& design) {
+    constexpr double least_ratio = 1e-6;
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i) {
+        if (problem.mechanism->dimensions[i].kind != DimensionKind::length) continue;
+        shortest = std::min(shortest, design.dimensions[i]);
+        longest = std::max(longest, design.dimensions[i]);
+    }
+    if (shortest >= least_ratio * longest) return {};
+    return fmt::format("degenerate: its shortest link is {:.1g} of its longest", shortest / longest);
+}
+
 /// The target that is missed most, where that is more than rounding: a solution that is none.
 std::string miss_defect(const Problem& problem, const Design& design) {
     if (!problem.path) return {};
@@ -69,30 +82,26 @@ void move_angles_into_ranges(const Problem& problem, Design& design) {
 }
 
 /// By how much the loop closes, at least, on the way from the first target to the last, relative to its size; < 0 where
-/// the linkage would have to be taken apart between them. Infinite without a path.
-double least_closure(const Problem& problem, const Design& design) {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    if (design.path_angles.size() < 2) return none;
-    const auto& families = problem.mechanism->families;
-    const auto limited =
-        std::find_if(families.begin(), families.end(), [](const Family& f) { return f.assembly_margin != nullptr; });
-    if (limited == families.end()) return none;
+/// the linkage would have to be taken apart between them. Infinite without a path. It is least at an end, or where the
+/// crank stands along the ground link, or across a slide.
+double closure_along_path(const Problem& problem, const Design& design) {
+    constexpr double quarter = 0.5 * std::numbers::pi;
+    double least = std::numeric_limits<double>::infinity();
+    if (design.path_angles.empty()) return least;
+    const auto consider = [&](double crank_angle) {
+        PathMiss miss{};
+        problem.mechanism->path_miss(design.assembly, design.dimensions, crank_angle, {0, 0}, miss);
+        least = std::min(least, miss.margin);
+    };
     const auto [from, to] = std::minmax_element(design.path_angles.begin(), design.path_angles.end());
-    Motion motion;
-    motion.assembly = design.assembly;
-    motion.family = static_cast<std::size_t>(limited - families.begin());
-    motion.full_turn = false;
-    motion.from = *from;
-    motion.to = *to;
-    std::array<double, Quantity::most_components> components{};
-    Measurement measurement;
-    measurement.value = components;
-    limited->assembly_margin->measure(motion, design.dimensions, measurement);
-    const auto count = static_cast<std::ptrdiff_t>(limited->assembly_margin->components(motion));
+    consider(*from);
+    consider(*to);
+    for (double k = std::ceil(*from / quarter); k * quarter < *to; ++k)
+        consider(k * quarter);
     double size = 0;
     for (std::size_t i = 0; i < design.dimensions.size(); ++i)
         if (problem.mechanism->dimensions[i].kind == DimensionKind::length) size = std::max(size, design.dimensions[i]);
-    return *std::min_element(components.begin(), components.begin() + count) / size;
+    return least / size;
 }
 
 /// What is given as one number is that number where it has come out so but for rounding.
@@ -134,6 +143,26 @@ Design design_of(const Problem& problem, const GuidedLinkage& found) {
     return design;
 }
 
+/// What excludes a design; empty if nothing does.
+std::string defect_of(const Problem& problem, const Solution& solution) {
+    constexpr double least_closure = 1e-6;  // nearer to a change point a hair decides which way a linkage goes
+    const Design& design = solution.design;
+    if (std::string degenerate = degenerate_defect(problem, design); !degenerate.empty()) return degenerate;
+    if (std::string missed = miss_defect(problem, design); !missed.empty()) return missed;
+    const double closure = closure_along_path(problem, design);
+    if (!(closure >= 0)) return "circuit: it does not assemble everywhere between the targets";
+    if (closure < least_closure)
+        return fmt::format("change point: between the targets its loop closes by only {:.1g} of its size", closure);
+    const auto& assemblies = problem.assemblies;
+    if (std::find(assemblies.begin(), assemblies.end(), design.assembly) == assemblies.end())
+        return "assembly: it is not the one that is asked for";
+    if (std::string range = range_defect(problem, design); !range.empty()) return range;
+    if (solution.feasible) return {};
+    return std::isfinite(solution.violation)
+               ? fmt::format("requirements: violated by {:.3g}, relative", solution.violation)
+               : "requirements: a quantity that is asked for has no value";
+}
+
 }  // namespace
 
 ExactDesign excluded_design(Design design, std::string defect) {
@@ -149,41 +178,32 @@ ExactDesign exact_design(const Problem& problem, Design design) {
     move_angles_into_ranges(problem, design);
     settle_given(problem, design);
     ExactDesign out{assess(problem, std::move(design)), {}};
-    const Design& assessed = out.solution.design;
-    const auto& assemblies = problem.assemblies;
-    // At a change point between the targets a hair decides.
-    constexpr double least = 1e-9;
-    const double closure = least_closure(problem, assessed);
-    if (std::string missed = miss_defect(problem, assessed); !missed.empty()) {
-        out.defect = std::move(missed);
-    } else if (!(closure > least)) {
-        out.defect = "circuit: it does not assemble everywhere between the targets";
-        out.solution.violation = std::max(out.solution.violation, least - closure);
+    out.defect = defect_of(problem, out.solution);
+    if (!out.defect.empty() && out.solution.feasible) {
         out.solution.feasible = false;
-    } else if (std::find(assemblies.begin(), assemblies.end(), assessed.assembly) == assemblies.end()) {
-        out.defect = "assembly: it is not the one that is asked for";
-    } else if (std::string range = range_defect(problem, assessed); !range.empty()) {
-        out.defect = std::move(range);
-    } else if (!out.solution.feasible) {
-        out.defect = std::isfinite(out.solution.violation)
-                         ? fmt::format("requirements: violated by {:.3g}, relative", out.solution.violation)
-                         : "requirements: a quantity that is asked for has no value";
+        out.solution.violation = 1;
     }
     return out;
+}
+
+ExactDesign exact_design(const Problem& problem, Design design, const std::vector<double>& crank_angles) {
+    std::optional<ExactDesign> best;
+    for (std::vector<double>& angles : in_order(crank_angles)) {
+        Design one = design;
+        one.path_angles = std::move(angles);
+        keep_better(problem, best, exact_design(problem, std::move(one)));
+    }
+    return best ? *std::move(best)
+                : excluded_design(std::move(design), "order: the crank does not meet the targets in their order");
 }
 
 ExactDesign exact_design(const Problem& problem, const GuidedLinkage& found) {
     Design design = design_of(problem, found);
     if (!found.one_assembly)
-        return excluded_design(std::move(design), "branch: it has to be taken apart between the points");
-    if (problem.path->prescribed_timing) {
-        for (const double angle : problem.path->crank_angles)
-            design.path_angles.push_back(design.dimensions[problem.mechanism->path_roles.start] + angle);
-    } else if (const auto angles = in_order(found.crank_angles)) {
-        design.path_angles = *angles;
-    } else {
-        return excluded_design(std::move(design), "order: the crank does not meet the points in their order");
-    }
+        return excluded_design(std::move(design), "branch: it has to be taken apart between the targets");
+    if (!problem.path->prescribed_timing) return exact_design(problem, std::move(design), found.crank_angles);
+    for (const double angle : problem.path->crank_angles)
+        design.path_angles.push_back(design.dimensions[problem.mechanism->path_roles.start] + angle);
     return exact_design(problem, std::move(design));
 }
 

@@ -20,6 +20,7 @@ struct ExactDesigns {
     long evaluations = 0;                  ///< paths that were followed, or members of families that were examined
     std::string note;                      ///< for the user, where there is no design
     int starts = 0;                        ///< local searches in a family
+    int local_optima = 0;                  ///< that they came to
     bool stopped = false;
 };
 
@@ -33,7 +34,11 @@ struct ExactDesign {
 /// A four-bar that passes the points or poses of a problem, as a design of it.
 ExactDesign exact_design(const Problem& problem, const GuidedLinkage& found);
 
-/// A design that need not be checked for its order along a path. What excludes it: the assembly, a dimension outside
+/// A design with the crank angles at which it meets the targets, up to whole turns: in the direction in which it does
+/// so in their order, the better one where both will do.
+ExactDesign exact_design(const Problem& problem, Design design, const std::vector<double>& crank_angles);
+
+/// A design whose crank angles are known, or that has no path. What excludes it: the assembly, a dimension outside
 /// its range, a requirement, a target that is missed.
 ExactDesign exact_design(const Problem& problem, Design design);
 

@@ -123,21 +123,28 @@ ExactDesigns search_family(const Problem& problem, std::size_t numbers, const Fa
         return merit(problem, a.design) < merit(problem, b.design);
     });
     candidates.resize(static_cast<std::size_t>(std::clamp(problem.solver.starts, 1, members_examined)));
+    // What is not improved is kept too: an optimum may lie where a linkage cannot be relied upon any more.
+    const std::vector<Candidate> as_drawn = candidates;
     if (numbers > 0)
         share_work(static_cast<int>(candidates.size()), options.jobs, [&](int k) {
             Candidate& candidate = candidates[static_cast<std::size_t>(k)];
             if (candidate.design && !search.ended()) candidate = improved(search, std::move(candidate));
         });
     ExactDesigns out;
-    for (Candidate& candidate : candidates) {
-        if (!candidate.design) continue;
-        const Design& design = candidate.design->solution.design;
-        const bool known = std::any_of(out.designs.begin(), out.designs.end(),
-                                       [&](const Solution& s) { return is_same(s.design, design); });
-        if (!known) add_design(out, *std::move(candidate.design));
-    }
-    rank(problem, out);
+    const auto add_different = [&](std::vector<Candidate> some) {
+        for (Candidate& candidate : some) {
+            if (!candidate.design) continue;
+            const Design& design = candidate.design->solution.design;
+            const bool known = std::any_of(out.designs.begin(), out.designs.end(),
+                                           [&](const Solution& s) { return is_same(s.design, design); });
+            if (!known) add_design(out, *std::move(candidate.design));
+        }
+    };
     out.starts = static_cast<int>(candidates.size());
+    add_different(std::move(candidates));
+    out.local_optima = static_cast<int>(out.designs.size());
+    add_different(as_drawn);
+    rank(problem, out);
     out.evaluations = search.evaluations;
     out.stopped = search.ended();
     out.note =

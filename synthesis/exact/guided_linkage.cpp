@@ -44,8 +44,9 @@ std::optional<GuidedLinkage> linkage_of(const Dyad& crank, const Dyad& rocker,
     return found;
 }
 
-std::optional<std::vector<double>> in_order(const std::vector<double>& crank_angles) {
+std::vector<std::vector<double>> in_order(const std::vector<double>& crank_angles) {
     constexpr double turn = 2 * std::numbers::pi;
+    std::vector<std::vector<double>> possible;
     for (const double direction : {1.0, -1.0}) {
         std::vector<double> angles{crank_angles.front()};
         for (std::size_t j = 1; j < crank_angles.size(); ++j) {
@@ -53,9 +54,9 @@ std::optional<std::vector<double>> in_order(const std::vector<double>& crank_ang
             if (step <= 0) step += turn;
             angles.push_back(angles.back() + direction * step);
         }
-        if (std::abs(angles.back() - angles.front()) < turn) return angles;
+        if (std::abs(angles.back() - angles.front()) < turn) possible.push_back(std::move(angles));
     }
-    return {};
+    return possible;
 }
 
 }  // namespace mechwright

@@ -31,8 +31,8 @@ struct GuidedLinkage {
 std::optional<GuidedLinkage> linkage_of(const Dyad& crank, const Dyad& rocker,
                                         std::span<const Displacement> displacements, const DrawingPlace& place);
 
-/// The crank angles continued from each place to the next in one direction; nothing where that takes a turn or more:
-/// the places are not passed in their order.
-std::optional<std::vector<double>> in_order(const std::vector<double>& crank_angles);
+/// The crank angles continued from each place to the next, in either direction; nothing for one in which that takes a
+/// turn or more: the places are not passed in their order.
+std::vector<std::vector<double>> in_order(const std::vector<double>& crank_angles);
 
 }  // namespace mechwright

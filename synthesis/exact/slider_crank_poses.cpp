@@ -59,11 +59,7 @@ std::optional<ExactDesign> design_of(const PoseTargets& g, const Dyad& crank, co
         always_ahead = always_ahead && (std::conj(found->ahead) * ((ram.moving - crank.moving) * turn)).real() > 0;
     }
     if (!always_ahead) return excluded_design(std::move(found->design), "branch: the ram would have to change sides");
-    const auto in_turn = in_order(angles);
-    if (!in_turn)
-        return excluded_design(std::move(found->design), "order: the crank does not meet the poses in their order");
-    found->design.path_angles = *in_turn;
-    return exact_design(*g.problem, std::move(found->design));
+    return exact_design(*g.problem, std::move(found->design), angles);
 }
 
 /// The best slider-crank of the dyads that the numbers choose.

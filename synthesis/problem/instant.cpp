@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "synthesis/problem/sections.h"
@@ -25,6 +26,17 @@ LinkRates read_rates(Section& instant, std::string_view key, Messages& messages)
     rates.rocker = read_number(*section, "rocker", messages);
     report_unknown_keys(*section, messages);
     return rates;
+}
+
+/// Whether the ratios are numbers.
+bool are_finite(const LinkRates& velocity, const LinkRates& acceleration) {
+    const double crank = *velocity.crank;
+    double sum = std::abs(acceleration.crank.value_or(0) / (crank * crank));
+    for (const auto& v : {velocity.coupler, velocity.rocker})
+        sum += std::abs(v.value_or(0) / crank) * (1 + std::abs(acceleration.crank.value_or(0) / (crank * crank)));
+    for (const auto& a : {acceleration.coupler, acceleration.rocker})
+        sum += std::abs(a.value_or(0) / (crank * crank));
+    return std::isfinite(sum);
 }
 
 void require_equal(Problem& problem, std::string_view quantity, double value) {
@@ -72,6 +84,11 @@ void read_instant(Section& file, Problem& problem, Messages& messages) {
     if ((acceleration.coupler && !velocity.coupler) || (acceleration.rocker && !velocity.rocker))
         return add_error(messages, place_of(*instant, "acceleration"),
                          "an angular acceleration needs the angular velocity of the same link");
+    if (!are_finite(velocity, acceleration))
+        return add_error(
+            messages, instant->place,
+            "[instant]: for unit angular velocity of the crank the numbers are beyond all bounds; use another "
+            "unit of time");
     problem.has_instant = true;
     DimensionRange& start = problem.dimensions[problem.mechanism->path_roles.start];
     if (!start.named) start = {.min = 0, .max = 2 * std::numbers::pi, .start = {}, .named = true};

@@ -32,6 +32,7 @@ struct Found {
     bool stopped = false;
     std::string note;  ///< for the user, where there are no candidates
     std::vector<ExcludedDesign> excluded{};
+    std::size_t most_tried = 16;  ///< candidates, until one passes verification
     std::string excluded_note{};  ///< where every solution of an exact problem is known, and excluded
 };
 
@@ -145,9 +146,10 @@ Found every_solution(const Problem& problem, const RunOptions& options, Clock::t
     found.report.argument = designs.argument;
     found.report.solutions = designs.counts;
     found.report.starts = designs.starts;
-    found.report.local_optima = static_cast<int>(found.candidates.size());
+    found.report.local_optima = designs.local_optima;
     found.report.missed_chance = designs.counts ? 0 : 1;
     found.report.evaluations = designs.evaluations;
+    found.most_tried = std::max<std::size_t>(found.candidates.size(), 1);
     found.infeasible = found.candidates.empty() && designs.complete;
     found.stopped = designs.stopped;
     // Of a family the member that comes closest is shown where none has all that is asked for.
@@ -208,8 +210,7 @@ const Method* find_method(std::string_view name) {
 }
 
 /// The first candidate that passes verification becomes the design, the others alternatives; if none passes, the first.
-void choose_verified(const Problem& problem, std::vector<Solution> candidates, Result& result) {
-    constexpr std::size_t most_tried = 16;
+void choose_verified(const Problem& problem, std::vector<Solution> candidates, std::size_t most_tried, Result& result) {
     constexpr std::size_t most_alternatives = 20;
     std::vector<Check> first_checks;
     std::size_t chosen = 0;
@@ -290,7 +291,7 @@ Result solve(const Problem& problem, const RunOptions& options) {
         found.infeasible = !feasible && found.report.complete;
         if (options.all) result.excluded = std::move(found.excluded);
     } else if (feasible)
-        choose_verified(problem, std::move(found.candidates), result);
+        choose_verified(problem, std::move(found.candidates), found.most_tried, result);
     else if (!found.candidates.empty())
         result.best = std::move(found.candidates.front());
 
