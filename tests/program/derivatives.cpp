@@ -149,7 +149,7 @@ TEST(Derivatives, OfFunctionsOfARam) {
         expect_exact_derivatives(problem_of(R"(schema = 1
 mechanism = "slider-crank"
 [dimensions]
-crank = { min = 5, max = 15 }
+crank = { min = 6, max = 15 }
 rod = { min = 45, max = 65 }
 offset = { min = -3, max = 5 }
 [function]
