@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "synthesis/exact/dyad_equation.h"
+
 namespace mechwright {
 
 namespace {
@@ -22,24 +24,24 @@ Point point_of(const Dyad& dyad) {
     return {dyad.fixed.real(), dyad.fixed.imag(), dyad.moving.real(), dyad.moving.imag()};
 }
 
-Slopes slopes_at(const Conditions& c, const Point& z) {
-    Slopes s;
-    s.col(0) = c.col(1) + z[2] * c.col(5) + z[3] * c.col(6);
-    s.col(1) = c.col(2) + z[3] * c.col(5) - z[2] * c.col(6);
-    s.col(2) = c.col(3) + z[0] * c.col(5) - z[1] * c.col(6);
-    s.col(3) = c.col(4) + z[1] * c.col(5) + z[0] * c.col(6);
-    return s;
-}
+struct Equations {
+    Eigen::Vector3d values;
+    Slopes slopes;
+};
 
-Eigen::Vector3d values_at(const Conditions& c, const Point& z) {
-    Eigen::Matrix<double, 7, 1> seven;
-    seven << 1, z, z[2] * z[0] + z[3] * z[1], z[3] * z[0] - z[2] * z[1];
-    return c * seven;
+Equations equations_at(const Conditions& c, const Point& z) {
+    Equations out;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const auto equation = dyad_equation(c.row(i), z[0], z[1], z[2], z[3]);
+        out.values[i] = equation.value;
+        out.slopes.row(i) = Eigen::Map<const Eigen::RowVector4d>(equation.slopes.data());
+    }
+    return out;
 }
 
 /// The direction of the curve, in the sense of another.
 Point tangent_at(const Conditions& c, const Point& z, const Point& sense) {
-    const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 4, 3>> qr(slopes_at(c, z).transpose());
+    const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 4, 3>> qr(equations_at(c, z).slopes.transpose());
     const Eigen::Matrix4d basis = qr.householderQ();
     const Point tangent = basis.col(3);
     return tangent.dot(sense) < 0 ? Point(-tangent) : tangent;
@@ -49,8 +51,8 @@ Point tangent_at(const Conditions& c, const Point& z, const Point& sense) {
 bool correct(const Conditions& c, Point& z) {
     constexpr int most = 8;
     for (int k = 0; k < most; ++k) {
-        const Slopes s = slopes_at(c, z);
-        const Point change = s.transpose() * (s * s.transpose()).ldlt().solve(values_at(c, z));
+        const auto [values, s] = equations_at(c, z);
+        const Point change = s.transpose() * (s * s.transpose()).ldlt().solve(values);
         if (!change.allFinite()) return false;
         z -= change;
         if (change.norm() <= 1e-13 * (1 + z.norm())) return true;

@@ -1,5 +1,6 @@
 #include "synthesis/exact/certified_dyad.h"
 
+#include "synthesis/exact/dyad_equation.h"
 #include "synthesis/exact/homotopy/certify.h"
 #include "synthesis/exact/homotopy/dyad_system.h"
 
@@ -7,30 +8,20 @@ namespace mechwright {
 
 namespace {
 
-ExactCondition on_line(const Vector<Digits50>& point, const Vector<Digits50>& direction, std::size_t first) {
-    ExactCondition row{};
-    row[first] = -direction.y;
-    row[first + 1] = direction.x;
-    row[0] = direction.y * point.x - direction.x * point.y;
-    return row;
-}
-
 std::complex<double> rounded(const Vector<Digits50>& z) { return {z.x.convert_to<double>(), z.y.convert_to<double>()}; }
 
 }  // namespace
 
 ExactCondition exact_condition(const ExactDisplacement& displacement) {
-    const auto& [d, turn] = displacement;
-    const Vector<Digits50> moving{d.x * turn.x + d.y * turn.y, d.x * turn.y - d.y * turn.x};  // conj(d) T
-    return {(d.x * d.x + d.y * d.y) / 2, -d.x, -d.y, moving.x, -moving.y, 1 - turn.x, turn.y};
+    return dyad_factors(displacement.shift, displacement.turn);
 }
 
 ExactCondition exact_fixed_pivot_on_line(const Vector<Digits50>& point, const Vector<Digits50>& direction) {
-    return on_line(point, direction, 1);
+    return line_factors(point, direction, 1);
 }
 
 ExactCondition exact_moving_pivot_on_line(const Vector<Digits50>& point, const Vector<Digits50>& direction) {
-    return on_line(point, direction, 3);
+    return line_factors(point, direction, 3);
 }
 
 std::optional<CertifiedDyad> certified(const Dyad& approximation, std::span<const ExactCondition, 4> conditions) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "synthesis/exact/dyad_equation.h"
+
 namespace mechwright {
 
 namespace {
@@ -104,14 +106,14 @@ double correct(const DyadConditions& c, ComplexDyad& dyad) {
     for (int k = 0; k < most; ++k) {
         const auto& [u, v] = dyad.fixed;
         const auto& [p, q] = dyad.moving;
-        Seven seven;
-        seven << 1, u, v, p, q, p * u + q * v, q * u - p * v;
-        const Eigen::Vector4cd values = c * seven;
+        Eigen::Vector4cd values;
         Eigen::Matrix4cd slopes;
-        slopes.col(0) = c.col(1) + p * c.col(5) + q * c.col(6);
-        slopes.col(1) = c.col(2) + q * c.col(5) - p * c.col(6);
-        slopes.col(2) = c.col(3) + u * c.col(5) - v * c.col(6);
-        slopes.col(3) = c.col(4) + v * c.col(5) + u * c.col(6);
+        for (Eigen::Index i = 0; i < 4; ++i) {
+            const auto equation = dyad_equation(c.row(i), u, v, p, q);
+            values[i] = equation.value;
+            for (Eigen::Index j = 0; j < 4; ++j)
+                slopes(i, j) = equation.slopes[static_cast<std::size_t>(j)];
+        }
         const Eigen::Vector4cd change = slopes.partialPivLu().solve(values);
         if (!change.allFinite()) return 1;
         dyad.fixed[0] -= change[0];
@@ -159,19 +161,20 @@ DyadSolutions dyads_at(const std::vector<Point>& points, const Plane& plane, con
     return found;
 }
 
-DyadCondition on_line(Complex point, Complex direction, Eigen::Index first) {
-    const Complex normal = Complex(0, 1) * direction / std::abs(direction);
-    DyadCondition row = DyadCondition::Zero();
-    row[first] = normal.real();
-    row[first + 1] = normal.imag();
-    row[0] = -(normal.real() * point.real() + normal.imag() * point.imag());
-    return row;
+DyadCondition as_condition(const std::array<double, 7>& factors) {
+    return Eigen::Map<const DyadCondition>(factors.data());
+}
+
+Vector<double> plain(Complex z) { return {z.real(), z.imag()}; }
+
+DyadCondition on_line(Complex point, Complex direction, std::size_t first) {
+    return as_condition(line_factors(plain(point), plain(direction / std::abs(direction)), first));
 }
 
 /// A condition as one on the moving pivot alone, for a given fixed pivot: (of x.x, of x.y, constant).
 Eigen::RowVector3d on_moving_pivot(const DyadCondition& c, Complex fixed) {
-    const double u = fixed.real(), v = fixed.imag();
-    return {c[3] + c[5] * u - c[6] * v, c[4] + c[5] * v + c[6] * u, c[0] + c[1] * u + c[2] * v};
+    const auto equation = dyad_equation(c, fixed.real(), fixed.imag(), 0.0, 0.0);
+    return {equation.slopes[2], equation.slopes[3], equation.value};
 }
 
 /// What conditions leave of four of their columns, chosen by an angle where that are two dimensions, by two where
@@ -199,14 +202,7 @@ std::optional<Eigen::Vector4d> left_by(std::span<const Displacement> displacemen
 }  // namespace
 
 DyadCondition condition_of(const Displacement& displacement) {
-    const auto& [d, turn] = displacement;
-    const Complex moving = std::conj(d) * turn;
-    const double half = 0.5 * std::arg(turn);
-    // 1 - cos and sin by the half angle keep their digits for small turns.
-    const double versine = 2 * std::sin(half) * std::sin(half);
-    DyadCondition row;
-    row << 0.5 * std::norm(d), -d.real(), -d.imag(), moving.real(), -moving.imag(), versine, turn.imag();
-    return row;
+    return as_condition(dyad_factors(plain(displacement.shift), plain(displacement.turn)));
 }
 
 DyadCondition fixed_pivot_on_line(Complex point, Complex direction) { return on_line(point, direction, 1); }

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <nlopt.hpp>
 
+#include "synthesis/local/subplex.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/work_sharing.h"
@@ -56,30 +56,14 @@ struct Search {
     }
 };
 
-double value_for_nlopt(const Numbers& numbers, Numbers&, void* search) {
-    auto& s = *static_cast<Search*>(search);
-    if (s.ended()) throw nlopt::forced_stop();
-    ++s.evaluations;
-    return merit(s.problem, s.member(numbers));
-}
-
 /// A run of Subplex; never worse than where it began.
 Candidate run_from(Search& search, const Candidate& from) {
-    constexpr double margin = 1e-9, first_step = 0.02, last_step = 1e-12;
-    nlopt::opt subplex(nlopt::LN_SBPLX, static_cast<unsigned>(from.numbers.size()));
-    subplex.set_min_objective(value_for_nlopt, &search);
-    subplex.set_lower_bounds(margin);
-    subplex.set_upper_bounds(1 - margin);
-    subplex.set_initial_step(first_step);
-    subplex.set_xtol_rel(last_step);
-    subplex.set_maxeval(most_improvements);
-    Numbers numbers = from.numbers;
-    double value = 0;
-    try {
-        subplex.optimize(numbers, value);
-    } catch (const std::exception&) {  // its status says nothing: the candidate is evaluated anew
-    }
-    Candidate found = search.at(std::move(numbers));
+    const CubeFunction function{[&](const Numbers& numbers) {
+                                    ++search.evaluations;
+                                    return merit(search.problem, search.member(numbers));
+                                },
+                                [&] { return search.ended(); }};
+    Candidate found = search.at(subplex(function, from.numbers, most_improvements));
     return merit(search.problem, found.design) < merit(search.problem, from.design) ? found : from;
 }
 
