@@ -25,6 +25,8 @@ Command add_analyse(CLI::App& program);
 Command add_profile(CLI::App& program);
 Command add_study(CLI::App& program);
 Command add_verify(CLI::App& program);
+Command add_draw(CLI::App& program);
+Command add_export(CLI::App& program);
 Command add_quantities(CLI::App& program);
 Command add_methods(CLI::App& program);
 Command add_start_system(CLI::App& program);

@@ -5,14 +5,10 @@
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
-#include "synthesis/command_line/input.h"
 #include "synthesis/command_line/options.h"
+#include "synthesis/command_line/shown.h"
 #include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/problem/bytes.h"
-#include "synthesis/program/quantity_value.h"
 #include "synthesis/report/cam_profile.h"
-#include "synthesis/search/solve.h"
-#include "synthesis/verify/rebuilt.h"
 
 namespace mechwright {
 
@@ -20,7 +16,6 @@ namespace {
 
 constexpr std::uint64_t default_steps = 360;
 constexpr std::uint64_t most_steps = 1'000'000;
-constexpr std::size_t largest_document = std::size_t{1} << 30;
 
 struct ProfileOptions {
     std::string file;
@@ -30,50 +25,10 @@ struct ProfileOptions {
     std::optional<std::uint64_t> steps;
 };
 
-bool is_problem_file(const std::string& name) { return name.ends_with(".toml"); }
-
-/// The cam of a result document.
-int read_result(const ProfileOptions& options, Console& console, FinishedCam& cam) {
-    const reading::Bytes read = reading::read_bytes(options.file, largest_document, true);
-    if (!read.failure.empty()) {
-        complain(console, options.file + ": " + read.failure);
-        return exit_code::no_access;
-    }
-    const auto json = nlohmann::ordered_json::parse(read.bytes, nullptr, false);
-    const ReadClaim claim = read_claim(json);
-    if (json.is_discarded() || !claim.defect.empty()) {
-        complain(console, options.file + ": not a result document" + (json.is_discarded() ? "" : ": " + claim.defect));
-        return exit_code::invalid_file;
-    }
-    const Rebuilt design = rebuilt(claim.claim);
-    cam = {claim.claim.mechanism, claim.claim.program, design.motion, design.rounded, claim.claim.units.length};
-    return exit_code::solved;
-}
-
-/// The cam of a problem file that leaves nothing open.
-int read_given(const ProfileOptions& options, Console& console, FinishedCam& cam) {
-    ReadProblem read;
-    if (const int outcome = read_and_report(options.file, false, console, read)) return outcome;
-    const Problem& problem = read.problem;
-    for (std::size_t i = 0; i < problem.dimensions.size(); ++i)
-        if (!problem.dimensions[i].fixed() || problem.assemblies.size() > 1) {
-            complain(console,
-                     options.file +
-                         ": this problem leaves something to be designed: solve it with --out DIR, and give the "
-                         "result in DIR to this command");
-            return exit_code::invalid_file;
-        }
-    const Solution given = evaluate_given(problem);
-    cam = {problem.mechanism, problem.program, motion_of(problem, given.design), given.design.dimensions,
-           problem.units.length};
-    return exit_code::solved;
-}
-
 int profile(const ProfileOptions& options, Console& console) {
-    FinishedCam cam;
-    const int outcome =
-        is_problem_file(options.file) ? read_given(options, console, cam) : read_result(options, console, cam);
-    if (outcome != exit_code::solved) return outcome;
+    ShownDesign shown;
+    if (const int outcome = read_shown(options.file, 0, console, shown)) return outcome;
+    const FinishedDesign& cam = shown.design;
     if (!is_cam(*cam.mechanism)) {
         complain(console, fmt::format("{}: a {} has no profile: only cams have", options.file, cam.mechanism->name));
         return exit_code::invalid_file;

@@ -7,6 +7,7 @@
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/study.h"
+#include "synthesis/report/gnuplot.h"
 #include "synthesis/report/write_file.h"
 #include "synthesis/study/charts.h"
 #include "synthesis/study/data.h"
@@ -93,8 +94,8 @@ void draw(const ChartScript& chart, const std::filesystem::path& folder, bool pn
     };
     const std::string script = chart.name + ".gnuplot";
     write(script, chart.script);
-    write(chart.name + ".svg", drawn(folder / script, PictureFormat::svg));
-    if (png) write(chart.name + ".png", drawn(folder / script, PictureFormat::png));
+    write(chart.name + ".svg", drawn_by_gnuplot(chart.script, {}));
+    if (png) write(chart.name + ".png", drawn_by_gnuplot(chart.script, {.format = Picture::Format::png}));
 }
 
 int charts(const ChartOptions& options, Console& console) {

@@ -3,22 +3,12 @@
 /// The curves of a finished cam for the machine that cuts it: pitch curve, profile and the path of a cutter's centre,
 /// in the cam's own plane as it lies at cam angle 0.
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/drawing/finished.h"
 
 namespace mechwright {
-
-/// A cam with all its numbers.
-struct FinishedCam {
-    const Mechanism* mechanism = nullptr;
-    std::shared_ptr<const MotionProgram> program;
-    Motion motion;
-    std::vector<double> dimensions;
-    std::string length;  ///< label of the unit
-};
 
 struct CutPath {
     std::string layer;  ///< "PROFILE", "PITCH" or "CUTTER"
@@ -26,16 +16,16 @@ struct CutPath {
 };
 
 /// The profile; the pitch curve where there is a roller; and the cutter's path where its radius is not 0.
-std::vector<CutPath> cut_paths(const FinishedCam& cam, double cutter_radius);
+std::vector<CutPath> cut_paths(const FinishedDesign& cam, double cutter_radius);
 
 /// Least radius of the hollow parts of the profile, infinite where there is none: a cutter must not be larger.
-double least_hollow_radius(const FinishedCam& cam);
+double least_hollow_radius(const FinishedDesign& cam);
 
 /// "cam-angle, pitch-x, ..., cutter-y": a line for each step of the cam angle, lengths of the problem.
-std::string profile_csv(const FinishedCam& cam, double cutter_radius, int steps);
+std::string profile_csv(const FinishedDesign& cam, double cutter_radius, int steps);
 
 /// A drawing for DXF release 12: each curve a closed polyline of circular arcs, on a layer of its own, nowhere farther
 /// from the curve than the tolerance and with arcs as long as that allows.
-std::string profile_dxf(const FinishedCam& cam, double cutter_radius, double tolerance);
+std::string profile_dxf(const FinishedDesign& cam, double cutter_radius, double tolerance);
 
 }  // namespace mechwright

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "synthesis/program/result.h"
+#include "synthesis/drawing/finished.h"
 
 namespace mechwright {
 
@@ -12,6 +12,7 @@ namespace mechwright {
 /// motion and at `steps` - 1 crank angles evenly between them, as far as the mechanism assembles there. Numbers are the
 /// shortest that read back as the same, with a point, whatever the locale.
 std::string motion_table(const Problem& problem, const Design& design, int steps);
+std::string motion_table(const FinishedDesign& design, int steps);
 
 /// Its first line alone: what there is to say of a design that was not found.
 std::string motion_header(const Problem& problem);

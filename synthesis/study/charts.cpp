@@ -11,6 +11,7 @@
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv_text.h"
+#include "synthesis/report/gnuplot.h"
 #include "synthesis/study/store.h"
 
 namespace mechwright {
@@ -18,15 +19,6 @@ namespace mechwright {
 namespace {
 
 constexpr int patience_in_milliseconds = 10'000;
-
-/// A text as gnuplot reads it.
-std::string text_of(std::string_view text) {
-    std::string quoted = "\"";
-    for (const char c : text)
-        if (static_cast<unsigned char>(c) >= 0x20)
-            quoted += (c == '"' || c == '\\') ? std::string("\\") + c : std::string(1, c);
-    return quoted + '"';
-}
 
 std::string with_unit(std::string name, Unit unit, const Units& units) {
     const std::string label = unit_label(unit, units);
@@ -130,8 +122,8 @@ std::string head(const Problem& problem, const StudyChart& chart, const std::str
         "set border 3 lc rgb '#444444'\n"
         "set tics nomirror out\n"
         "set grid lc rgb '#dddddd'\n";
-    script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", text_of(title),
-                          text_of(label_of(problem, chart.x)), text_of(label_of(problem, upwards)));
+    script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_text(title),
+                          gnuplot_text(label_of(problem, chart.x)), gnuplot_text(label_of(problem, upwards)));
     if (chart.logarithmic) script += "set logscale x\n";
     return script;
 }
@@ -172,7 +164,7 @@ std::string map_script(ChartData& data, const Problem& problem, const StudyChart
     if (rows.empty()) throw ChartFault("there is no point to draw");
     std::string script = head(problem, chart, title, chart.y) + grid_block(rows);
     script += "set view map\nset contour base\nset key off\n";
-    script += fmt::format("set cblabel {} offset 1.5\n", text_of(label_of(problem, chart.value)));
+    script += fmt::format("set cblabel {} offset 1.5\n", gnuplot_text(label_of(problem, chart.value)));
     if (!chart.levels.empty()) {
         std::string levels;
         for (const double level : chart.levels)
@@ -205,12 +197,12 @@ std::string curves_script(ChartData& data, const Problem& problem, const StudyCh
         if (rows.empty()) continue;
         script += block(fmt::format("curve{}", i), rows);
         plots += fmt::format("{}$curve{} using 1:2 with linespoints lw 1.5 pt 7 ps 0.3 title {}",
-                             plots.empty() ? "" : ", ", i, text_of(members[i]));
+                             plots.empty() ? "" : ", ", i, gnuplot_text(members[i]));
     }
     if (plots.empty()) throw ChartFault("there is no point to draw");
     script += chart.family.empty()
                   ? "set key off\n"
-                  : fmt::format("set key outside right top title {}\n", text_of(label_of(problem, chart.family)));
+                  : fmt::format("set key outside right top title {}\n", gnuplot_text(label_of(problem, chart.family)));
     return script + "plot " + plots + "\n";
 }
 

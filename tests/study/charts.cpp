@@ -2,6 +2,7 @@
 
 #include "synthesis/study/charts.h"
 
+#include "synthesis/report/gnuplot.h"
 #include "tests/study/studies.h"
 
 namespace mechwright::testing {
@@ -31,8 +32,8 @@ TEST(Charts, OfAGridHoldTheWholeGrid) {
     ASSERT_EQ(scripts.size(), 1u);
     EXPECT_EQ(scripts[0].name, "best-transmission-angle");
     const std::string& script = scripts[0].script;
-    EXPECT_NE(script.find("set xlabel \"swing, deg\""), std::string::npos);
-    EXPECT_NE(script.find("set ylabel \"time-ratio\""), std::string::npos);
+    EXPECT_NE(script.find("set xlabel 'swing, deg'"), std::string::npos);
+    EXPECT_NE(script.find("set ylabel 'time-ratio'"), std::string::npos);
     // Every point once, and a blank line after each of the seven columns.
     const std::string grid = script.substr(script.find("$grid << END_OF_DATA\n") + 21);
     const std::string rows = grid.substr(0, grid.find("END_OF_DATA"));
@@ -42,13 +43,12 @@ TEST(Charts, OfAGridHoldTheWholeGrid) {
 TEST(Charts, AreDrawnByGnuplot) {
     const Drawn study(small_chart());
     const auto scripts = chart_scripts(study.data, study.problem, charts_of(study.problem)[0]);
-    const std::string file = study.folder.write("chart.gnuplot", scripts[0].script);
-    const std::string svg = drawn(file, PictureFormat::svg);
+    const std::string svg = drawn_by_gnuplot(scripts[0].script, {});
     EXPECT_EQ(svg.find("<?xml"), 0u);
     EXPECT_NE(svg.find("</svg>"), std::string::npos);
     EXPECT_NE(svg.find("swing, deg"), std::string::npos);
-    EXPECT_EQ(drawn(file, PictureFormat::png).substr(1, 3), "PNG");
-    EXPECT_THROW(drawn(study.folder.write("wrong.gnuplot", "plot nothing at all\n"), PictureFormat::svg), ChartFault);
+    EXPECT_EQ(drawn_by_gnuplot(scripts[0].script, {.format = Picture::Format::png}).substr(1, 3), "PNG");
+    EXPECT_THROW(drawn_by_gnuplot("plot nothing at all\n", {}), ChartFault);
 }
 
 TEST(Charts, AreChosenWhereNoneIsAskedFor) {
@@ -117,14 +117,17 @@ TEST(Charts, NameAColumnThatIsMissing) {
 }
 
 TEST(Charts, HoldTextsThatGnuplotCannotTakeForCommands) {
-    const Drawn study("title = \"a \\\" b \\\\ `rm -rf /`\"\n" +
+    const TemporaryFolder folder;
+    const std::string trap = folder / "trap";
+    const Drawn study("title = \"a \\\" b's \\\\ `touch " + trap + "` \"\n" +
                       changed(shipped("transmission-chart"),
                               {{"title     = \"Best transmission angle over swing and time ratio\"\n", ""},
                                {"count = 80", "count = 3"},
                                {"count = 125", "count = 3"}}));
     const auto scripts = chart_scripts(study.data, study.problem, charts_of(study.problem)[0]);
-    EXPECT_NE(drawn(study.folder.write("c.gnuplot", scripts[0].script), PictureFormat::svg).find("</svg>"),
-              std::string::npos);
+    const std::string svg = drawn_by_gnuplot(scripts[0].script, {});
+    EXPECT_NE(svg.find("b's \\ `touch"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(trap));
 }
 
 }  // namespace

@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// A design with everything that is needed to draw it and to show its motion, read from a result document or from a
+/// problem that leaves nothing open.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+/// A point that a mechanism is to pass, and where it does.
+struct TargetPlace {
+    Vector<double> at;
+    std::optional<double> direction;  ///< of a guided body, radians
+    std::optional<Vector<double>> reached;
+};
+
+/// Lengths in the problem's unit, angles in radians.
+struct FinishedDesign {
+    const Mechanism* mechanism = nullptr;
+    Units units;
+    Motion motion;  ///< refers to program and function below
+    std::vector<double> dimensions;
+    std::shared_ptr<const MotionProgram> program;
+    std::shared_ptr<const FunctionTarget> function;
+    std::vector<TargetPlace> targets;
+    bool guides_body = false;
+
+    /// The value of a dimension, 0 where the mechanism has none of this name.
+    double operator[](std::string_view dimension) const;
+    /// Whether it moves at all.
+    bool assembles() const { return motion.from <= motion.to; }
+};
+
+struct FinishedOrNot {
+    FinishedDesign design;
+    std::string defect;  ///< why the document holds no design that can be shown; empty if it does
+};
+
+/// The design of a result document or of a document that `analyse` prints.
+FinishedOrNot finished_design(const nlohmann::ordered_json& document);
+
+/// A design of a problem.
+FinishedDesign finished_design(const Problem& problem, const Design& design);
+
+/// The document of a result's alternative: that of the result with the other design in the place of its own, and
+/// without what is said of that alone. Precondition: the alternative is an object with a design.
+nlohmann::ordered_json with_alternative(const nlohmann::ordered_json& document,
+                                        const nlohmann::ordered_json& alternative);
+
+}  // namespace mechwright

@@ -1,0 +1,194 @@
+#include "synthesis/drawing/motion_plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "synthesis/drawing/motion_row.h"
+#include "synthesis/problem/units.h"
+#include "synthesis/report/csv_text.h"
+#include "synthesis/report/gnuplot.h"
+#include "synthesis/report/table.h"
+
+namespace mechwright {
+
+namespace {
+
+/// In which plot a column of the motion table stands; empty for columns that are places in the plane.
+std::string_view plot_of(std::string_view column) {
+    const auto ends = [&](std::string_view end) { return column.ends_with(end); };
+    if (ends("-x") || ends("-y") || column == "face-contact") return {};
+    if (ends("transmission-angle")) return "transmission angle";
+    if (ends("pressure-angle")) return "pressure angle";
+    if (ends("velocity")) return "velocity";
+    if (ends("acceleration")) return "acceleration";
+    if (ends("jerk")) return "jerk";
+    if (ends("profile-radius")) return "curvature of the profile";
+    return "position";
+}
+
+/// The unit of a derivative by the crank angle.
+std::string unit_of_plot(std::string_view plot, Unit unit, const Units& units) {
+    const std::string label = unit_label(unit, units);
+    const auto per = [&](const char* what) { return label.empty() ? std::string() : label + what; };
+    if (plot == "velocity") return per("/rad");
+    if (plot == "acceleration") return per("/rad\u00b2");
+    if (plot == "jerk") return per("/rad\u00b3");
+    if (plot == "curvature of the profile") return "1/" + label;
+    return label;
+}
+
+/// Angles without jumps of a full turn.
+void unwrap(std::vector<double>& radians) {
+    constexpr double turn = 6.283185307179586;
+    double before = std::numeric_limits<double>::quiet_NaN();
+    for (double& angle : radians) {
+        if (std::isnan(angle)) continue;
+        if (!std::isnan(before)) angle -= turn * std::round((angle - before) / turn);
+        before = angle;
+    }
+}
+
+/// Which plot shows what a quantity limits, and whether the limit holds on both sides of zero or of a right angle.
+struct LimitedPlot {
+    std::string_view quantity;
+    std::string_view plot;
+    enum class Mirror { none, at_zero, at_right_angle } mirror = Mirror::none;
+};
+
+using enum LimitedPlot::Mirror;
+constexpr std::array<LimitedPlot, 14> limited_plots{{
+    {"transmission-angle-min", "transmission angle"},
+    {"transmission-angle-max", "transmission angle"},
+    {"transmission-angle-worst", "transmission angle", at_right_angle},
+    {"pressure-angle-rise", "pressure angle", at_zero},
+    {"pressure-angle-return", "pressure angle", at_zero},
+    {"pressure-angle-max", "pressure angle", at_zero},
+    {"velocity-max", "velocity", at_zero},
+    {"velocity-ratio-min", "velocity"},
+    {"velocity-ratio-max", "velocity"},
+    {"ram-speed-max", "velocity", at_zero},
+    {"ram-speed-min-working", "velocity", at_zero},
+    {"ram-acceleration-max", "acceleration", at_zero},
+    {"acceleration-max", "acceleration", at_zero},
+    {"jerk-max", "jerk", at_zero},
+}};
+
+void add_level(MotionPlots& plots, std::string_view quantity, std::string_view what, double value, bool degrees) {
+    for (const LimitedPlot& limited : limited_plots) {
+        if (limited.quantity != quantity) continue;
+        for (MotionPlot& plot : plots.plots) {
+            if (plot.title != limited.plot) continue;
+            const std::string name = fmt::format("{} {}", quantity, what);
+            plot.levels.push_back({name, value});
+            const double right_angle = degrees ? 90 : 0.5 * 3.141592653589793;
+            if (limited.mirror == at_zero) plot.levels.push_back({name, -value});
+            if (limited.mirror == at_right_angle) plot.levels.push_back({name, 2 * right_angle - value});
+            break;
+        }
+    }
+}
+
+void add_levels(MotionPlots& plots, const nlohmann::ordered_json& document, bool degrees) {
+    const auto add = [&](const nlohmann::ordered_json& about, const char* member, const char* what) {
+        if (!about.contains("quantity") || !about["quantity"].is_string()) return;
+        if (about.contains(member) && about[member].is_number())
+            add_level(plots, about["quantity"].get<std::string>(), what, about[member].get<double>(), degrees);
+    };
+    if (document.contains("requirements") && document["requirements"].is_array())
+        for (const auto& requirement : document["requirements"]) {
+            if (!requirement.is_object()) continue;
+            add(requirement, "min", "at least");
+            add(requirement, "max", "at most");
+            add(requirement, "equal", "required");
+        }
+    if (document.contains("objective") && document["objective"].is_object())
+        add(document["objective"], "value", "reached");
+}
+
+MotionPlot& plot_with(std::vector<MotionPlot>& plots, std::string_view title, const std::string& unit) {
+    for (MotionPlot& plot : plots)
+        if (plot.title == title && plot.unit == unit) return plot;
+    plots.push_back({std::string(title), unit, {}, {}});
+    return plots.back();
+}
+
+std::vector<double> in_units(std::vector<double> values, std::string_view plot, Unit unit, const Units& units) {
+    if (plot == "position" && unit == Unit::angle) unwrap(values);
+    const double factor = plot == "curvature of the profile" ? 1 : file_units_per_inner(unit, units);
+    for (double& value : values) {
+        if (plot == "curvature of the profile") value = 1 / value;
+        value = std::isfinite(value) ? value * factor : std::numeric_limits<double>::quiet_NaN();
+    }
+    return values;
+}
+
+}  // namespace
+
+MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_json& document, int steps) {
+    const Mechanism& mechanism = *design.mechanism;
+    const std::size_t columns = mechanism.motion_columns.size(), rows = static_cast<std::size_t>(steps) + 1;
+    std::vector<std::vector<double>> table(columns,
+                                           std::vector<double>(rows, std::numeric_limits<double>::quiet_NaN()));
+    MotionPlots plots;
+    plots.angle_name = mechanism.motion_columns.front();
+    plots.angle_unit = unit_label(Unit::angle, design.units);
+    for (const double angle : even_angles(design, steps)) {
+        const std::size_t i = plots.angles.size();
+        plots.angles.push_back(in_file_unit(angle, Unit::angle, design.units));
+        const MotionRow row(design, angle);
+        if (!row.assembled()) continue;
+        for (std::size_t c = 0; c < columns; ++c)
+            table[c][i] = row.values()[c];
+    }
+    for (std::size_t c = 1; c < columns; ++c) {
+        const std::string_view title = plot_of(mechanism.motion_columns[c]);
+        if (title.empty()) continue;
+        const Unit unit = mechanism.motion_units[c];
+        MotionPlot& plot = plot_with(plots.plots, title, unit_of_plot(title, unit, design.units));
+        plot.curves.push_back(
+            {std::string(mechanism.motion_columns[c]), in_units(std::move(table[c]), title, unit, design.units)});
+    }
+    add_levels(plots, document, design.units.degrees);
+    return plots;
+}
+
+int plots_height(const MotionPlots& plots, int width) {
+    return static_cast<int>((plots.plots.size() + 1) / 2) * width * 2 / 5;
+}
+
+std::string plots_script(const MotionPlots& plots) {
+    std::string script = "set encoding utf8\nset termoption noenhanced\nset decimalsign '.'\n";
+    script += fmt::format("set multiplot layout {},2\n", (plots.plots.size() + 1) / 2);
+    script +=
+        "set border 3 lc rgb '#444444'\nset tics nomirror out\nset grid lc rgb '#dddddd'\nset key top right samplen "
+        "2\n";
+    script += fmt::format("set xrange [{}:{}]\n", csv_number(plots.angles.front()), csv_number(plots.angles.back()));
+    if (plots.angle_unit == "deg") script += "set xtics 60\n";
+    for (std::size_t k = 0; k < plots.plots.size(); ++k) {
+        const MotionPlot& plot = plots.plots[k];
+        const std::string unit = plot.unit.empty() ? "" : ", " + plot.unit;
+        script += fmt::format("set title {}\nset xlabel {}\n", gnuplot_text(plot.title + unit),
+                              gnuplot_text(plots.angle_name + ", " + plots.angle_unit));
+        script += fmt::format("$plot{} << END_OF_DATA\n", k);
+        for (std::size_t i = 0; i < plots.angles.size(); ++i) {
+            script += csv_number(plots.angles[i]);
+            for (const MotionCurve& curve : plot.curves)
+                script += std::isnan(curve.values[i]) ? " NaN" : " " + number_text(curve.values[i]);
+            script += '\n';
+        }
+        script += "END_OF_DATA\nplot ";
+        for (std::size_t c = 0; c < plot.curves.size(); ++c)
+            script += fmt::format("{}$plot{} using 1:{} with lines lw 1.5 title {}", c == 0 ? "" : ", ", k, c + 2,
+                                  gnuplot_text(plot.curves[c].name));
+        for (const PlotLevel& level : plot.levels)
+            script += fmt::format(", {} with lines dt 2 lc rgb '#b8442c' notitle", csv_number(level.value));
+        script += '\n';
+    }
+    return script + "unset multiplot\n";
+}
+
+}  // namespace mechwright

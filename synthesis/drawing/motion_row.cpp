@@ -1,0 +1,35 @@
+#include "synthesis/drawing/motion_row.h"
+
+#include <algorithm>
+
+#include "synthesis/problem/units.h"
+
+namespace mechwright {
+
+MotionRow::MotionRow(const FinishedDesign& design, double crank_angle)
+    : mechanism_(design.mechanism),
+      values_(mechanism_->motion_columns.size()),
+      assembled_(mechanism_->motion_row(design.motion, design.dimensions, crank_angle, values_)) {}
+
+double MotionRow::operator[](std::string_view column) const {
+    const auto columns = mechanism_->motion_columns;
+    return values_[static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin())];
+}
+
+Vector<double> MotionRow::vector(std::string_view name) const {
+    return {(*this)[std::string(name) + "-x"], (*this)[std::string(name) + "-y"]};
+}
+
+std::vector<double> even_angles(const FinishedDesign& design, int steps) {
+    const Motion& motion = design.motion;
+    if (!design.assembles()) return {};
+    const double from = in_file_unit(motion.from, Unit::angle, design.units);
+    const double to = in_file_unit(motion.to, Unit::angle, design.units);
+    std::vector<double> angles{motion.from};
+    for (int i = 1; i < steps; ++i)
+        angles.push_back(from_file_unit(from + (to - from) * i / steps, Unit::angle, design.units));
+    angles.push_back(motion.to);
+    return angles;
+}
+
+}  // namespace mechwright

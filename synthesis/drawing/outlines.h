@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// Lines and arcs that bodies are drawn with.
+
+#include <cmath>
+#include <numbers>
+
+#include "synthesis/drawing/scene.h"
+
+namespace mechwright::outlines {
+
+inline Outline segment(const Vector<double>& a, const Vector<double>& b, Layer layer = Layer::link) {
+    return {layer, {{a, 0}, {b, 0}}, false};
+}
+
+inline Outline polygon(std::initializer_list<Vector<double>> corners, Layer layer = Layer::link) {
+    Outline outline{layer, {}, true};
+    for (const Vector<double>& corner : corners)
+        outline.vertices.push_back({corner, 0});
+    return outline;
+}
+
+/// In four quarters, so that the vertices show how far it reaches.
+inline Outline circle(const Vector<double>& centre, double radius, Layer layer) {
+    const double quarter = std::tan(std::numbers::pi / 8);
+    Outline outline{layer, {}, true};
+    for (const Vector<double>& side : {Vector<double>{1, 0}, {0, 1}, {-1, 0}, {0, -1}})
+        outline.vertices.push_back({centre + radius * side, quarter});
+    return outline;
+}
+
+inline Outline rectangle(double half_length, double half_height, Layer layer) {
+    return polygon({{-half_length, -half_height},
+                    {half_length, -half_height},
+                    {half_length, half_height},
+                    {-half_length, half_height}},
+                   layer);
+}
+
+/// From a point in a direction (unit vector), with a head.
+inline Outline arrow(const Vector<double>& from, const Vector<double>& direction, double length, Layer layer) {
+    const Vector<double> tip = from + length * direction, side = 0.12 * length * left_of(direction);
+    const Vector<double> neck = from + 0.75 * length * direction;
+    return {layer, {{from, 0}, {tip, 0}, {neck + side, 0}, {tip, 0}, {neck - side, 0}}, false};
+}
+
+}  // namespace mechwright::outlines

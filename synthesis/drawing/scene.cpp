@@ -1,0 +1,212 @@
+#include "synthesis/drawing/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "analysis/numbers/scalar.h"
+#include "synthesis/drawing/drawn.h"
+#include "synthesis/drawing/motion_row.h"
+#include "synthesis/drawing/outlines.h"
+
+namespace mechwright {
+
+namespace {
+
+using drawing::Drawn;
+
+constexpr std::size_t most_bodies = 5;
+constexpr int samples = 360;
+
+const Drawn& drawn_of(const Mechanism& mechanism) {
+    constexpr std::array<std::pair<std::string_view, const Drawn& (*)()>, 5> linkages{
+        {{"four-bar", drawing::four_bar_drawn},
+         {"slider-crank", drawing::slider_crank_drawn},
+         {"crank-shaper", drawing::crank_shaper_drawn},
+         {"whitworth", drawing::whitworth_drawn},
+         {"drag-link", drawing::drag_link_drawn}}};
+    for (const auto& [name, drawn] : linkages)
+        if (name == mechanism.name) return drawn();
+    return drawing::cam_drawn();
+}
+
+double longest_length(const FinishedDesign& design) {
+    double longest = 0;
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+        if (design.mechanism->dimensions[i].kind == DimensionKind::length)
+            longest = std::max(longest, design.dimensions[i]);
+    return longest;
+}
+
+struct Box {
+    Vector<double> low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Vector<double> high{-low.x, -low.y};
+
+    void add(const Vector<double>& p) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    double extent() const { return std::max(high.x - low.x, high.y - low.y); }
+};
+
+double angle_at(const Motion& motion, int i) { return motion.from + (motion.to - motion.from) * i / samples; }
+
+/// Hands out the places of the bodies at crank angles spread over the motion.
+template <class Take>
+void over_motion(const FinishedDesign& design, std::size_t bodies, const Take& take) {
+    std::array<Place, most_bodies> places;
+    for (int i = 0; i <= samples; ++i)
+        if (place_bodies(design, angle_at(design.motion, i), design.motion.assembly, places))
+            take(std::span<const Place>(places.data(), bodies));
+}
+
+/// What the bodies pass, with pivots and targets.
+Box passed(const FinishedDesign& design, const std::vector<Body>& bodies, const std::vector<Vector<double>>& pivots) {
+    Box box;
+    for (const Vector<double>& pivot : pivots)
+        box.add(pivot);
+    for (const TargetPlace& target : design.targets)
+        box.add(target.at);
+    over_motion(design, bodies.size(), [&](std::span<const Place> places) {
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
+            for (const Vector<double>& pin : bodies[b].pins)
+                box.add(in_drawing(places[b], pin));
+            for (const Outline& outline : bodies[b].outlines)
+                for (const ArcVertex& v : outline.vertices)
+                    box.add(in_drawing(places[b], v.at));
+        }
+    });
+    return box;
+}
+
+/// The line on which a ram slides, as far as it goes.
+void add_slide(const FinishedDesign& design, Scene& scene) {
+    if (scene.bodies.back().name != "ram") return;
+    double from = std::numeric_limits<double>::infinity(), to = -from;
+    Place line;
+    over_motion(design, scene.bodies.size(), [&](std::span<const Place> places) {
+        line = places.back();
+        const double along = dot(line.at, line.turn);
+        from = std::min(from, along);
+        to = std::max(to, along);
+    });
+    if (!(from <= to)) return;
+    const double here = dot(line.at, line.turn), beyond = 3 * scene.symbol;
+    const auto at = [&](double along) {
+        return line.at + (along - here) * line.turn - scene.symbol * left_of(line.turn);
+    };
+    scene.fixed.push_back(outlines::segment(at(from - beyond), at(to + beyond), Layer::ground));
+}
+
+/// What the guided point describes over the motion.
+void add_path(const FinishedDesign& design, double tolerance, Scene& scene) {
+    if (!guided_point(design, scene, design.motion.from)) return;
+    const auto curve = [&](double crank_angle) { return *guided_point(design, scene, crank_angle); };
+    const Motion& motion = design.motion;
+    Outline path{Layer::path, {}, motion.full_turn};
+    // In quarters, so that no arc closes on itself.
+    for (int i = 0; i < 4; ++i)
+        fit_arcs(curve, angle_at(motion, i * samples / 4), angle_at(motion, (i + 1) * samples / 4), tolerance,
+                 path.vertices);
+    if (!path.closed) path.vertices.push_back({curve(motion.to), 0});
+    scene.fixed.push_back(std::move(path));
+}
+
+/// The line that the guided point is to follow, beside where it is over the input range.
+Outline followed_line(const FinishedDesign& design, std::span<const Vector<double>> reached, double beyond) {
+    const double angle = design["line-angle"];
+    const Vector<double> along{std::cos(angle), std::sin(angle)};
+    const Vector<double> foot = design["line-offset"] * left_of(along);
+    const auto [least, greatest] = std::minmax_element(
+        reached.begin(), reached.end(), [&](const auto& a, const auto& b) { return dot(a, along) < dot(b, along); });
+    return outlines::segment(foot + (dot(*least, along) - beyond) * along,
+                             foot + (dot(*greatest, along) + beyond) * along, Layer::follow);
+}
+
+Outline followed_arc(const FinishedDesign& design, std::span<const Vector<double>> reached) {
+    const Vector<double> centre{design["arc-x"], design["arc-y"]};
+    const double radius = std::abs(design["arc-radius"]);
+    std::vector<double> angles;
+    for (const Vector<double>& p : reached) {
+        const double angle = std::atan2(p.y - centre.y, p.x - centre.x);
+        angles.push_back(angles.empty() ? angle
+                                        : angles.back() + std::remainder(angle - angles.back(), 2 * pi<double>()));
+    }
+    const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
+    // In eight parts: no bulge is large, whatever the angle.
+    constexpr int parts = 8;
+    const double step = (*greatest - *least) / parts;
+    Outline arc{Layer::follow, {}, false};
+    for (int i = 0; i <= parts; ++i) {
+        const double angle = *least + step * i;
+        arc.vertices.push_back({centre + radius * Vector<double>{std::cos(angle), std::sin(angle)},
+                                i < parts ? std::tan(0.25 * step) : 0});
+    }
+    return arc;
+}
+
+void add_followed(const FinishedDesign& design, Scene& scene) {
+    if (design.motion.followed == Followed::nothing) return;
+    constexpr int steps = 64;
+    std::vector<Vector<double>> reached;
+    for (int i = 0; i <= steps; ++i)
+        reached.push_back(*guided_point(design, scene, design["input-start"] + design["input-range"] * i / steps));
+    scene.fixed.push_back(design.motion.followed == Followed::line ? followed_line(design, reached, 2 * scene.symbol)
+                                                                   : followed_arc(design, reached));
+}
+
+}  // namespace
+
+std::vector<double> drawing::ends_of(const Motion& motion) { return {motion.from, motion.to}; }
+
+std::string_view name_of(Layer layer) {
+    switch (layer) {
+        case Layer::ground: return "ground";
+        case Layer::link: return "link";
+        case Layer::block: return "block";
+        case Layer::cam: return "cam";
+        case Layer::pitch: return "pitch";
+        case Layer::base: return "base";
+        case Layer::path: return "path";
+        case Layer::follow: return "follow";
+    }
+    return "";
+}
+
+bool place_bodies(const FinishedDesign& design, double crank_angle, std::size_t assembly, std::span<Place> places) {
+    return drawn_of(*design.mechanism).place(design, crank_angle, assembly, places);
+}
+
+std::vector<double> limit_angles(const FinishedDesign& design) { return drawn_of(*design.mechanism).limits(design); }
+
+std::optional<Vector<double>> guided_point(const FinishedDesign& design, const Scene& scene, double crank_angle) {
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        if (scene.bodies[b].points.empty()) continue;
+        std::array<Place, most_bodies> places;
+        place_bodies(design, crank_angle, design.motion.assembly, places);
+        return in_drawing(places[b], scene.bodies[b].points.front());
+    }
+    return std::nullopt;
+}
+
+Scene scene_of(const FinishedDesign& design, double fineness) {
+    const Drawn& drawn = drawn_of(*design.mechanism);
+    constexpr double symbol_share = 0.018, coarse = 1e-3;
+    Scene scene;
+    scene.pivots = drawn.pivots(design);
+    // Symbols are sized by the drawing without them.
+    const Box bare = passed(design, drawn.bodies(design, 0, coarse * longest_length(design)), scene.pivots);
+    const double extent = bare.extent() > 0 ? bare.extent() : 1;
+    scene.symbol = symbol_share * extent;
+    scene.bodies = drawn.bodies(design, scene.symbol, fineness * extent);
+    const Box box = passed(design, scene.bodies, scene.pivots);
+    scene.low = box.low;
+    scene.high = box.high;
+    add_path(design, fineness * extent, scene);
+    add_slide(design, scene);
+    add_followed(design, scene);
+    return scene;
+}
+
+}  // namespace mechwright

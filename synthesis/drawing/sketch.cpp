@@ -1,0 +1,247 @@
+#include "synthesis/drawing/sketch.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+namespace mechwright {
+
+namespace {
+
+// Numbers of SolveSpace's file format (version REVa).
+constexpr int line_request = 200;
+constexpr int arc_request = 500;
+constexpr int point_request = 101;
+constexpr int points_coincide = 20;
+constexpr int distance_of_points = 30;
+constexpr int point_on_line = 42;
+constexpr int held = 200;
+constexpr unsigned workplane = 0x80020000;
+constexpr unsigned first_parameter = 16;
+
+/// A point of the sketch, by its number in the file.
+struct SketchPoint {
+    unsigned number;
+    Vector<double> at;
+};
+
+struct SketchLine {
+    unsigned number;
+    SketchPoint from, to;
+};
+
+/// Text of requests (what is drawn) with their parameters (where), and of constraints.
+class SketchText {
+public:
+    SketchPoint point(const Vector<double>& at) {
+        const unsigned request = add_request(point_request, false);
+        return parameters(request, 0, at);
+    }
+
+    SketchLine line(const Vector<double>& from, const Vector<double>& to, bool construction) {
+        const unsigned request = add_request(line_request, construction);
+        const SketchPoint a = parameters(request, 0, from), b = parameters(request, 1, to);
+        return {request << 16, shifted(a), shifted(b)};
+    }
+
+    /// Against the clock from one end to the other, as arcs are there.
+    SketchLine arc(const Vector<double>& centre, const Vector<double>& from, const Vector<double>& to) {
+        const unsigned request = add_request(arc_request, false);
+        parameters(request, 0, centre);
+        const SketchPoint a = parameters(request, 1, from), b = parameters(request, 2, to);
+        return {request << 16, shifted(a), shifted(b)};
+    }
+
+    void coincide(const SketchPoint& a, const SketchPoint& b) { constraint(points_coincide, 0, a.number, b.number, 0); }
+    void keep_distance(const SketchPoint& a, const SketchPoint& b) {
+        const Vector<double> d = b.at - a.at;
+        constraint(distance_of_points, std::hypot(d.x, d.y), a.number, b.number, 0);
+    }
+    void keep_on(const SketchPoint& a, const SketchLine& line) {
+        constraint(point_on_line, 0, a.number, 0, line.number);
+    }
+    void hold(const SketchPoint& a) { constraint(held, 0, a.number, 0, 0); }
+
+    std::string text() const { return head() + parameters_ + requests_ + constraints_; }
+
+private:
+    unsigned add_request(int type, bool construction) {
+        const unsigned request = next_request_++;
+        requests_ += fmt::format(
+            "Request.h.v={:08x}\nRequest.type={}\nRequest.workplane.v={:08x}\nRequest.group.v=00000002\n"
+            "Request.construction={}\nAddRequest\n\n",
+            request, type, workplane, construction ? 1 : 0);
+        return request;
+    }
+
+    /// The point of a request that has this index among its points.
+    SketchPoint parameters(unsigned request, unsigned index, const Vector<double>& at) {
+        const unsigned first = (request << 16) + first_parameter + 3 * index;
+        parameters_ += fmt::format("Param.h.v.={:08x}\nParam.val={:.20f}\nAddParam\n\n", first, at.x);
+        parameters_ += fmt::format("Param.h.v.={:08x}\nParam.val={:.20f}\nAddParam\n\n", first + 1, at.y);
+        return {(request << 16) + index, at};
+    }
+
+    /// Entity 0 of a line or an arc is itself; its points come after it.
+    static SketchPoint shifted(SketchPoint point) {
+        ++point.number;
+        return point;
+    }
+
+    void constraint(int type, double value, unsigned a, unsigned b, unsigned line) {
+        constraints_ += fmt::format("Constraint.h.v={:08x}\nConstraint.type={}\nConstraint.group.v=00000002\n",
+                                    ++last_constraint_, type);
+        constraints_ += fmt::format("Constraint.workplane.v={:08x}\n", workplane);
+        if (value != 0) constraints_ += fmt::format("Constraint.valA={:.20f}\n", value);
+        constraints_ += fmt::format("Constraint.ptA.v={:08x}\n", a);
+        if (b != 0) constraints_ += fmt::format("Constraint.ptB.v={:08x}\n", b);
+        if (line != 0) constraints_ += fmt::format("Constraint.entityA.v={:08x}\n", line);
+        constraints_ += "Constraint.other=0\nConstraint.other2=0\nConstraint.reference=0\nAddConstraint\n\n";
+    }
+
+    /// The two groups that every file has: the axes with their planes, and a sketch in the xy plane.
+    static std::string head() {
+        std::string text = "\xB1\xB2\xB3SolveSpaceREVa\n\n\n";
+        text +=
+            "Group.h.v=00000001\nGroup.type=5000\nGroup.name=#references\nGroup.color=ff000000\nGroup.skipFirst=0\n"
+            "Group.predef.swapUV=0\nGroup.predef.negateU=0\nGroup.predef.negateV=0\nGroup.visible=1\nGroup.suppress=0\n"
+            "Group.relaxConstraints=0\nGroup.allowRedundant=0\nGroup.allDimsReference=0\nGroup.remap={\n}\n"
+            "AddGroup\n\n";
+        text +=
+            "Group.h.v=00000002\nGroup.type=5001\nGroup.order=1\nGroup.name=mechanism\n"
+            "Group.activeWorkplane.v=80020000\nGroup.color=ff000000\nGroup.subtype=6000\nGroup.skipFirst=0\n"
+            "Group.predef.q.w=1.00000000000000000000\nGroup.predef.origin.v=00010001\nGroup.predef.swapUV=0\n"
+            "Group.predef.negateU=0\nGroup.predef.negateV=0\nGroup.visible=1\nGroup.suppress=0\n"
+            "Group.relaxConstraints=0\nGroup.allowRedundant=0\nGroup.allDimsReference=0\nGroup.remap={\n}\n"
+            "AddGroup\n\n";
+        // The reference planes: their origins and directions.
+        const std::array<std::array<double, 4>, 3> planes{
+            {{1, 0, 0, 0}, {0.5, 0.5, 0.5, 0.5}, {0.5, -0.5, -0.5, -0.5}}};
+        for (unsigned plane = 0; plane < 3; ++plane) {
+            const unsigned base = (plane + 1) << 16;
+            for (unsigned k = 0; k < 3; ++k)
+                text += fmt::format("Param.h.v.={:08x}\nAddParam\n\n", base + 16 + k);
+            for (unsigned k = 0; k < 4; ++k)
+                text +=
+                    fmt::format("Param.h.v.={:08x}\nParam.val={:.20f}\nAddParam\n\n", base + 32 + k, planes[plane][k]);
+        }
+        for (unsigned plane = 1; plane <= 3; ++plane)
+            text += fmt::format(
+                "Request.h.v={:08x}\nRequest.type=100\nRequest.group.v=00000001\nRequest.construction="
+                "0\nAddRequest\n\n",
+                plane);
+        return text;
+    }
+
+    std::string parameters_, requests_, constraints_;
+    unsigned next_request_ = 4;
+    unsigned last_constraint_ = 0;
+};
+
+bool same(const Vector<double>& a, const Vector<double>& b, double tolerance) {
+    return std::hypot(a.x - b.x, a.y - b.y) <= tolerance;
+}
+
+/// What of the bodies is in the sketch already.
+struct Joined {
+    std::vector<SketchPoint> points;
+    std::vector<std::pair<std::string, SketchLine>> arms;  ///< the first line of each body
+};
+
+/// Joins a point to those that are at its place; pins of two bodies at one place are one joint.
+void join(SketchText& sketch, Joined& joined, const SketchPoint& point, double tolerance) {
+    for (const SketchPoint& other : joined.points)
+        if (same(other.at, point.at, tolerance)) {
+            sketch.coincide(other, point);
+            return;
+        }
+    joined.points.push_back(point);
+}
+
+/// The corners of a rigid body joined by lines of fixed length; returns the points in the order of the corners.
+void add_link(SketchText& sketch, Joined& joined, const std::string& name, const std::vector<Vector<double>>& corners,
+              double tolerance) {
+    if (corners.size() == 1) return;
+    const std::size_t sides = corners.size() == 2 ? 1 : corners.size();
+    for (std::size_t i = 0; i < sides; ++i) {
+        const SketchLine line = sketch.line(corners[i], corners[(i + 1) % corners.size()], false);
+        join(sketch, joined, line.from, tolerance);
+        join(sketch, joined, line.to, tolerance);
+        sketch.keep_distance(line.from, line.to);
+        if (i == 0) joined.arms.emplace_back(name, line);
+    }
+}
+
+/// Lines and arcs one after the other, their ends joined.
+void add_curve(SketchText& sketch, const Outline& outline, const Place& place) {
+    const std::vector<ArcVertex>& v = outline.vertices;
+    std::optional<SketchPoint> first, last;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const Vector<double> from = in_drawing(place, v[i].at), to = in_drawing(place, v[(i + 1) % v.size()].at);
+        const double b = v[i].bulge;
+        const Vector<double> chord = to - from;
+        SketchPoint start{}, end{};
+        if (std::abs(b) < 1e-9) {
+            const SketchLine line = sketch.line(from, to, false);
+            start = line.from;
+            end = line.to;
+        } else {
+            // The centre lies (1 - b^2) / (4 b) chords to the left of the chord's middle.
+            const Vector<double> centre = from + 0.5 * chord + ((1 - b * b) / (4 * b)) * left_of(chord);
+            const SketchLine arc = b > 0 ? sketch.arc(centre, from, to) : sketch.arc(centre, to, from);
+            start = b > 0 ? arc.from : arc.to;
+            end = b > 0 ? arc.to : arc.from;
+        }
+        if (last) sketch.coincide(*last, start);
+        if (!first) first = start;
+        last = end;
+    }
+    if (first && last) sketch.coincide(*last, *first);
+}
+
+}  // namespace
+
+std::string sketch_of(const FinishedDesign& design, const Scene& scene, double crank_angle) {
+    std::vector<Place> places(scene.bodies.size());
+    place_bodies(design, crank_angle, design.motion.assembly, places);
+    const double tolerance = 1e-9 * scene.extent();
+    SketchText sketch;
+    Joined joined;
+    for (const Vector<double>& pivot : scene.pivots) {
+        const SketchPoint point = sketch.point(pivot);
+        sketch.hold(point);
+        joined.points.push_back(point);
+    }
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const Body& body = scene.bodies[b];
+        for (const Outline& outline : body.outlines)
+            if (outline.layer == Layer::cam) add_curve(sketch, outline, places[b]);
+        std::vector<Vector<double>> corners;
+        for (const std::vector<Vector<double>>& list : {body.pins, body.points})
+            for (const Vector<double>& corner : list)
+                corners.push_back(in_drawing(places[b], corner));
+        if (!corners.empty()) add_link(sketch, joined, body.name, corners, tolerance);
+    }
+    const auto pin_of = [&](const std::string& name) -> std::optional<SketchPoint> {
+        for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+            if (scene.bodies[b].name == name)
+                for (const SketchPoint& point : joined.points)
+                    if (same(point.at, places[b].at, tolerance)) return point;
+        return std::nullopt;
+    };
+    if (const auto ram = pin_of("ram")) {
+        const Place& slide = places.back();
+        const SketchLine line = sketch.line(slide.at - (0.2 * scene.extent()) * slide.turn,
+                                            slide.at + (0.2 * scene.extent()) * slide.turn, true);
+        sketch.hold(line.from);
+        sketch.hold(line.to);
+        sketch.keep_on(*ram, line);
+    }
+    if (const auto block = pin_of("block"))
+        for (const auto& [name, arm] : joined.arms)
+            if (name == "lever" || name == "arm") sketch.keep_on(*block, arm);
+    return sketch.text();
+}
+
+}  // namespace mechwright

@@ -1,0 +1,212 @@
+#include "synthesis/drawing/svg.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/problem/text.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr double fineness = 1e-4;  // of curves, over the extent: a tenth of a pixel at most
+constexpr double margin = 28;
+
+/// Colours that are told apart in print and by most who are colour-blind.
+constexpr std::string_view style =
+    "<style>"
+    ".paper{fill:#fff}"
+    "text{font-family:sans-serif;fill:#222}"
+    "path{fill:none;stroke-linejoin:round;stroke-linecap:round}"
+    ".link{stroke:#23415f;stroke-width:4;fill:#23415f;fill-opacity:.12}"
+    ".block{stroke:#23415f;stroke-width:2;fill:#c9d6e2}"
+    ".cam{stroke:#23415f;stroke-width:2.5;fill:#dde6ee}"
+    ".pitch,.base{stroke:#7d8a97;stroke-width:1;stroke-dasharray:6 4}"
+    ".ground{stroke:#555;stroke-width:1.5}"
+    ".path{stroke:#b8442c;stroke-width:1.6}"
+    ".follow{stroke:#1c7a4a;stroke-width:1.2;stroke-dasharray:2 3}"
+    ".pin{fill:#fff;stroke:#23415f;stroke-width:2}"
+    ".point{fill:#b8442c}"
+    ".target{fill:none;stroke:#1c7a4a;stroke-width:1.5}"
+    ".error{stroke:#1c7a4a;stroke-width:1}"
+    ".ghost{opacity:.22}"
+    "</style>";
+
+std::string px(double value) {
+    // Two places: a hundredth of a pixel. "-0" would depend on the sign of zeros.
+    std::string text = fmt::format("{:.2f}", value);
+    while (text.ends_with('0'))
+        text.pop_back();
+    if (text.ends_with('.')) text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string pair(const Vector<double>& p) { return px(p.x) + ' ' + px(p.y); }
+
+/// A path of the drawing; `to_pixels` turns it upside down, so that arcs to the left go against the clock.
+template <class ToPixels>
+std::string path_data(const Outline& outline, double scale, const ToPixels& to_pixels) {
+    const std::vector<ArcVertex>& v = outline.vertices;
+    if (v.empty()) return {};
+    std::string data = "M" + pair(to_pixels(v.front().at));
+    const std::size_t pieces = outline.closed ? v.size() : v.size() - 1;
+    for (std::size_t i = 0; i < pieces; ++i) {
+        const Vector<double>& end = v[(i + 1) % v.size()].at;
+        const double b = v[i].bulge;
+        const Vector<double> chord = end - v[i].at;
+        const double length = scale * std::hypot(chord.x, chord.y);
+        // An arc that does not leave its chord by a hundredth of a pixel is a line.
+        if (std::abs(b) * length < 0.02) {
+            data += "L" + pair(to_pixels(end));
+            continue;
+        }
+        const double radius = 0.25 * length * (1 + b * b) / std::abs(b);
+        data += fmt::format("A{0} {0} 0 {1} {2} {3}", px(radius), std::abs(b) > 1 ? 1 : 0, b > 0 ? 0 : 1,
+                            pair(to_pixels(end)));
+    }
+    return outline.closed ? data + "Z" : data;
+}
+
+std::string path_element(const Outline& outline, const std::string& data) {
+    return fmt::format("<path class=\"{}\" d=\"{}\"/>", name_of(outline.layer), data);
+}
+
+std::string circle(std::string_view kind, const Vector<double>& at, double radius) {
+    return fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", kind, px(at.x), px(at.y), px(radius));
+}
+
+std::string line(std::string_view kind, const Vector<double>& a, const Vector<double>& b) {
+    return fmt::format("<path class=\"{}\" d=\"M{}L{}\"/>", kind, pair(a), pair(b));
+}
+
+/// A bearing on the ground.
+std::string pivot(const Vector<double>& at) {
+    return fmt::format("<path class=\"ground\" d=\"M{0} {1}l-9 14h18z m-13 14h26\"/>", px(at.x), px(at.y));
+}
+
+/// One body in its own frame, in pixels.
+std::string body_elements(const Body& body, double scale) {
+    const auto local = [&](const Vector<double>& p) { return Vector<double>{scale * p.x, -scale * p.y}; };
+    std::string text;
+    for (const Outline& outline : body.outlines)
+        text += path_element(outline, path_data(outline, scale, local));
+    for (const Vector<double>& pin : body.pins)
+        text += circle("pin", local(pin), 4);
+    for (const Vector<double>& point : body.points)
+        text += circle("point", local(point), 4);
+    return text;
+}
+
+std::string target_elements(const TargetPlace& target, const SvgView& view) {
+    const Vector<double> at = view.pixels(target.at);
+    std::string text = circle("target", at, 4.5);
+    if (target.reached) text += line("error", at, view.pixels(*target.reached));
+    if (target.direction) {
+        const Vector<double> facing{std::cos(*target.direction), -std::sin(*target.direction)};
+        text += line("target", at, at + 20.0 * facing);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+            case '&': result += "&amp;"; break;
+            case '<': result += "&lt;"; break;
+            case '>': result += "&gt;"; break;
+            case '"': result += "&quot;"; break;
+            case '\'': result += "&#39;"; break;
+            case '\n':
+            case '\t': result += ' '; break;
+            default:
+                // Other control characters are no text in XML.
+                if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) result += c;
+        }
+    }
+    return result;
+}
+
+SvgView view_of(const Scene& scene, double width, double most_height) {
+    const double wide = std::max(scene.high.x - scene.low.x, 1e-3 * scene.extent());
+    const double high = std::max(scene.high.y - scene.low.y, 1e-3 * scene.extent());
+    SvgView view;
+    view.width = width;
+    view.scale = std::min((width - 2 * margin) / wide, (most_height - 2 * margin) / high);
+    view.height = view.scale * high + 2 * margin;
+    view.origin = {0.5 * width - view.scale * 0.5 * (scene.low.x + scene.high.x), margin + view.scale * scene.high.y};
+    return view;
+}
+
+std::string svg_matrix(const SvgView& view, const Place& place) {
+    const Vector<double> at = view.pixels(place.at);
+    return fmt::format("matrix({0:.6g} {1:.6g} {2:.6g} {0:.6g} {3} {4})", place.turn.x, -place.turn.y, place.turn.y,
+                       px(at.x), px(at.y));
+}
+
+std::string svg_fixed(const FinishedDesign& design, const Scene& scene, const SvgView& view) {
+    const auto pixels = [&](const Vector<double>& p) { return view.pixels(p); };
+    std::string text;
+    for (const Outline& outline : scene.fixed)
+        text += path_element(outline, path_data(outline, view.scale, pixels));
+    for (const Vector<double>& at : scene.pivots)
+        text += pivot(view.pixels(at));
+    for (const TargetPlace& target : design.targets)
+        text += target_elements(target, view);
+    return text;
+}
+
+std::string svg_bodies(const FinishedDesign& design, const Scene& scene, const SvgView& view, double crank_angle,
+                       std::size_t assembly) {
+    std::vector<Place> places(scene.bodies.size());
+    place_bodies(design, crank_angle, assembly, places);
+    std::string text;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        text += fmt::format("<g class=\"body\" data-body=\"{}\" transform=\"{}\">{}</g>", scene.bodies[b].name,
+                            svg_matrix(view, places[b]), body_elements(scene.bodies[b], view.scale));
+    return text;
+}
+
+std::string svg_ghosts(const FinishedDesign& design, const Scene& scene, const SvgView& view) {
+    Scene without_cam = scene;
+    for (Body& body : without_cam.bodies)
+        if (body.name == "cam") body = {};
+    std::string text;
+    for (const double angle : limit_angles(design))
+        text += "<g class=\"ghost\">" + svg_bodies(design, without_cam, view, angle, design.motion.assembly) + "</g>";
+    return text;
+}
+
+double shown_angle(const FinishedDesign& design) {
+    // In the middle of the first quarter no mechanism is in line with itself by habit.
+    const Motion& motion = design.motion;
+    return motion.from + 0.125 * (motion.to - motion.from);
+}
+
+std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture) {
+    const Scene scene = scene_of(design, fineness);
+    const SvgView view = view_of(scene, picture.width, picture.width);
+    constexpr double head = 34;
+    const double height = head + view.height + picture.below_height;
+    // A letter is about half as wide as its size.
+    const auto letters = static_cast<double>(std::max(1, reading::count_characters(picture.title)));
+    const double letter_size = std::min(16.0, 1.8 * picture.width / letters);
+    std::string text = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+        "role=\"img\"><title>{2}</title>{3}<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>",
+        px(picture.width), px(height), escaped(picture.title), style);
+    text += fmt::format("<text x=\"{}\" y=\"23\" font-size=\"{}\" text-anchor=\"middle\">{}</text>\n",
+                        px(0.5 * picture.width), px(letter_size), escaped(picture.title));
+    text += fmt::format("<g transform=\"translate(0 {})\">\n", px(head)) + svg_fixed(design, scene, view) + "\n" +
+            svg_ghosts(design, scene, view) + "\n" +
+            svg_bodies(design, scene, view, shown_angle(design), design.motion.assembly) + "</g>\n";
+    if (!picture.below.empty())
+        text += fmt::format("<g transform=\"translate(0 {})\">{}</g>\n", px(head + view.height), picture.below);
+    return text + "</svg>\n";
+}
+
+}  // namespace mechwright

@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// Pictures of a mechanism as SVG.
+
+#include <string>
+#include <string_view>
+
+#include "synthesis/drawing/scene.h"
+
+namespace mechwright {
+
+/// A text (UTF-8) as it stands in HTML, SVG and their attributes, without the control characters that these cannot
+/// hold.
+std::string escaped(std::string_view text);
+
+/// How the drawing lies in the picture: pixels = origin + scale (x, -y).
+struct SvgView {
+    double scale = 1;
+    Vector<double> origin;
+    double width = 0;
+    double height = 0;
+
+    Vector<double> pixels(const Vector<double>& p) const { return {origin.x + scale * p.x, origin.y - scale * p.y}; }
+};
+
+/// The whole scene in a picture of a width; not higher than `most_height`.
+SvgView view_of(const Scene& scene, double width, double most_height);
+
+/// "matrix(...)": what brings a body's outlines, drawn in its own frame in pixels, to its place.
+std::string svg_matrix(const SvgView& view, const Place& place);
+
+/// What does not move: ground, paths, targets with their errors.
+std::string svg_fixed(const FinishedDesign& design, const Scene& scene, const SvgView& view);
+
+/// The bodies, each a group of class "body" with the name of the body, at the crank angle.
+std::string svg_bodies(const FinishedDesign& design, const Scene& scene, const SvgView& view, double crank_angle,
+                       std::size_t assembly);
+
+/// The limit positions, in groups of class "ghost".
+std::string svg_ghosts(const FinishedDesign& design, const Scene& scene, const SvgView& view);
+
+/// A picture that stands alone, at the start of the motion, with its title above it and `below` (SVG, `below_height`
+/// high) beneath.
+struct SvgPicture {
+    std::string title;
+    double width = 640;
+    std::string below;
+    double below_height = 0;
+};
+std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture);
+
+/// The crank angle at which pictures show a design: the start of its motion, or of its input range.
+double shown_angle(const FinishedDesign& design);
+
+}  // namespace mechwright
