@@ -52,11 +52,12 @@ void unwrap(std::vector<double>& radians) {
     }
 }
 
-/// Which plot shows what a quantity limits, and whether the limit holds on both sides of zero or of a right angle.
+/// Which plot shows what a quantity limits, and whether the limit holds below zero, or on both sides of zero or of a
+/// right angle.
 struct LimitedPlot {
     std::string_view quantity;
     std::string_view plot;
-    enum class Mirror { none, at_zero, at_right_angle } mirror = Mirror::none;
+    enum class Mirror { none, below_zero, at_zero, at_right_angle } mirror = Mirror::none;
 };
 
 using enum LimitedPlot::Mirror;
@@ -64,8 +65,8 @@ constexpr std::array<LimitedPlot, 14> limited_plots{{
     {"transmission-angle-min", "transmission angle"},
     {"transmission-angle-max", "transmission angle"},
     {"transmission-angle-worst", "transmission angle", at_right_angle},
-    {"pressure-angle-rise", "pressure angle", at_zero},
-    {"pressure-angle-return", "pressure angle", at_zero},
+    {"pressure-angle-rise", "pressure angle"},
+    {"pressure-angle-return", "pressure angle", below_zero},
     {"pressure-angle-max", "pressure angle", at_zero},
     {"velocity-max", "velocity", at_zero},
     {"velocity-ratio-min", "velocity"},
@@ -83,7 +84,7 @@ void add_level(MotionPlots& plots, std::string_view quantity, std::string_view w
         for (MotionPlot& plot : plots.plots) {
             if (plot.title != limited.plot) continue;
             const std::string name = fmt::format("{} {}", quantity, what);
-            plot.levels.push_back({name, value});
+            plot.levels.push_back({name, limited.mirror == below_zero ? -value : value});
             const double right_angle = degrees ? 90 : 0.5 * 3.141592653589793;
             if (limited.mirror == at_zero) plot.levels.push_back({name, -value});
             if (limited.mirror == at_right_angle) plot.levels.push_back({name, 2 * right_angle - value});
@@ -149,8 +150,9 @@ MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_j
         if (title.empty()) continue;
         const Unit unit = mechanism.motion_units[c];
         MotionPlot& plot = plot_with(plots.plots, title, unit_of_plot(title, unit, design.units));
-        plot.curves.push_back(
-            {std::string(mechanism.motion_columns[c]), in_units(std::move(table[c]), title, unit, design.units)});
+        const bool inverse = title == "curvature of the profile";
+        plot.curves.push_back({(inverse ? "1/" : "") + std::string(mechanism.motion_columns[c]),
+                               in_units(std::move(table[c]), title, unit, design.units)});
     }
     add_levels(plots, document, design.units.degrees);
     return plots;
@@ -163,9 +165,8 @@ int plots_height(const MotionPlots& plots, int width) {
 std::string plots_script(const MotionPlots& plots) {
     std::string script = "set encoding utf8\nset termoption noenhanced\nset decimalsign '.'\n";
     script += fmt::format("set multiplot layout {},2\n", (plots.plots.size() + 1) / 2);
-    script +=
-        "set border 3 lc rgb '#444444'\nset tics nomirror out\nset grid lc rgb '#dddddd'\nset key top right samplen "
-        "2\n";
+    script += "set border 3 lc rgb '#444444'\nset tics nomirror out font ',10'\nset grid lc rgb '#dddddd'\n";
+    script += "set key bmargin center horizontal samplen 2 font ',10'\n";
     script += fmt::format("set xrange [{}:{}]\n", csv_number(plots.angles.front()), csv_number(plots.angles.back()));
     if (plots.angle_unit == "deg") script += "set xtics 60\n";
     for (std::size_t k = 0; k < plots.plots.size(); ++k) {
