@@ -48,7 +48,7 @@ int read_result(const std::string& file, std::size_t alternative, Console& conso
             complain(console, fmt::format("--alternative {}: {} has {}", alternative, file, count));
             return exit_code::wrong_usage;
         }
-        document = with_alternative(document, document["alternatives"][alternative - 1]);
+        document = with_other_design(document, document["alternatives"][alternative - 1]);
     }
     FinishedOrNot finished = finished_design(document);
     if (!finished.defect.empty()) {

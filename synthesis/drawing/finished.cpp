@@ -40,6 +40,27 @@ std::vector<TargetPlace> targets_of(const Problem& problem, const Design& design
     return targets;
 }
 
+/// Puts the values of all quantities into a document, and those of its requirements, as they are measured again.
+void state_values(nlohmann::ordered_json& document) {
+    const ReadClaim read = read_claim(document);
+    if (!read.defect.empty()) return;
+    const Mechanism& mechanism = *read.claim.mechanism;
+    const Rebuilt design = rebuilt(read.claim);
+    Measurements measurements(design);
+    const auto value_of = [&](std::size_t quantity) -> std::optional<double> {
+        const auto& measured = measurements.of(quantity);
+        if (!measured) return std::nullopt;
+        return plain(in_document(measured->value, mechanism.quantities[quantity].unit, read.claim.units));
+    };
+    for (std::size_t i = 0; i < mechanism.quantities.size(); ++i)
+        if (const auto value = value_of(i)) document["quantities"][std::string(mechanism.quantities[i].name)] = *value;
+    for (std::size_t i = 0; i < read.claim.requirements.size(); ++i) {
+        nlohmann::ordered_json& requirement = document["requirements"][i];
+        requirement.erase("value");
+        if (const auto value = value_of(read.claim.requirements[i].quantity)) requirement["value"] = *value;
+    }
+}
+
 }  // namespace
 
 double FinishedDesign::operator[](std::string_view dimension) const {
@@ -78,21 +99,25 @@ FinishedDesign finished_design(const Problem& problem, const Design& design) {
             .guides_body = problem.path && problem.path->guides_body()};
 }
 
-nlohmann::ordered_json with_alternative(const nlohmann::ordered_json& document,
-                                        const nlohmann::ordered_json& alternative) {
-    nlohmann::ordered_json other = document;
-    for (const char* own : {"objective", "requirements", "quantities", "verification", "front", "alternatives", "note"})
-        other.erase(own);
-    other["design"] = alternative["design"];
-    for (const char* member : {"objective", "requirements", "quantities", "verification", "defect"})
-        if (alternative.contains(member)) other[member] = alternative[member];
-    for (const char* kind : {"path", "poses"}) {
-        if (!other.contains(kind) || !other[kind].is_object()) continue;
-        for (const char* reached : {"reached", "reached_directions", "crank_angles", "distances"})
-            other[kind].erase(reached);
-        if (alternative.contains("path_angles")) other[kind]["crank_angles"] = alternative["path_angles"];
+nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& other) {
+    nlohmann::ordered_json shown = document;
+    for (const char* own : {"objective", "quantities", "verification", "front", "alternatives", "note"})
+        shown.erase(own);
+    for (const auto& [member, value] : other.items())
+        shown[member] = value;
+    if (document.contains("objective") && document["objective"].is_object() && other.contains("objective") &&
+        other["objective"].is_number()) {
+        shown["objective"] = document["objective"];
+        shown["objective"]["value"] = other["objective"];
     }
-    return other;
+    for (const char* kind : {"path", "poses"}) {
+        if (other.contains(kind) || !shown.contains(kind) || !shown[kind].is_object()) continue;
+        for (const char* reached : {"reached", "reached_directions", "crank_angles", "distances"})
+            shown[kind].erase(reached);
+        if (other.contains("path_angles")) shown[kind]["crank_angles"] = other["path_angles"];
+    }
+    if (!other.contains("quantities")) state_values(shown);
+    return shown;
 }
 
 }  // namespace mechwright

@@ -47,9 +47,9 @@ FinishedOrNot finished_design(const nlohmann::ordered_json& document);
 /// A design of a problem.
 FinishedDesign finished_design(const Problem& problem, const Design& design);
 
-/// The document of a result's alternative: that of the result with the other design in the place of its own, and
-/// without what is said of that alone. Precondition: the alternative is an object with a design.
-nlohmann::ordered_json with_alternative(const nlohmann::ordered_json& document,
-                                        const nlohmann::ordered_json& alternative);
+/// The document of another design of a result, from its alternatives or its front: that of the result with the other
+/// design in the place of its own, and with what is said of that. Values of quantities that are not stated are measured
+/// again. Precondition: `other` is an object with a design.
+nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& other);
 
 }  // namespace mechwright

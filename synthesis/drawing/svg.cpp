@@ -121,11 +121,9 @@ std::string escaped(std::string_view text) {
             case '>': result += "&gt;"; break;
             case '"': result += "&quot;"; break;
             case '\'': result += "&#39;"; break;
-            case '\n':
-            case '\t': result += ' '; break;
             default:
-                // Other control characters are no text in XML.
-                if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) result += c;
+                // Most control characters are no text in XML.
+                if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') result += c;
         }
     }
     return result;

@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
@@ -113,8 +115,24 @@ std::string equals(const std::string& column, const std::string& value) {
                        quoted);
 }
 
-std::string head(const Problem& problem, const StudyChart& chart, const std::string& title,
-                 const std::string& upwards) {
+/// The ends of an axis: those of the column, with some room beyond.
+std::pair<double, double> ends_of(const std::vector<std::vector<double>>& rows, std::size_t column, double room) {
+    const auto less = [&](const auto& a, const auto& b) { return a[column] < b[column]; };
+    const auto [least, greatest] = std::minmax_element(rows.begin(), rows.end(), less);
+    const double from = (*least)[column], to = (*greatest)[column];
+    if (from == to) return {from - std::max(1e-6, 0.05 * std::abs(from)), to + std::max(1e-6, 0.05 * std::abs(to))};
+    return {from - room * (to - from), to + room * (to - from)};
+}
+
+/// Rows begin with x and what goes up; `room` is left beside and above the points.
+ChartFrame frame_of(const std::vector<std::vector<double>>& rows, double room_x, double room_y) {
+    ChartFrame frame;
+    std::tie(frame.x_from, frame.x_to) = ends_of(rows, 0, room_x);
+    std::tie(frame.y_from, frame.y_to) = ends_of(rows, 1, room_y);
+    return frame;
+}
+
+std::string head(const Problem& problem, const StudyChart& chart, const ChartScript& picture) {
     std::string script =
         "set termoption noenhanced\n"
         "set encoding utf8\n"
@@ -122,10 +140,16 @@ std::string head(const Problem& problem, const StudyChart& chart, const std::str
         "set border 3 lc rgb '#444444'\n"
         "set tics nomirror out\n"
         "set grid lc rgb '#dddddd'\n";
-    script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_text(title),
-                          gnuplot_text(label_of(problem, chart.x)), gnuplot_text(label_of(problem, upwards)));
+    script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_text(picture.title),
+                          gnuplot_text(label_of(problem, chart.x)), gnuplot_text(label_of(problem, picture.upwards)));
     if (chart.logarithmic) script += "set logscale x\n";
-    return script;
+    const ChartFrame& frame = picture.frame;
+    script += fmt::format(
+        "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\n"
+        "set tmargin at screen {}\n",
+        frame.left, frame.right, frame.bottom, frame.top);
+    return script + fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", csv_number(frame.x_from),
+                                csv_number(frame.x_to), csv_number(frame.y_from), csv_number(frame.y_to));
 }
 
 std::string block(const std::string& name, const std::vector<std::vector<double>>& rows) {
@@ -158,11 +182,12 @@ std::string grid_block(const std::vector<std::vector<double>>& rows) {
     return text + "END_OF_DATA\n";
 }
 
-std::string map_script(ChartData& data, const Problem& problem, const StudyChart& chart, const std::string& title,
-                       const std::string& where) {
-    const auto rows = data.numbers({chart.x, chart.y, chart.value}, where);
+void draw_map(ChartData& data, const Problem& problem, const StudyChart& chart, ChartScript& picture) {
+    const auto rows = data.numbers({chart.x, chart.y, chart.value}, picture.where);
     if (rows.empty()) throw ChartFault("there is no point to draw");
-    std::string script = head(problem, chart, title, chart.y) + grid_block(rows);
+    picture.frame = frame_of(rows, 0, 0);
+    picture.upwards = chart.y;
+    std::string script = head(problem, chart, picture) + grid_block(rows);
     script += "set view map\nset contour base\nset key off\n";
     script += fmt::format("set cblabel {} offset 1.5\n", gnuplot_text(label_of(problem, chart.value)));
     if (!chart.levels.empty()) {
@@ -175,19 +200,22 @@ std::string map_script(ChartData& data, const Problem& problem, const StudyChart
     }
     script +=
         "set cntrlabel onecolor start 8 interval 60 font ',9'\n"
-        "set palette defined (0 '#2c3e70', 1 '#3b7a9e', 2 '#5fb29b', 3 '#b8d98a', 4 '#fbf3c0')\n"
-        "set autoscale xfix\nset autoscale yfix\n";
+        "set palette defined (0 '#2c3e70', 1 '#3b7a9e', 2 '#5fb29b', 3 '#b8d98a', 4 '#fbf3c0')\n";
     const bool filled = chart.kind == ChartKind::map;
     script += fmt::format(
         "splot {}$grid using 1:2:3 with lines lc rgb '#222222' nosurface, "
         "$grid using 1:2:3 with labels boxed nosurface\n",
         filled ? "$grid using 1:2:3 with pm3d nocontour, " : "");
-    return script;
+    picture.script = script;
 }
 
-std::string curves_script(ChartData& data, const Problem& problem, const StudyChart& chart, const std::string& title,
-                          const std::string& where) {
-    std::string script = head(problem, chart, title, chart.value);
+void draw_curves(ChartData& data, const Problem& problem, const StudyChart& chart, ChartScript& picture) {
+    const std::string& where = picture.where;
+    const auto all = data.numbers({chart.x, chart.value}, where);
+    if (all.empty()) throw ChartFault("there is no point to draw");
+    picture.frame = frame_of(all, 0, 0.05);
+    picture.upwards = chart.value;
+    std::string script = head(problem, chart, picture);
     std::string plots;
     const std::vector<std::string> members =
         chart.family.empty() ? std::vector<std::string>{""} : data.texts(chart.family, where);
@@ -203,7 +231,7 @@ std::string curves_script(ChartData& data, const Problem& problem, const StudyCh
     script += chart.family.empty()
                   ? "set key off\n"
                   : fmt::format("set key outside right top title {}\n", gnuplot_text(label_of(problem, chart.family)));
-    return script + "plot " + plots + "\n";
+    picture.script = script + "plot " + plots + "\n";
 }
 
 /// The points of which none is better in both columns, in the order of x.
@@ -218,28 +246,28 @@ std::vector<std::vector<double>> front_of(std::vector<std::vector<double>> rows,
     return front;
 }
 
-std::string front_script(ChartData& data, const Problem& problem, const StudyChart& chart, const std::string& title,
-                         const std::string& where) {
-    const auto rows = data.numbers({chart.x, chart.y}, where);
+void draw_front(ChartData& data, const Problem& problem, const StudyChart& chart, ChartScript& picture) {
+    const auto rows = data.numbers({chart.x, chart.y}, picture.where);
     if (rows.empty()) throw ChartFault("there is no point to draw");
     const auto more = [&](const std::string& column) {
         return std::find(chart.maximized.begin(), chart.maximized.end(), column) != chart.maximized.end();
     };
     const auto front = front_of(rows, more(chart.x), more(chart.y));
-    return head(problem, chart, title, chart.y) + block("all", rows) + block("front", front) +
-           "plot $all using 1:2 with points pt 7 ps 0.4 lc rgb '#9aa7b8' title 'designs', "
-           "$front using 1:2 with linespoints lw 2 pt 7 ps 0.6 lc rgb '#b8442c' title 'front'\n";
+    picture.frame = frame_of(rows, 0.03, 0.05);
+    picture.upwards = chart.y;
+    picture.script = head(problem, chart, picture) + block("all", rows) + block("front", front) +
+                     "plot $all using 1:2 with points pt 7 ps 0.4 lc rgb '#9aa7b8' title 'designs', "
+                     "$front using 1:2 with linespoints lw 2 pt 7 ps 0.6 lc rgb '#b8442c' title 'front'\n";
 }
 
-std::string script_of(ChartData& data, const Problem& problem, const StudyChart& chart, const std::string& title,
-                      const std::string& where) {
+ChartScript drawn(ChartData& data, const Problem& problem, const StudyChart& chart, ChartScript picture) {
     switch (chart.kind) {
         case ChartKind::map:
-        case ChartKind::contours: return map_script(data, problem, chart, title, where);
-        case ChartKind::curves: return curves_script(data, problem, chart, title, where);
-        case ChartKind::front: return front_script(data, problem, chart, title, where);
+        case ChartKind::contours: draw_map(data, problem, chart, picture); break;
+        case ChartKind::curves: draw_curves(data, problem, chart, picture); break;
+        case ChartKind::front: draw_front(data, problem, chart, picture); break;
     }
-    return {};
+    return picture;
 }
 
 std::string file_name(std::string text) {
@@ -282,12 +310,15 @@ std::vector<ChartScript> chart_scripts(const std::filesystem::path& file, const 
         for (const std::string* column : {&chart.x, &chart.y, &chart.value, &chart.family, &chart.each})
             if (!column->empty()) data.require(*column);
         const std::string where = chart.where.empty() ? "status = 'solved'" : "(" + chart.where + ")";
-        if (chart.each.empty()) return {{chart.name, script_of(data, problem, chart, title_of(problem, chart), where)}};
+        const auto picture = [&](const std::string& name, const std::string& title, const std::string& points) {
+            return drawn(data, problem, chart,
+                         {.name = name, .title = title, .script = {}, .frame = {}, .upwards = {}, .where = points});
+        };
+        if (chart.each.empty()) return {picture(chart.name, title_of(problem, chart), where)};
         std::vector<ChartScript> scripts;
         for (const std::string& value : data.texts(chart.each, where))
-            scripts.push_back({chart.name + "-" + file_name(value),
-                               script_of(data, problem, chart, title_of(problem, chart) + ": " + value,
-                                         where + equals(chart.each, value))});
+            scripts.push_back(picture(chart.name + "-" + file_name(value), title_of(problem, chart) + ": " + value,
+                                      where + equals(chart.each, value)));
         if (scripts.empty()) throw ChartFault("there is no point to draw");
         return scripts;
     } catch (const SQLite::Exception& fault) {

@@ -11,10 +11,21 @@
 
 namespace mechwright {
 
+/// Where the axes of a chart are: their ends, and the place of the plot in the picture, as shares of its width and
+/// height counted from the lower left.
+struct ChartFrame {
+    double x_from = 0, x_to = 1, y_from = 0, y_to = 1;
+    static constexpr double left = 0.12, right = 0.84, bottom = 0.14, top = 0.9;
+};
+
 /// A picture as a gnuplot script with its data in it; the terminal is left to whoever runs it.
 struct ChartScript {
     std::string name;
+    std::string title;
     std::string script;
+    ChartFrame frame;
+    std::string upwards;  ///< the column that goes up; `x` of the chart goes to the right
+    std::string where;    ///< SQL: the points that are in it
 };
 
 /// The charts that the study asks for; where it asks for none, one is chosen: a map over the first two axes of numbers,

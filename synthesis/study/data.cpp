@@ -126,4 +126,19 @@ void export_data(const std::filesystem::path& data, const std::string& query, Da
     });
 }
 
+void for_each_point(const std::filesystem::path& data, const std::function<void(const StudyPoint&)>& take) {
+    with_data(data, [&](SQLite::Database& database) {
+        SQLite::Statement query(database,
+                                "SELECT numbers, points.* FROM points LEFT JOIN designs USING (point) ORDER BY point");
+        while (query.executeStep()) {
+            StudyPoint point;
+            for (int i = 1; i < query.getColumnCount(); ++i)
+                if (!query.getColumn(i).isNull()) point.row[query.getColumnName(i)] = json_cell(query.getColumn(i));
+            point.number = point.row.value("point", std::uint64_t{0});
+            if (query.getColumn(0).isBlob()) point.design = stored_design(query.getColumn(0));
+            take(point);
+        }
+    });
+}
+
 }  // namespace mechwright

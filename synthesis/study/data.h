@@ -5,10 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "synthesis/program/result.h"
 
 namespace mechwright {
 
@@ -35,6 +39,16 @@ std::string problem_text(const std::filesystem::path& data);
 /// changed by it. `take` returns whether it wants more. Throws SqlFault for a query that SQLite does not understand.
 void export_data(const std::filesystem::path& data, const std::string& query, DataFormat format,
                  const std::function<bool(std::string_view)>& take);
+
+/// A point of a study as it stands in the data.
+struct StudyPoint {
+    std::uint64_t number = 0;
+    nlohmann::ordered_json row;    ///< column -> value, without those that are empty
+    std::optional<Design> design;  ///< exactly, where there is one that the data can be trusted with
+};
+
+/// Hands out all points in order.
+void for_each_point(const std::filesystem::path& data, const std::function<void(const StudyPoint&)>& take);
 
 struct SqlFault : std::runtime_error {
     using std::runtime_error::runtime_error;

@@ -24,18 +24,6 @@ std::vector<double> packed(const Design& design) {
     return numbers;
 }
 
-std::optional<Design> unpacked(const SQLite::Column& blob) {
-    const auto bytes = static_cast<std::size_t>(blob.getBytes());
-    std::vector<double> numbers(bytes / sizeof(double));
-    if (numbers.size() < 2) return {};
-    std::memcpy(numbers.data(), blob.getBlob(), numbers.size() * sizeof(double));
-    const auto dimensions = static_cast<std::ptrdiff_t>(numbers[1]);
-    if (dimensions < 0 || dimensions + 2 > static_cast<std::ptrdiff_t>(numbers.size())) return {};
-    return Design{{numbers.begin() + 2, numbers.begin() + 2 + dimensions},
-                  static_cast<std::size_t>(numbers[0]),
-                  {numbers.begin() + 2 + dimensions, numbers.end()}};
-}
-
 void bind(SQLite::Statement& statement, int index, const Cell& cell) {
     std::visit(
         [&](const auto& value) {
@@ -80,6 +68,19 @@ void make_tables(SQLite::Database& database, const PreparedStudy& prepared) {
 }
 
 }  // namespace
+
+std::optional<Design> stored_design(const SQLite::Column& blob) {
+    const auto bytes = static_cast<std::size_t>(blob.getBytes());
+    std::vector<double> numbers(bytes / sizeof(double));
+    if (numbers.size() < 2) return {};
+    std::memcpy(numbers.data(), blob.getBlob(), numbers.size() * sizeof(double));
+    const auto most = static_cast<double>(numbers.size() - 2);
+    if (!(numbers[1] >= 0 && numbers[1] <= most && numbers[0] >= 0 && numbers[0] < 1e9)) return {};
+    const auto dimensions = static_cast<std::ptrdiff_t>(numbers[1]);
+    return Design{{numbers.begin() + 2, numbers.begin() + 2 + dimensions},
+                  static_cast<std::size_t>(numbers[0]),
+                  {numbers.begin() + 2 + dimensions, numbers.end()}};
+}
 
 std::string sql_name(std::string_view name) {
     std::string quoted = "\"";
@@ -159,7 +160,7 @@ std::optional<KnownPoint> StudyStore::find(std::uint64_t point) {
         if (find.executeStep()) {
             known = KnownPoint{find.getColumn(0).getString(), find.getColumn(1).getString(),
                                find.getColumn(2).getInt() != 0, std::nullopt};
-            if (!find.getColumn(3).isNull()) known->design = unpacked(find.getColumn(3));
+            if (!find.getColumn(3).isNull()) known->design = stored_design(find.getColumn(3));
         }
         find.reset();
         return known;

@@ -89,6 +89,9 @@ private:
     std::mutex mutex_;
 };
 
+/// The design in a column of the data; nothing where its numbers are not those of a design.
+std::optional<Design> stored_design(const SQLite::Column& numbers);
+
 /// A name in an SQL statement.
 std::string sql_name(std::string_view name);
 
