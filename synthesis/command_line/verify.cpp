@@ -8,9 +8,9 @@
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
-#include "synthesis/problem/bytes.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/table.h"
+#include "synthesis/verify/result_file.h"
 
 namespace mechwright {
 
@@ -18,23 +18,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t largest_document = std::size_t{1} << 30;
 constexpr std::size_t longest_detail = 2000;
 
 struct VerifyOptions {
     std::vector<std::string> files;
     bool quiet = false;
 };
-
-/// Why JSON is not a result document of this program; empty if it is one.
-std::string why_not_a_result(const Json& json) {
-    if (!json.is_object()) return "it is not an object";
-    if (!json.contains("schema") || !json["schema"].is_number_integer()) return "it has no schema number";
-    if (json["schema"] != 1)
-        return "its schema " + json["schema"].dump() + " is not known to this version of mechwright, only 1 is";
-    if (!json.contains("problem") || !json["problem"].is_object()) return "it does not say of which problem";
-    return {};
-}
 
 /// Prints every check of one document. Returns the exit code.
 int verify_document(const Json& json, const std::string& name, const VerifyOptions& options, Console& console) {
@@ -66,25 +55,11 @@ int verify_document(const Json& json, const std::string& name, const VerifyOptio
     return good ? exit_code::solved : exit_code::unverified;
 }
 
-/// The parser's message without its own name in front.
-std::string reason(const nlohmann::json::exception& exception) {
-    const std::string what = exception.what();
-    const std::size_t end = what.find("] ");
-    return reading::printable(end == std::string::npos ? what : what.substr(end + 2), longest_detail);
-}
-
 int verify_file(const std::string& file, const VerifyOptions& options, Console& console) {
-    const reading::Bytes content = reading::read_bytes(file, largest_document, true);
-    if (!content.failure.empty()) {
-        complain(console, file + ": " + content.failure);
-        return exit_code::no_access;
-    }
-    Json json;
-    try {
-        json = Json::parse(content.bytes);
-    } catch (const nlohmann::json::exception& exception) {
-        complain(console, file + ": not a result document: " + reason(exception));
-        return exit_code::invalid_file;
+    const auto [json, fault, unreadable] = read_result_file(file);
+    if (!fault.empty()) {
+        complain(console, file + ": " + fault);
+        return unreadable ? exit_code::no_access : exit_code::invalid_file;
     }
     if (!json.is_array()) return verify_document(json, file, options, console);
     int code = exit_code::solved;
