@@ -54,11 +54,13 @@ std::vector<PlacedMessage> in_file(const std::vector<Message>& messages) {
 /// Messages about the dict itself name what they are about; those about files that it names keep their places.
 std::vector<PlacedMessage> in_dict(const std::vector<Message>& messages, const ProblemText& text) {
     std::vector<PlacedMessage> placed;
-    for (const Message& message : messages)
-        if (message.file == name_of_dict)
-            placed.push_back({message, false, name_at(text, {message.line, message.column})});
-        else
-            placed.push_back({message});
+    for (const Message& message : messages) {
+        placed.push_back({message});
+        if (message.file != name_of_dict) continue;
+        placed.back().message.text = with_names(text, message.text);
+        placed.back().in_file = false;
+        placed.back().name = name_at(text, {message.line, message.column});
+    }
     return placed;
 }
 

@@ -1,6 +1,7 @@
 #include "synthesis/python/problem_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "synthesis/problem/text.h"
@@ -54,9 +55,12 @@ void write_value(Writer& to, const Json& value, const std::string& name) {
     to.out.marks.push_back({to.place, name});
     if (!value.is_structured()) return write(to, plain_text(value));
     write(to, value.is_object() ? "{" : "[");
+    // Entries of a list of sections stand on lines of their own, by which messages name them.
+    const bool is_section_list = value.is_array() && !value.empty() && value.front().is_object();
     std::size_t index = 0;
     for (const auto& [key, entry] : value.items()) {
         if (index > 0) write(to, ", ");
+        if (is_section_list) end_line(to);
         if (value.is_object())
             write_entry(to, key, entry, place_in(name, key));
         else
@@ -72,11 +76,23 @@ ProblemText problem_text(const Json& problem) {
     Writer to;
     end_line(to);  // what the reader says at the start of the text is about the whole
     for (const auto& [key, value] : problem.items()) {
-        write_entry(to, key, value, key);
+        write_entry(to, key, value, place_in("", key));
         end_line(to);
     }
     if (problem.empty()) to.out.text.clear();
     return std::move(to.out);
+}
+
+std::string with_names(const ProblemText& text, const std::string& message) {
+    constexpr std::string_view phrase = " in line ";
+    const std::size_t at = message.rfind(phrase);
+    if (at == std::string::npos) return message;
+    int line = 0;
+    const char* const end = message.data() + message.size();
+    if (std::from_chars(message.data() + at + phrase.size(), end, line).ptr != end) return message;
+    const auto first =
+        std::find_if(text.marks.begin(), text.marks.end(), [&](const Mark& mark) { return mark.place.line == line; });
+    return first == text.marks.end() ? message : message.substr(0, at + 1) + first->name;
 }
 
 std::string name_at(const ProblemText& text, reading::Place place) {

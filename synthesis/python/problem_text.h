@@ -24,6 +24,10 @@ struct ProblemText {
 /// Precondition: an object without null.
 ProblemText problem_text(const nlohmann::ordered_json& problem);
 
+/// A message's text with names in the place of lines: "... and the requirement in line 7" becomes "... and the
+/// requirement require[0]".
+std::string with_names(const ProblemText& text, const std::string& message);
+
 /// The name of what a message is about; empty for the problem as a whole.
 std::string name_at(const ProblemText& text, reading::Place place);
 

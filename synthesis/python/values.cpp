@@ -177,7 +177,9 @@ py::str text_of(std::string_view text) {
 }
 
 std::string place_in(const std::string& place, std::string_view key) {
-    return place.empty() ? std::string(key) : fmt::format("{}.{}", place, key);
+    constexpr std::size_t longest_key = 100;
+    const std::string shown = reading::printable(key, longest_key);
+    return place.empty() ? shown : fmt::format("{}.{}", place, shown);
 }
 
 std::string place_in(const std::string& place, std::size_t index) { return fmt::format("{}[{}]", place, index); }

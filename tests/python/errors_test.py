@@ -155,6 +155,13 @@ class Places(unittest.TestCase):
         self.assertEqual({message["name"] for message in error.messages}, {""})
         self.assertTrue(all(line.startswith("<dict>: ") for line in str(error).splitlines()))
 
+    def test_of_another_requirement(self):
+        problem = crank_rocker()
+        problem["require"].append({"quantity": "swing", "max": 50})
+        error = error_of(mechwright.solve, problem)
+        self.assertEqual(str(error), "require[2]: no value of 'swing' can meet both this and the requirement "
+                                     "require[0]")
+
     def test_beyond_ascii(self):
         problem = {"größe": "ü" * 50, "schema": 1, "mechanism": "four-bar", "dimensions": {"ground": "x"}}
         names = [message["name"] for message in error_of(mechwright.solve, problem).messages]
@@ -239,6 +246,7 @@ class BadDicts(unittest.TestCase):
             error = error_of(mechwright.solve, {**crank_rocker(), key: 1})
             self.assertIsInstance(error, mechwright.ProblemError)
             self.assertEqual(len(error.messages), 1)
+            self.assertEqual(len(str(error).splitlines()), 1)
 
     def test_numbers_of_ones_own(self):
         class Index:
