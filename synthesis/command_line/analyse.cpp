@@ -5,6 +5,7 @@
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/input.h"
 #include "synthesis/command_line/options.h"
+#include "synthesis/program/left_open.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/json_text.h"
@@ -27,23 +28,12 @@ struct AnalyseOptions {
     std::optional<std::uint64_t> steps;
 };
 
-/// What is left open in a problem that should describe one mechanism: "crank, coupler".
-std::string left_open(const Problem& problem) {
-    std::string names;
-    const auto add = [&](std::string_view name) { names += (names.empty() ? "" : ", ") + std::string(name); };
-    for (std::size_t i = 0; i < problem.dimensions.size(); ++i)
-        if (!problem.dimensions[i].fixed()) add(problem.mechanism->dimensions[i].name);
-    if (problem.assemblies.size() > 1) add("assembly");
-    return names;
-}
-
 int analyse(const AnalyseOptions& options, Console& console) {
     ReadProblem read;
     if (const int outcome = read_and_report(options.file, options.quiet, console, read)) return outcome;
     const Problem& problem = read.problem;
-    if (const std::string open = left_open(problem); !open.empty()) {
-        const std::string text = "to be analysed, a mechanism needs one value for each dimension; still open: " + open;
-        console.err << to_string(Message{.file = problem.file, .text = text}) << std::endl;
+    if (const std::string open = why_not_analysable(problem); !open.empty()) {
+        console.err << to_string(Message{.file = problem.file, .text = open}) << std::endl;
         return exit_code::invalid_file;
     }
 

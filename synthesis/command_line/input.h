@@ -13,13 +13,7 @@ namespace mechwright {
 /// exit code: 0, invalid_file or no_access.
 int read_and_report(const std::string& file, bool quiet, Console& console, ReadProblem& read);
 
-/// What is wrong with a method for a problem: there is none of this name, or it does not apply. Empty if nothing is.
-std::string method_fault(const std::string& method, const Problem& problem);
-
 /// Reports what is wrong with the method that the file names, and returns the exit code: 0 or invalid_file.
 int report_method_fault(const Problem& problem, Console& console);
-
-/// What is wrong with the name of a method, whatever the problem.
-std::string method_name_fault(const std::string& method);
 
 }  // namespace mechwright

@@ -5,25 +5,12 @@
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
-#include "synthesis/mechanism/mechanism.h"
-#include "synthesis/problem/text.h"
+#include "synthesis/report/quantity_list.h"
 #include "synthesis/report/table.h"
 
 namespace mechwright {
 
 namespace {
-
-std::string_view name_of(Unit unit) {
-    switch (unit) {
-        case Unit::none: return "number";
-        case Unit::length: return "length";
-        case Unit::area: return "area";
-        case Unit::angle: return "angle";
-        case Unit::force: return "force";
-        case Unit::torque: return "torque";
-    }
-    return "";
-}
 
 std::string list_of(const Mechanism& mechanism, bool colour) {
     std::string text =
@@ -37,16 +24,13 @@ int list_quantities(const std::string& name, Console& console) {
     const bool colour = colour_wanted(console);
     if (!name.empty()) {
         std::string text;
-        for (const Mechanism* mechanism : mechanisms())
-            if (mechanism->name == name) text += (text.empty() ? "" : "\n") + list_of(*mechanism, colour);
+        for (const Mechanism* mechanism : mechanisms_named(name))
+            text += (text.empty() ? "" : "\n") + list_of(*mechanism, colour);
         if (!text.empty()) {
             print(console, text);
             return exit_code::solved;
         }
-        std::vector<std::string_view> known;
-        for (const Mechanism* mechanism : mechanisms())
-            known.push_back(mechanism->name);
-        complain(console, "unknown mechanism " + reading::quoted(name) + "; " + reading::remedy(name, known));
+        complain(console, unknown_mechanism(name));
         return exit_code::wrong_usage;
     }
     std::string text;

@@ -10,13 +10,13 @@
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/options.h"
-#include "synthesis/command_line/shown.h"
 #include "synthesis/command_line/study.h"
 #include "synthesis/report/gnuplot.h"
 #include "synthesis/report/page/results_page.h"
 #include "synthesis/report/write_file.h"
 #include "synthesis/study/folder.h"
 #include "synthesis/study/study_page.h"
+#include "synthesis/verify/result_file.h"
 
 namespace mechwright {
 
@@ -36,27 +36,20 @@ using Results = std::vector<std::pair<std::string, Json>>;
 
 /// Reads a file with a result or a list of them; what is wrong is reported and becomes a line of the page.
 int take_file(const std::string& file, Console& console, Results& results, std::vector<ResultLine>& faults) {
-    Json document;
-    std::string fault;
-    int outcome = read_result_document(file, document, fault);
-    if (outcome == exit_code::solved && document.is_array()) {
-        for (std::size_t i = 0; i < document.size(); ++i) {
-            const std::string name = fmt::format("{} ({} of {})", file, i + 1, document.size());
-            fault = why_not_a_result(document[i]);
-            if (fault.empty())
-                results.emplace_back(name, document[i]);
-            else
-                outcome = exit_code::invalid_file;
-        }
-        if (outcome != exit_code::solved) fault = "not a list of results: " + fault;
-    } else if (outcome == exit_code::solved) {
-        results.emplace_back(file, std::move(document));
+    auto [json, fault, unreadable] = read_result_file(file);
+    const Json list = json.is_array() ? std::move(json) : Json::array({std::move(json)});
+    for (std::size_t i = 0; fault.empty() && i < list.size(); ++i) {
+        const std::string why = why_not_a_result(list[i]);
+        if (!why.empty())
+            fault = "not a result document: " + why;
+        else
+            results.emplace_back(list.size() == 1 ? file : fmt::format("{} ({} of {})", file, i + 1, list.size()),
+                                 list[i]);
     }
-    if (outcome != exit_code::solved) {
-        complain(console, file + ": " + fault);
-        faults.push_back({file, "", fault});
-    }
-    return outcome;
+    if (fault.empty()) return exit_code::solved;
+    complain(console, file + ": " + fault);
+    faults.push_back({file, "", fault});
+    return unreadable ? exit_code::no_access : exit_code::invalid_file;
 }
 
 std::vector<std::string> files_in(const fs::path& folder) {

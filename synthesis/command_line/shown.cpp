@@ -4,10 +4,10 @@
 
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/input.h"
-#include "synthesis/problem/bytes.h"
-#include "synthesis/problem/text.h"
+#include "synthesis/program/left_open.h"
 #include "synthesis/report/document.h"
 #include "synthesis/search/solve.h"
+#include "synthesis/verify/result_file.h"
 
 namespace mechwright {
 
@@ -15,32 +15,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t largest_document = std::size_t{1} << 30;
-constexpr std::size_t longest_reason = 2000;
-
-/// The parser's message without its own name in front.
-std::string reason(const nlohmann::json::exception& exception) {
-    const std::string what = exception.what();
-    const std::size_t end = what.find("] ");
-    return reading::printable(end == std::string::npos ? what : what.substr(end + 2), longest_reason);
-}
-
 std::string title_of(const Json& document) {
     const Json& problem = document["problem"];
     return problem.contains("title") && problem["title"].is_string() ? problem["title"].get<std::string>() : "";
 }
 
 int read_result(const std::string& file, std::size_t alternative, Console& console, ShownDesign& shown) {
-    std::string fault;
-    const int outcome = read_result_document(file, shown.document, fault);
-    if (outcome != exit_code::solved) {
+    auto [document, fault, unreadable] = read_result_file(file);
+    if (fault.empty() && document.is_array())
+        fault = "holds a list of results: solve with --out DIR writes each into a file of its own";
+    if (const std::string why = fault.empty() ? why_not_a_result(document) : ""; !why.empty())
+        fault = "not a result document: " + why;
+    if (!fault.empty()) {
         complain(console, file + ": " + fault);
-        return outcome;
-    }
-    Json& document = shown.document;
-    if (document.is_array()) {
-        complain(console, file + ": holds a list of results: solve with --out DIR writes each into a file of its own");
-        return exit_code::invalid_file;
+        return unreadable ? exit_code::no_access : exit_code::invalid_file;
     }
     if (alternative > 0) {
         const std::size_t count = document.contains("alternatives") ? document["alternatives"].size() : 0;
@@ -55,8 +43,7 @@ int read_result(const std::string& file, std::size_t alternative, Console& conso
         complain(console, file + ": not a result with a design: " + finished.defect);
         return exit_code::invalid_file;
     }
-    shown.design = std::move(finished.design);
-    shown.title = title_of(document);
+    shown = {std::move(finished.design), document, title_of(document)};
     return exit_code::solved;
 }
 
@@ -65,9 +52,7 @@ int read_given(const std::string& file, Console& console, ShownDesign& shown) {
     ReadProblem read;
     if (const int outcome = read_and_report(file, false, console, read)) return outcome;
     const Problem& problem = read.problem;
-    const bool open = std::any_of(problem.dimensions.begin(), problem.dimensions.end(),
-                                  [](const DimensionRange& range) { return !range.fixed(); });
-    if (open || problem.assemblies.size() > 1) {
+    if (!why_not_analysable(problem).empty()) {
         complain(console, file +
                               ": this problem leaves something to be designed: solve it with --out DIR, and give the "
                               "result in DIR to this command");
@@ -79,33 +64,6 @@ int read_given(const std::string& file, Console& console, ShownDesign& shown) {
 }
 
 }  // namespace
-
-std::string why_not_a_result(const Json& json) {
-    if (!json.is_object()) return "it is not an object";
-    if (!json.contains("schema") || !json["schema"].is_number_integer()) return "it has no schema number";
-    if (json["schema"] != 1)
-        return "its schema " + json["schema"].dump() + " is not known to this version of mechwright, only 1 is";
-    if (!json.contains("problem") || !json["problem"].is_object()) return "it does not say of which problem";
-    return {};
-}
-
-int read_result_document(const std::string& file, Json& document, std::string& fault) {
-    const reading::Bytes content = reading::read_bytes(file, largest_document, true);
-    fault = content.failure;
-    if (!fault.empty()) return exit_code::no_access;
-    try {
-        document = Json::parse(content.bytes);
-    } catch (const nlohmann::json::exception& exception) {
-        fault = "not a result document: " + reason(exception);
-        return exit_code::invalid_file;
-    }
-    if (document.is_array()) return exit_code::solved;
-    if (const std::string why = why_not_a_result(document); !why.empty()) {
-        fault = "not a result document: " + why;
-        return exit_code::invalid_file;
-    }
-    return exit_code::solved;
-}
 
 int read_shown(const std::string& file, std::size_t alternative, Console& console, ShownDesign& shown) {
     const int outcome =

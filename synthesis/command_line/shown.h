@@ -9,9 +9,6 @@
 
 namespace mechwright {
 
-/// What is wrong with JSON as a result document, or nothing.
-std::string why_not_a_result(const nlohmann::ordered_json& json);
-
 struct ShownDesign {
     FinishedDesign design;
     nlohmann::ordered_json document;  ///< of the result, or of the analysis of a given mechanism
@@ -21,8 +18,5 @@ struct ShownDesign {
 /// Reads a file, of which `alternative` counts from 1 among the alternatives of a result (0: its own design), and
 /// reports what is wrong with it. Returns the exit code; a design that does not assemble is `infeasible`.
 int read_shown(const std::string& file, std::size_t alternative, Console& console, ShownDesign& shown);
-
-/// Reads a result document; what is wrong is left in `fault`. Returns the exit code.
-int read_result_document(const std::string& file, nlohmann::ordered_json& document, std::string& fault);
 
 }  // namespace mechwright

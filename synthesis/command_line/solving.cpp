@@ -20,6 +20,7 @@
 #include "synthesis/report/json_text.h"
 #include "synthesis/report/motion_table.h"
 #include "synthesis/report/solutions_table.h"
+#include "synthesis/search/method_fault.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright {

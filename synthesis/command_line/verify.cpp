@@ -8,9 +8,9 @@
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
-#include "synthesis/command_line/shown.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/table.h"
+#include "synthesis/verify/result_file.h"
 
 namespace mechwright {
 
@@ -56,11 +56,10 @@ int verify_document(const Json& json, const std::string& name, const VerifyOptio
 }
 
 int verify_file(const std::string& file, const VerifyOptions& options, Console& console) {
-    Json json;
-    std::string fault;
-    if (const int outcome = read_result_document(file, json, fault); outcome != exit_code::solved) {
+    const auto [json, fault, unreadable] = read_result_file(file);
+    if (!fault.empty()) {
         complain(console, file + ": " + fault);
-        return outcome;
+        return unreadable ? exit_code::no_access : exit_code::invalid_file;
     }
     if (!json.is_array()) return verify_document(json, file, options, console);
     int code = exit_code::solved;

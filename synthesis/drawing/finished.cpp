@@ -1,31 +1,13 @@
 #include "synthesis/drawing/finished.h"
 
-#include <cmath>
-
+#include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/verify/rebuilt.h"
+#include "synthesis/report/document.h"
+#include "synthesis/verify/claimed_problem.h"
 
 namespace mechwright {
 
 namespace {
-
-double plain(const Digits50& value) { return value.convert_to<double>(); }
-
-std::vector<TargetPlace> targets_of(const Claim& claim, const Rebuilt& design) {
-    std::vector<TargetPlace> targets;
-    if (!claim.path) return targets;
-    for (std::size_t i = 0; i < claim.path->points.size(); ++i) {
-        TargetPlace target{.at = claim.path->points[i], .direction = {}, .reached = {}};
-        if (i < claim.path->directions.size() && claim.path->directions[i])
-            target.direction = plain(from_document(*claim.path->directions[i], Unit::angle, claim.units));
-        if (design.path) {
-            const Vector<double> reached{plain(design.path->reached[i].x), plain(design.path->reached[i].y)};
-            if (std::isfinite(reached.x) && std::isfinite(reached.y)) target.reached = reached;
-        }
-        targets.push_back(target);
-    }
-    return targets;
-}
 
 std::vector<TargetPlace> targets_of(const Problem& problem, const Design& design) {
     std::vector<TargetPlace> targets;
@@ -40,25 +22,15 @@ std::vector<TargetPlace> targets_of(const Problem& problem, const Design& design
     return targets;
 }
 
-/// Puts the values of all quantities into a document, and those of its requirements, as they are measured again.
-void state_values(nlohmann::ordered_json& document) {
+/// Puts what there is to say of the document's design in place of what it says.
+void evaluate_again(nlohmann::ordered_json& document) {
     const ReadClaim read = read_claim(document);
-    if (!read.defect.empty()) return;
-    const Mechanism& mechanism = *read.claim.mechanism;
-    const Rebuilt design = rebuilt(read.claim);
-    Measurements measurements(design);
-    const auto value_of = [&](std::size_t quantity) -> std::optional<double> {
-        const auto& measured = measurements.of(quantity);
-        if (!measured) return std::nullopt;
-        return plain(in_document(measured->value, mechanism.quantities[quantity].unit, read.claim.units));
-    };
-    for (std::size_t i = 0; i < mechanism.quantities.size(); ++i)
-        if (const auto value = value_of(i)) document["quantities"][std::string(mechanism.quantities[i].name)] = *value;
-    for (std::size_t i = 0; i < read.claim.requirements.size(); ++i) {
-        nlohmann::ordered_json& requirement = document["requirements"][i];
-        requirement.erase("value");
-        if (const auto value = value_of(read.claim.requirements[i].quantity)) requirement["value"] = *value;
-    }
+    if (!read.defect.empty() || !why_not_evaluable(read.claim).empty()) return;
+    auto [problem, design] = claimed_design(read.claim);
+    const nlohmann::ordered_json found = analysis_document(problem, assess(problem, std::move(design)));
+    for (const char* member :
+         {"objective", "requirements", "quantities", "path", "poses", "function", "line", "arc"})
+        if (found.contains(member)) document[member] = found[member];
 }
 
 }  // namespace
@@ -69,23 +41,11 @@ double FinishedDesign::operator[](std::string_view dimension) const {
 }
 
 FinishedOrNot finished_design(const nlohmann::ordered_json& document) {
-    FinishedOrNot result;
     const ReadClaim read = read_claim(document);
-    if (!read.defect.empty()) {
-        result.defect = read.defect;
-        return result;
-    }
-    const Claim& claim = read.claim;
-    const Rebuilt design = rebuilt(claim);
-    result.design = {.mechanism = claim.mechanism,
-                     .units = claim.units,
-                     .motion = design.motion,
-                     .dimensions = design.rounded,
-                     .program = claim.program,
-                     .function = claim.function,
-                     .targets = targets_of(claim, design),
-                     .guides_body = claim.path && !claim.path->directions.empty()};
-    return result;
+    if (!read.defect.empty()) return {{}, read.defect};
+    if (const std::string why = why_not_evaluable(read.claim); !why.empty()) return {{}, why};
+    const auto [problem, design] = claimed_design(read.claim);
+    return {finished_design(problem, design), {}};
 }
 
 FinishedDesign finished_design(const Problem& problem, const Design& design) {
@@ -105,18 +65,16 @@ nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document,
         shown.erase(own);
     for (const auto& [member, value] : other.items())
         shown[member] = value;
-    if (document.contains("objective") && document["objective"].is_object() && other.contains("objective") &&
-        other["objective"].is_number()) {
+    // An alternative has the value of the objective alone; what it is of stands in the result.
+    if (shown.contains("objective") && !shown["objective"].is_object() && document.contains("objective"))
         shown["objective"] = document["objective"];
-        shown["objective"]["value"] = other["objective"];
-    }
     for (const char* kind : {"path", "poses"}) {
         if (other.contains(kind) || !shown.contains(kind) || !shown[kind].is_object()) continue;
         for (const char* reached : {"reached", "reached_directions", "crank_angles", "distances"})
             shown[kind].erase(reached);
         if (other.contains("path_angles")) shown[kind]["crank_angles"] = other["path_angles"];
     }
-    if (!other.contains("quantities")) state_values(shown);
+    if (!other.contains("quantities")) evaluate_again(shown);
     return shown;
 }
 

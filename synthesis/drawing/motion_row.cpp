@@ -7,12 +7,16 @@
 namespace mechwright {
 
 MotionRow::MotionRow(const FinishedDesign& design, double crank_angle)
-    : mechanism_(design.mechanism),
-      values_(mechanism_->motion_columns.size()),
-      assembled_(mechanism_->motion_row(design.motion, design.dimensions, crank_angle, values_)) {}
+    : design_(&design),
+      values_(design.mechanism->motion_columns.size()),
+      assembled_(design.mechanism->motion_row(design.motion, design.dimensions, crank_angle, values_)) {}
+
+double MotionRow::in_file_unit(std::size_t column) const {
+    return mechwright::in_file_unit(values_[column], design_->mechanism->motion_units[column], design_->units);
+}
 
 double MotionRow::operator[](std::string_view column) const {
-    const auto columns = mechanism_->motion_columns;
+    const auto columns = design_->mechanism->motion_columns;
     return values_[static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin())];
 }
 

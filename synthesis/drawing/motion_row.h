@@ -18,13 +18,15 @@ public:
     /// False where the mechanism does not assemble; then there are no values.
     bool assembled() const { return assembled_; }
     const std::vector<double>& values() const { return values_; }
+    /// A value as files have it.
+    double in_file_unit(std::size_t column) const;
     /// Precondition: the mechanism has a column of this name.
     double operator[](std::string_view column) const;
     /// The vector of the columns NAME-x and NAME-y.
     Vector<double> vector(std::string_view name) const;
 
 private:
-    const Mechanism* mechanism_;
+    const FinishedDesign* design_;
     std::vector<double> values_;
     bool assembled_;
 };

@@ -152,13 +152,6 @@ Json path_of(const Problem& problem, const Solution* best) {
     return json;
 }
 
-Json verification_of(const std::vector<Check>& done) {
-    Json checks = Json::array();
-    for (const Check& check : done)
-        checks.push_back({{"name", check.name}, {"passed", check.passed}, {"detail", check.detail}});
-    return {{"passed", all_passed(done)}, {"checks", std::move(checks)}};
-}
-
 Json alternative_of(const Problem& problem, const Solution& solution) {
     Json one{{"design", design_of(problem, solution.design)}};
     put(one, "objective", solution.objective);
@@ -210,7 +203,7 @@ Json front_of(const Problem& problem, const Result& result) {
     for (const FrontPoint& point : result.front) {
         Json one = Json::object();
         put_findings(one, problem, point.solution);
-        one["verification"] = verification_of(point.verification);
+        one["verification"] = verification_document(point.verification);
         list.push_back(std::move(one));
     }
     return list;
@@ -274,12 +267,19 @@ std::string_view name_of(Status status) {
     return "";
 }
 
+nlohmann::ordered_json verification_document(const std::vector<Check>& done) {
+    Json checks = Json::array();
+    for (const Check& check : done)
+        checks.push_back({{"name", check.name}, {"passed", check.passed}, {"detail", check.detail}});
+    return {{"passed", all_passed(done)}, {"checks", std::move(checks)}};
+}
+
 nlohmann::ordered_json document(const Problem& problem, const Result& result) {
     Json json = head(problem);
     json["status"] = name_of(result.status);
     if (!result.note.empty()) json["note"] = result.note;
     put_body(json, problem, result.best ? &*result.best : nullptr);
-    if (!result.verification.empty()) json["verification"] = verification_of(result.verification);
+    if (!result.verification.empty()) json["verification"] = verification_document(result.verification);
     if (problem.solver.pareto > 0) json["front"] = front_of(problem, result);
     json["alternatives"] = alternatives_of(problem, result);
     json["search"] = search_of(problem, result.search);

@@ -42,6 +42,9 @@ nlohmann::ordered_json document(const Problem& problem, const Result& result);
 /// alternatives, search).
 nlohmann::ordered_json analysis_document(const Problem& problem, const Solution& solution);
 
+/// The member verification: passed, checks.
+nlohmann::ordered_json verification_document(const std::vector<Check>& done);
+
 /// The status as the document writes it.
 std::string_view name_of(Status status);
 

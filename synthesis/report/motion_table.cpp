@@ -1,7 +1,6 @@
 #include "synthesis/report/motion_table.h"
 
 #include "synthesis/drawing/motion_row.h"
-#include "synthesis/drawing/scene.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv_text.h"
 
@@ -30,14 +29,13 @@ std::string motion_table(const Problem& problem, const Design& design, int steps
 }
 
 std::string motion_table(const FinishedDesign& design, int steps) {
-    const Mechanism& mechanism = *design.mechanism;
-    std::string text = header(mechanism, design.units);
+    std::string text = header(*design.mechanism, design.units);
     for (const double angle : even_angles(design, steps)) {
         const MotionRow row(design, angle);
         if (!row.assembled()) continue;
         for (std::size_t c = 0; c < row.values().size(); ++c) {
             if (c > 0) text += ',';
-            text += csv_number(in_file_unit(row.values()[c], mechanism.motion_units[c], design.units));
+            text += csv_number(row.in_file_unit(c));
         }
         text += '\n';
     }

@@ -1,0 +1,15 @@
+#include "synthesis/program/left_open.h"
+
+namespace mechwright {
+
+std::string why_not_analysable(const Problem& problem) {
+    std::string open;
+    const auto add = [&](std::string_view name) { open += (open.empty() ? "" : ", ") + std::string(name); };
+    for (std::size_t i = 0; i < problem.dimensions.size(); ++i)
+        if (!problem.dimensions[i].fixed()) add(problem.mechanism->dimensions[i].name);
+    if (problem.assemblies.size() > 1) add("assembly");
+    if (open.empty()) return open;
+    return "to be analysed, a mechanism needs one value for each dimension; still open: " + open;
+}
+
+}  // namespace mechwright

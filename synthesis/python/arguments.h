@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// Problems and results as Python gives them: as a dict, or as the path of a file.
+
+#include <pybind11/pybind11.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "synthesis/problem/problem.h"
+
+namespace mechwright::python {
+
+/// What a problem given as a dict is called where a file has its name.
+inline constexpr const char* name_of_dict = "<dict>";
+
+/// Reads and checks a problem; warns of what is odd. Throws ProblemError with all that is wrong, OSError where a file
+/// cannot be read, TypeError or ValueError where the dict holds what no file can.
+Problem problem_of(const pybind11::object& argument);
+
+/// Throws ProblemError with one message about a problem.
+[[noreturn]] void refuse_problem(const Problem& problem, const std::string& text);
+
+struct ResultArgument {
+    nlohmann::ordered_json document;
+    std::string name;  ///< the file, or name_of_dict
+};
+
+/// Whether an argument is a result and no problem: a path that ends in ".json", or a dict that says of which problem it
+/// is and names no mechanism of its own.
+bool is_result(const pybind11::object& argument);
+
+/// A document with the head of a result document. Throws ValueError where it is not one, OSError where the file cannot
+/// be read.
+ResultArgument result_of(const pybind11::object& argument);
+
+/// Throws ValueError: "NAME: not a result document: WHY".
+[[noreturn]] void refuse_result(const std::string& name, const std::string& why);
+
+}  // namespace mechwright::python
