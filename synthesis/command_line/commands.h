@@ -18,6 +18,7 @@ struct Command {
     std::function<int(Console&)> run;
 };
 
+Command add_new(CLI::App& program);
 Command add_check(CLI::App& program);
 Command add_solve(CLI::App& program);
 Command add_compare(CLI::App& program);
@@ -27,6 +28,7 @@ Command add_study(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_quantities(CLI::App& program);
 Command add_methods(CLI::App& program);
+Command add_explain(CLI::App& program);
 Command add_start_system(CLI::App& program);
 
 }  // namespace mechwright

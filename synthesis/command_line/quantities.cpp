@@ -5,6 +5,7 @@
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
+#include "synthesis/command_line/names.h"
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/table.h"
@@ -12,18 +13,6 @@
 namespace mechwright {
 
 namespace {
-
-std::string_view name_of(Unit unit) {
-    switch (unit) {
-        case Unit::none: return "number";
-        case Unit::length: return "length";
-        case Unit::area: return "area";
-        case Unit::angle: return "angle";
-        case Unit::force: return "force";
-        case Unit::torque: return "torque";
-    }
-    return "";
-}
 
 std::string list_of(const Mechanism& mechanism, bool colour) {
     std::string text =
@@ -43,10 +32,8 @@ int list_quantities(const std::string& name, Console& console) {
             print(console, text);
             return exit_code::solved;
         }
-        std::vector<std::string_view> known;
-        for (const Mechanism* mechanism : mechanisms())
-            known.push_back(mechanism->name);
-        complain(console, "unknown mechanism " + reading::quoted(name) + "; " + reading::remedy(name, known));
+        complain(console,
+                 "unknown mechanism " + reading::quoted(name) + "; " + reading::remedy(name, mechanism_names()));
         return exit_code::wrong_usage;
     }
     std::string text;
