@@ -134,6 +134,22 @@ void put(std::string& text, const std::string& name, const std::string& value) {
     }
 }
 
+/// Comments beside what they explain, below each other where there is room.
+std::string with_comments_aligned(const std::string& text) {
+    constexpr std::size_t column = 40;
+    std::string aligned;
+    for (const std::string& line : split(text, '\n')) {
+        const std::size_t comment = line.find(" # ");
+        if (comment == std::string::npos || line.front() == '#') {
+            aligned += line + "\n";
+            continue;
+        }
+        const std::string code = line.substr(0, line.find_last_not_of(' ', comment) + 1);
+        aligned += fmt::format("{:<{}}{}\n", code, std::max(column, code.size() + 1), line.substr(comment + 1));
+    }
+    return aligned;
+}
+
 }  // namespace
 
 std::span<const Task> tasks() {
@@ -166,7 +182,7 @@ std::string problem_file(const Task& task, const Answers& answers) {
         for (const Question& question : task.questions)
             if ((question.kind == Answer::segments) == segments)
                 put(text, std::string(question.name), as_toml(question, answers.at(question.name)));
-    return text;
+    return with_comments_aligned(text);
 }
 
 }  // namespace mechwright
