@@ -27,10 +27,10 @@ using Mechanisms = std::vector<const Mechanism*>;
 
 /// "  label      text", folded; nothing for an empty text.
 std::string line(std::string_view label, std::string_view text) {
-    return text.empty() ? "" : folded(fmt::format("  {:<10}", label), text);
+    return text.empty() ? "" : folded(fmt::format("  {:<12}", label), text);
 }
 
-/// Every kind of cam is a mechanism of its own: "cam" for all, else with its meaning.
+/// Every kind of cam is a mechanism of its own: "cam" for all, else "cam with ...".
 std::string listed_mechanisms(const Mechanisms& some) {
     const Mechanisms all(mechanisms().begin(), mechanisms().end());
     std::vector<std::string> names;
@@ -41,7 +41,7 @@ std::string listed_mechanisms(const Mechanisms& some) {
         if (!is_cam(mechanism))
             names.emplace_back(mechanism->name);
         else if (!all_cams)
-            names.emplace_back(mechanism->meaning);
+            names.emplace_back(mechanism->meaning.substr(mechanism->meaning.find("cam")));
         else if (names.empty() || names.back() != "cam")
             names.emplace_back("cam");
     return fmt::format("{}", fmt::join(names, ", "));

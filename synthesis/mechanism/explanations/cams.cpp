@@ -21,10 +21,9 @@ std::vector<Formula> pressure_formulas() {
              "tan of it = (arm-length (1 + v) - pivot-distance cos(p)) / (pivot-distance sin(p)), p = start-angle + s "
              "(v with a minus where cam and rising arm turn alike)",
              "tangent of the pitch curve in the frame of the arm"},
-            {"flanks", "tan of it = v / (base-radius + roller-radius + s)", "Theory of Machines, equation (6-31)"},
-            {"eccentric", "tan of it = v / (base-radius + roller-radius + s)", "Theory of Machines, equation (6-31)"},
-            {"", "tan of it = (v - offset) / (sqrt(prime-radius^2 - offset^2) + s)",
-             "Theory of Machines, equation (6-31), with an offset"}};
+            {"translating", "tan of it = (v - offset) / (sqrt(prime-radius^2 - offset^2) + s)",
+             "Theory of Machines, equation (6-31), with an offset"},
+            {"", "tan of it = v / (base-radius + roller-radius + s)", "Theory of Machines, equation (6-31)"}};
 }
 
 std::vector<Formula> pitch_formulas(std::string_view oscillating, std::string_view translating) {
