@@ -27,7 +27,9 @@ std::string action_of(const Values& values) {
         case Values::Kind::folders: return "_files -/";
         case Values::Kind::files:
             if (values.names.empty()) return "_files";
-            return fmt::format("_files -g \"*.({})\"", fmt::join(values.names, "|"));
+            // A single ending in parentheses would be qualifiers of the pattern.
+            return values.names.size() == 1 ? fmt::format("_files -g \"*.{}\"", values.names[0])
+                                            : fmt::format("_files -g \"*.({})\"", fmt::join(values.names, "|"));
         case Values::Kind::unknown: break;
     }
     return {};
