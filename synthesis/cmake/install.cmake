@@ -25,3 +25,22 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/mechwrightConfigVersion.c
 install(FILES ${PROJECT_BINARY_DIR}/mechwrightConfig.cmake ${PROJECT_BINARY_DIR}/mechwrightConfigVersion.cmake
         DESTINATION ${package_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# What shells and man read comes from the program itself.
+set(shell_dir ${PROJECT_BINARY_DIR}/shell)
+set(shell_files)
+foreach(made "mechwright.bash;completion;bash" "_mechwright;completion;zsh" "mechwright.fish;completion;fish"
+             "mechwright.1;man-page")
+    list(POP_FRONT made shell_file)
+    add_custom_command(OUTPUT ${shell_dir}/${shell_file}
+                       COMMAND ${CMAKE_COMMAND} -E make_directory ${shell_dir}
+                       COMMAND mechwright ${made} > ${shell_dir}/${shell_file}
+                       DEPENDS mechwright VERBATIM)
+    list(APPEND shell_files ${shell_dir}/${shell_file})
+endforeach()
+add_custom_target(mechwright_shell ALL DEPENDS ${shell_files})
+install(FILES ${shell_dir}/mechwright.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        RENAME mechwright)
+install(FILES ${shell_dir}/_mechwright DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${shell_dir}/mechwright.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES ${shell_dir}/mechwright.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

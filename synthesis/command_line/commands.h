@@ -18,6 +18,7 @@ struct Command {
     std::function<int(Console&)> run;
 };
 
+Command add_new(CLI::App& program);
 Command add_check(CLI::App& program);
 Command add_solve(CLI::App& program);
 Command add_compare(CLI::App& program);
@@ -30,6 +31,9 @@ Command add_draw(CLI::App& program);
 Command add_export(CLI::App& program);
 Command add_quantities(CLI::App& program);
 Command add_methods(CLI::App& program);
+Command add_explain(CLI::App& program);
 Command add_start_system(CLI::App& program);
+Command add_completion(CLI::App& program);
+Command add_man_page(CLI::App& program);
 
 }  // namespace mechwright

@@ -1,5 +1,7 @@
 #include "synthesis/command_line/exit_code.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -23,18 +25,27 @@ int worse(int a, int b) {
     return rank(a) <= rank(b) ? a : b;
 }
 
-const char* explained() {
-    return "Exit codes:\n"
-           "  0    solved and verified\n"
-           "  1    internal error (a defect: the message says how to report it)\n"
-           "  2    wrong usage\n"
-           "  3    invalid problem file, or not a result document\n"
-           "  4    no feasible design: proven, or none found by a search that ran to its end\n"
-           "  5    stopped at a limit; the best design so far is written\n"
-           "  6    a file could not be read or written\n"
-           "  7    a design was found but its verification failed\n"
-           "  130  interrupted; what was done is written\n"
-           "With several files: the code that comes first in 1, 130, 6, 3, 7, 5, 4, 0.";
+std::span<const Meaning> meanings() {
+    static constexpr std::array all{
+        Meaning{solved, "solved and verified"},
+        Meaning{internal_error, "internal error (a defect: the message says how to report it)"},
+        Meaning{wrong_usage, "wrong usage"},
+        Meaning{invalid_file, "invalid problem file, or not a result document"},
+        Meaning{infeasible, "no feasible design: proven, or none found by a search that ran to its end"},
+        Meaning{limit, "stopped at a limit; the best design so far is written"},
+        Meaning{no_access, "a file could not be read or written"},
+        Meaning{unverified, "a design was found but its verification failed"},
+        Meaning{interrupted, "interrupted; what was done is written"}};
+    return all;
+}
+
+std::string_view of_several() { return "With several files: the code that comes first in 1, 130, 6, 3, 7, 5, 4, 0."; }
+
+std::string explained() {
+    std::string text = "Exit codes:\n";
+    for (const Meaning& meaning : meanings())
+        text += fmt::format("  {:<3}  {}\n", meaning.code, meaning.text);
+    return text.append(of_several());
 }
 
 }  // namespace mechwright::exit_code

@@ -2,6 +2,10 @@
 /// \file
 /// What the program's exit codes mean.
 
+#include <span>
+#include <string>
+#include <string_view>
+
 #include "synthesis/program/result.h"
 
 namespace mechwright::exit_code {
@@ -22,7 +26,18 @@ int of(Status status);
 /// The code of a run over several files: the more severe of two, in the order 1, 2, 130, 6, 3, 7, 5, 4, 0.
 int worse(int a, int b);
 
-/// The table of codes for the help.
-const char* explained();
+struct Meaning {
+    int code;
+    std::string_view text;
+};
+
+/// Every code with its meaning.
+std::span<const Meaning> meanings();
+
+/// Which code a run over several files ends with.
+std::string_view of_several();
+
+/// All of this as a table for the help.
+std::string explained();
 
 }  // namespace mechwright::exit_code

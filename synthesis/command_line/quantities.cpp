@@ -5,7 +5,7 @@
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
-#include "synthesis/report/quantity_list.h"
+#include "synthesis/report/names.h"
 #include "synthesis/report/table.h"
 
 namespace mechwright {

@@ -28,8 +28,7 @@ void evaluate_again(nlohmann::ordered_json& document) {
     if (!read.defect.empty() || !why_not_evaluable(read.claim).empty()) return;
     auto [problem, design] = claimed_design(read.claim);
     const nlohmann::ordered_json found = analysis_document(problem, assess(problem, std::move(design)));
-    for (const char* member :
-         {"objective", "requirements", "quantities", "path", "poses", "function", "line", "arc"})
+    for (const char* member : {"objective", "requirements", "quantities", "path", "poses", "function", "line", "arc"})
         if (found.contains(member)) document[member] = found[member];
 }
 

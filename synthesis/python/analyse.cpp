@@ -111,8 +111,8 @@ py::object analyse(const py::object& argument, const py::object& crank_angles, s
     const Subject subject = is_result(argument) ? result_design(argument) : given_design(argument);
     const FinishedDesign design = finished_design(subject.problem, subject.solution.design);
     py::dict analysis = python_of(analysis_document(subject.problem, subject.solution));
-    analysis["motion"] = crank_angles.is_none() ? motion_in_steps(design, static_cast<int>(steps))
-                                                : motion_at(design, crank_angles);
+    analysis["motion"] =
+        crank_angles.is_none() ? motion_in_steps(design, static_cast<int>(steps)) : motion_at(design, crank_angles);
     return analysis;
 }
 

@@ -1,6 +1,6 @@
 #include "synthesis/python/calls.h"
 #include "synthesis/python/values.h"
-#include "synthesis/report/quantity_list.h"
+#include "synthesis/report/names.h"
 
 namespace mechwright::python {
 

@@ -46,17 +46,34 @@ std::array<int, 2> open_ends(bool terminal) {
     return ends;
 }
 
+/// The other way round: what the program is to read is written at the first end, which stays open if it is a
+/// terminal's: closing that would hang up. A pipe takes the few lines of a test at once.
+std::array<int, 2> open_input(const Start& how) {
+    std::array<int, 2> ends = open_ends(how.in_on_terminal);
+    if (!how.in_on_terminal) {
+        std::swap(ends[0], ends[1]);
+        ::fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+        ::fcntl(ends[1], F_SETFD, 0);
+    }
+    if (::write(ends[0], how.in.data(), how.in.size()) != static_cast<ssize_t>(how.in.size()))
+        throw std::runtime_error("cannot write the program's input");
+    if (!how.in_on_terminal) {
+        ::close(ends[0]);
+        ends[0] = -1;
+    }
+    return ends;
+}
+
 /// In the child; does not return.
-[[noreturn]] void become_program(const Start& how, int out, int err) {
+[[noreturn]] void become_program(const Start& how, int in, int out, int err) {
     for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ})
         ::signal(number, SIG_DFL);
     if (!how.out_to.empty()) out = ::open(how.out_to.c_str(), O_WRONLY);
-    const int nothing = ::open("/dev/null", O_RDONLY);
-    ::dup2(nothing, STDIN_FILENO);
+    ::dup2(in, STDIN_FILENO);
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
     if (how.out_closed) ::close(STDOUT_FILENO);
-    for (const int file : {out, err, nothing})
+    for (const int file : {in, out, err})
         if (file > STDERR_FILENO) ::close(file);
     if (how.largest_file) {
         const rlimit limit{*how.largest_file, *how.largest_file};
@@ -97,14 +114,16 @@ void close_end(int& file) {
 }  // namespace
 
 Running start(const Start& how) {
+    const auto in = open_input(how);
     const auto out = open_ends(how.out_on_terminal);
     const auto err = open_ends(how.err_on_terminal);
     const pid_t id = ::fork();
     if (id < 0) throw std::runtime_error("cannot fork");
-    if (id == 0) become_program(how, out[1], err[1]);
+    if (id == 0) become_program(how, in[1], out[1], err[1]);
+    ::close(in[1]);
     ::close(out[1]);
     ::close(err[1]);
-    return {id, out[0], err[0], how.out_read};
+    return {id, in[0], out[0], err[0], how.out_read};
 }
 
 Outcome finish(Running running) {
@@ -123,6 +142,7 @@ Outcome finish(Running running) {
         if (ends[1].revents != 0 && !read_some(running.err, outcome.err)) close_end(running.err);
         if (running.out_read && outcome.out.size() >= *running.out_read) close_end(running.out);
     }
+    close_end(running.in);
     close_end(running.out);
     close_end(running.err);
     int status = 0;

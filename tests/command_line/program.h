@@ -18,6 +18,8 @@ struct Start {
     std::vector<std::string> arguments;
     std::string folder;  ///< the program is started in it; empty: in the test's
     std::vector<std::pair<std::string, std::string>> environment;  ///< set for the program; empty values are unset
+    std::string in;                                                ///< what it reads on standard input, then the end
+    bool in_on_terminal = false;              ///< standard input is a terminal, on which `in` is typed
     std::string out_to;                       ///< standard output goes to this file and not to the test
     bool out_closed = false;                  ///< there is no standard output
     bool out_on_terminal = false;             ///< standard output is a terminal; its text arrives in Outcome::out
@@ -36,6 +38,7 @@ struct Outcome {
 /// A program that runs. Signals can be sent to it.
 struct Running {
     pid_t id = -1;
+    int in = -1;
     int out = -1;
     int err = -1;
     std::optional<std::size_t> out_read;

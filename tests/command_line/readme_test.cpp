@@ -34,6 +34,12 @@ TEST(Readme, ShowsWhatComparePrints) {
     expect_shown({"compare", files + "crank-shaper.toml", files + "drag-link.toml", files + "whitworth.toml"});
 }
 
+TEST(Readme, ShowsWhatNewWrites) {
+    expect_shown({"new", "--mechanism", "slider-crank", "--task", "stroke", "--set", "stroke=80"});
+}
+
+TEST(Readme, ShowsWhatExplainPrints) { expect_shown({"explain", "swing"}); }
+
 TEST(Readme, ShowsWhatTolerancesDo) {
     const TemporaryFolder folder;
     Start how;

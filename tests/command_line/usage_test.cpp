@@ -12,7 +12,7 @@ TEST(Usage, HelpGoesToStandardOutput) {
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_EQ(help.err, "");
     for (const char* part : {"check", "solve", "compare", "analyse", "profile", "verify", "quantities", "methods",
-                             "--version", "Exit codes", "130", "With several files"})
+                             "new", "explain", "completion", "--version", "Exit codes", "130", "With several files"})
         expect_has(help.out, part);
     const Outcome of_solve = run({"solve", "--help"});
     EXPECT_EQ(of_solve.exit_code, 0);
@@ -29,6 +29,9 @@ TEST(Usage, HelpFitsEightyColumns) {
                                                       {"profile", "--help"},
                                                       {"verify", "--help"},
                                                       {"quantities", "--help"},
+                                                      {"new", "--help"},
+                                                      {"explain", "--help"},
+                                                      {"completion", "--help"},
                                                       {"methods", "--help"}}) {
         std::istringstream lines(run(arguments).out);
         for (std::string line; std::getline(lines, line);)

@@ -22,3 +22,11 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${scratch}/build -
 run(${CMAKE_COMMAND} --build ${scratch}/build)
 run(${scratch}/build/consumer)
 run(${scratch}/prefix/bin/mechwright --version)
+
+foreach(file bash-completion/completions/mechwright zsh/site-functions/_mechwright
+        fish/vendor_completions.d/mechwright.fish man/man1/mechwright.1)
+    file(SIZE ${scratch}/prefix/share/${file} size)
+    if(size LESS 1000)
+        message(FATAL_ERROR "share/${file} is not what it should be: ${size} bytes")
+    endif()
+endforeach()

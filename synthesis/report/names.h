@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the mechanisms' quantities are called in lists of them.
+/// The names that lists and explanations go by.
 
 #include <string>
 #include <string_view>
@@ -13,10 +13,16 @@ namespace mechwright {
 /// "number", "length", "area", "angle", "force" or "torque".
 std::string_view name_of(Unit unit);
 
+/// The names of all mechanisms, each once.
+std::vector<std::string_view> mechanism_names();
+
 /// All that go by this name: cams come in several kinds.
 std::vector<const Mechanism*> mechanisms_named(std::string_view name);
 
 /// "unknown mechanism 'x'; ..." with what would be right.
 std::string unknown_mechanism(const std::string& name);
+
+/// What `mechwright explain` knows: quantities, dimensions, settings and mechanisms, each name once.
+std::vector<std::string_view> explained_names();
 
 }  // namespace mechwright

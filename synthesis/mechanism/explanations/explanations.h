@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// What the quantities of the registry mean to a designer: formula, source, usual values. `mechwright explain` prints
+/// them; the registry itself says names, units and short meanings.
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "synthesis/mechanism/mechanism.h"
+
+namespace mechwright {
+
+/// How a quantity follows from the dimensions.
+struct Formula {
+    std::string_view of;      ///< a mechanism's name, or a part of a cam's meaning ("flat-faced"); empty: of any
+    std::string_view text;    ///< dimensions by their names in problem files
+    std::string_view source;  ///< book and equation, or how it is derived
+};
+
+struct Explanation {
+    std::string_view name;          ///< of the quantity
+    std::string_view what;          ///< what it tells a designer
+    std::string_view over;          ///< over which part of the motion it is taken
+    std::vector<Formula> formulas;  ///< the first that applies to a mechanism is the one
+    std::string_view usual;         ///< good values in practice, and who says so
+    std::string_view undefined;     ///< where it has no value; empty: it always has one
+    std::string_view require;       ///< the limit of an example: "min = 40"
+    std::string_view objective;     ///< "minimize" or "maximize"; empty: neither makes sense alone
+    std::string_view related;       ///< names, with commas between
+};
+
+/// Those of every mechanism, in the order in which they are shown.
+std::span<const Explanation> explanations();
+
+/// The explanation of a quantity, or null.
+const Explanation* find_explanation(std::string_view quantity);
+
+/// The formula that holds for a mechanism, or null.
+const Formula* formula_for(const Explanation& explanation, const Mechanism& mechanism);
+
+/// The parts of the list, each in a file of its own.
+std::vector<Explanation> linkage_explanations();
+std::vector<Explanation> ram_explanations();
+std::vector<Explanation> target_explanations();
+std::vector<Explanation> cam_explanations();
+
+}  // namespace mechwright
