@@ -1,5 +1,7 @@
 // report: results as a page for a browser.
 
+#include "synthesis/command_line/report.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,7 +14,6 @@
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/study.h"
 #include "synthesis/report/gnuplot.h"
-#include "synthesis/report/page/results_page.h"
 #include "synthesis/report/write_file.h"
 #include "synthesis/study/folder.h"
 #include "synthesis/study/study_page.h"
@@ -32,10 +33,8 @@ struct ReportOptions {
     std::optional<std::uint64_t> designs;
 };
 
-using Results = std::vector<std::pair<std::string, Json>>;
-
 /// Reads a file with a result or a list of them; what is wrong is reported and becomes a line of the page.
-int take_file(const std::string& file, Console& console, Results& results, std::vector<ResultLine>& faults) {
+int take_file(const std::string& file, Console& console, NamedDocuments& results, std::vector<ResultLine>& faults) {
     auto [json, fault, unreadable] = read_result_file(file);
     const Json list = json.is_array() ? std::move(json) : Json::array({std::move(json)});
     for (std::size_t i = 0; fault.empty() && i < list.size(); ++i) {
@@ -61,30 +60,13 @@ std::vector<std::string> files_in(const fs::path& folder) {
     return files;
 }
 
-int write_page(Page page, const std::string& out, const ReportOptions& options, Console& console) {
-    std::string text;
-    try {
-        text = page_text(page);
-    } catch (const ChartFault& fault) {
-        complain(console, std::string(fault.what()) + "; the page has no plots for browsers without scripts");
-        page.static_plots = false;
-        text = page_text(page);
-    }
-    if (const auto fault = write_atomically(out, text)) {
-        complain(console, *fault);
-        return exit_code::no_access;
-    }
-    if (!options.quiet) console.err << "wrote " << out << std::endl;
-    return exit_code::solved;
-}
-
 std::string place_for_page(const ReportOptions& options, const fs::path& folder) {
     return options.out.empty() ? (folder / "report.html").string() : options.out;
 }
 
 int report_results(const ReportOptions& options, const fs::path& folder, const std::vector<std::string>& files,
                    Console& console) {
-    Results results;
+    NamedDocuments results;
     std::vector<ResultLine> faults;
     int code = exit_code::solved;
     for (const std::string& file : files)
@@ -95,11 +77,9 @@ int report_results(const ReportOptions& options, const fs::path& folder, const s
                      options.place + ": holds no result (*.json), and no study; solve --out DIR writes results");
         return exit_code::worse(code, exit_code::invalid_file);
     }
-    const std::string title = results.size() == 1 ? result_to_show(results[0].first, results[0].second, 0).title
-                                                  : fmt::format("{} results", results.size());
-    Page page = page_on_results(title.empty() ? results[0].first : title, results);
+    Page page = page_on_results(results);
     page.lines.insert(page.lines.end(), faults.begin(), faults.end());
-    return exit_code::worse(code, write_page(std::move(page), place_for_page(options, folder), options, console));
+    return exit_code::worse(code, write_page(std::move(page), place_for_page(options, folder), options.quiet, console));
 }
 
 int report_study(const ReportOptions& options, Console& console) {
@@ -108,7 +88,7 @@ int report_study(const ReportOptions& options, Console& console) {
         const fs::path data = data_file(options.place);
         try {
             return write_page(study_page(data, options.designs.value_or(default_designs)),
-                              place_for_page(options, options.place), options, console);
+                              place_for_page(options, options.place), options.quiet, console);
         } catch (const ChartFault& fault) {
             complain(console, fault.what());
             return exit_code::no_access;
@@ -130,6 +110,23 @@ int report(const ReportOptions& options, Console& console) {
 }
 
 }  // namespace
+
+int write_page(Page page, const std::string& out, bool quiet, Console& console) {
+    std::string text;
+    try {
+        text = page_text(page);
+    } catch (const ChartFault& fault) {
+        complain(console, std::string(fault.what()) + "; the page has no plots for browsers without scripts");
+        page.static_plots = false;
+        text = page_text(page);
+    }
+    if (const auto fault = write_atomically(out, text)) {
+        complain(console, *fault);
+        return exit_code::no_access;
+    }
+    if (!quiet) console.err << "wrote " << out << std::endl;
+    return exit_code::solved;
+}
 
 Command add_report(CLI::App& program) {
     const auto options = std::make_shared<ReportOptions>();

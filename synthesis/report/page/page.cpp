@@ -95,7 +95,7 @@ void add_result(const ResultToShow& result, bool heading, Writing& writing) {
 std::string lines_table(const std::vector<ResultLine>& lines) {
     std::string rows;
     for (const ResultLine& line : lines)
-        rows += table_row({escaped(line.file), escaped(line.title), escaped(line.standing)});
+        rows += table_row({line.file, line.title, line.standing});
     return table_of("Other files", {"file", "title", ""}, rows);
 }
 

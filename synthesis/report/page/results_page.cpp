@@ -61,9 +61,11 @@ ResultLine result_line(const std::string& file, const Json& document) {
     return {file, title_of(document), standing};
 }
 
-Page page_on_results(const std::string& title, const std::vector<std::pair<std::string, Json>>& results) {
+Page page_on_results(const NamedDocuments& results) {
     Page page;
-    page.title = title;
+    if (results.size() == 1) page.title = title_of(results[0].second);
+    if (page.title.empty())
+        page.title = results.size() == 1 ? results[0].first : fmt::format("{} results", results.size());
     std::size_t room = most_designs - std::min(most_designs, results.size());
     std::size_t left_out = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {

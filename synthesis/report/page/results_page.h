@@ -16,9 +16,11 @@ ResultToShow result_to_show(const std::string& file, const nlohmann::ordered_jso
 /// A line on a result.
 ResultLine result_line(const std::string& file, const nlohmann::ordered_json& document);
 
-/// The page on results in the order given. The first hundred designs are shown, that of every result before
-/// alternatives; of further results there is a line.
-Page page_on_results(const std::string& title,
-                     const std::vector<std::pair<std::string, nlohmann::ordered_json>>& results);
+/// Results with the names of their files.
+using NamedDocuments = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
+
+/// The page on results in the order given, with the title of the only one or how many they are. The first hundred
+/// designs are shown, that of every result before alternatives; of further results there is a line.
+Page page_on_results(const NamedDocuments& results);
 
 }  // namespace mechwright

@@ -46,14 +46,14 @@ struct UnitsOf {
         for (const Mechanism* m : mechanisms())
             if (m->name == mechanism)
                 if (const int i = find_quantity(*m, name); i >= 0)
-                    return escaped(unit_label(m->quantities[static_cast<std::size_t>(i)].unit, units));
+                    return unit_label(m->quantities[static_cast<std::size_t>(i)].unit, units);
         return "";
     }
     std::string of_dimension(std::string_view name) const {
         for (const Mechanism* m : mechanisms())
             if (m->name == mechanism)
                 if (const int i = find_dimension(*m, name); i >= 0)
-                    return escaped(unit_label(unit_of(m->dimensions[static_cast<std::size_t>(i)].kind), units));
+                    return unit_label(unit_of(m->dimensions[static_cast<std::size_t>(i)].kind), units);
         return "";
     }
 };
@@ -74,12 +74,12 @@ std::string dimensions_table(const Json& document, const UnitsOf& units) {
     std::string rows;
     for (const auto& [name, value] : design.items()) {
         if (!value.is_number()) {
-            if (value.is_string()) rows += table_row({escaped(name), escaped(value.get<std::string>()), "", ""});
+            if (value.is_string()) rows += table_row({name, value.get<std::string>(), "", ""});
             continue;
         }
         const std::string place =
             given.contains(name) ? place_in_range(given[name], value.get<double>()) : std::string();
-        rows += table_row({escaped(name), shown_value(value), units.of_dimension(name), place});
+        rows += table_row({name, shown_value(value), units.of_dimension(name), place});
     }
     return table_of("Dimensions", {"dimension", "value", "unit", ""}, rows);
 }
@@ -91,20 +91,20 @@ std::string limit_row(const Json& requirement, const char* limit, const char* si
     if (!required) return {};
     const std::string name = text_in(requirement, "quantity"), unit = units.of_quantity(name);
     if (!value)
-        return table_row({escaped(name), fmt::format("{} {}", sign, number_text(*required)), "no value", unit, "",
-                          "<strong class=\"bad\">not met</strong>"});
+        return table_row({name, fmt::format("{} {}", sign, number_text(*required)), "no value", unit, "", "not met"},
+                         true);
     const bool equal = std::string_view(limit) == "equal";
     const double margin = equal                              ? -std::abs(*value - *required)
                           : std::string_view(limit) == "min" ? *value - *required
                                                              : *required - *value;
     const bool met = margin >= -tolerance * std::max(1.0, std::abs(*required));
     const bool active = met && margin <= 1e-6 * std::max(1.0, std::abs(*required));
-    return table_row({escaped(name), fmt::format("{} {}", sign, number_text(*required)), number_text(*value), unit,
+    return table_row({name, fmt::format("{} {}", sign, number_text(*required)), number_text(*value), unit,
                       equal || active ? fmt::format("{:.1e}", std::abs(margin)) : number_text(margin, 5),
-                      !met     ? "<strong class=\"bad\">not met</strong>"
-                      : equal  ? "met"
-                      : active ? "met, at the limit"
-                               : "met"});
+                      !met               ? "not met"
+                      : active && !equal ? "met, at the limit"
+                                         : "met"},
+                     !met);
 }
 
 std::string requirements_table(const Json& document, const UnitsOf& units) {
@@ -121,10 +121,10 @@ std::string objective_rows(const Json& objective, const UnitsOf& units) {
     if (!objective.is_object()) return {};
     std::string rows;
     if (objective.contains("quantity"))
-        rows += table_row({escaped(text_in(objective, "sense") + " " + text_in(objective, "quantity")),
+        rows += table_row({text_in(objective, "sense") + " " + text_in(objective, "quantity"),
                            text_in(objective, "value"), units.of_quantity(text_in(objective, "quantity"))});
     for (const Json& term : list_in(objective, "terms"))
-        rows += table_row({escaped(text_in(term, "sense") + " " + text_in(term, "quantity")), text_in(term, "value"),
+        rows += table_row({text_in(term, "sense") + " " + text_in(term, "quantity"), text_in(term, "value"),
                            units.of_quantity(text_in(term, "quantity"))});
     return rows;
 }
@@ -132,7 +132,7 @@ std::string objective_rows(const Json& objective, const UnitsOf& units) {
 std::string quantities_table(const Json& document, const UnitsOf& units) {
     std::string rows;
     for (const auto& [name, value] : object_in(document, "quantities").items())
-        rows += table_row({escaped(name), shown_value(value), units.of_quantity(name)});
+        rows += table_row({name, shown_value(value), units.of_quantity(name)});
     return table_of("Quantities", {"quantity", "value", "unit"}, rows);
 }
 
@@ -171,8 +171,7 @@ std::string verification_table(const Json& document) {
         const bool good = check.is_object() && check.contains("passed") && check["passed"] == true;
         ++all;
         passed += good ? 1 : 0;
-        rows += table_row({good ? "passed" : "<strong class=\"bad\">FAILED</strong>", escaped(text_in(check, "name")),
-                           escaped(text_in(check, "detail"))});
+        rows += table_row({good ? "passed" : "FAILED", text_in(check, "name"), text_in(check, "detail")}, !good);
     }
     return in_details(fmt::format("Verification: {} of {} checks passed, recomputed in fifty digits", passed, all),
                       table_of("Verification", {"", "check", "found"}, rows));
@@ -182,7 +181,7 @@ std::string search_table(const Json& document) {
     const Json& search = object_in(document, "search");
     std::string rows;
     for (const auto& [name, value] : search.items())
-        if (!value.is_structured()) rows += table_row({escaped(name), escaped(shown_value(value))});
+        if (!value.is_structured()) rows += table_row({name, shown_value(value)});
     return in_details("How it was found", table_of("Search", {"", ""}, rows));
 }
 
@@ -195,18 +194,18 @@ std::string shown_value(const Json& value) {
     return "";
 }
 
-std::string table_row(const std::vector<std::string>& cells) {
-    std::string row = "<tr>";
+std::string table_row(const std::vector<std::string>& cells, bool bad) {
+    std::string row = bad ? "<tr class=\"bad\">" : "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)
-        row += i == 0 ? "<th scope=\"row\">" + cells[i] + "</th>" : "<td>" + cells[i] + "</td>";
+        row += i == 0 ? "<th scope=\"row\">" + escaped(cells[i]) + "</th>" : "<td>" + escaped(cells[i]) + "</td>";
     return row + "</tr>";
 }
 
 std::string table_of(std::string_view caption, const std::vector<std::string>& heads, const std::string& rows) {
     if (rows.empty()) return {};
-    std::string text = fmt::format("<table><caption>{}</caption><thead><tr>", caption);
+    std::string text = fmt::format("<table><caption>{}</caption><thead><tr>", escaped(caption));
     for (const std::string& head : heads)
-        text += head.empty() ? "<td></td>" : "<th scope=\"col\">" + head + "</th>";
+        text += head.empty() ? "<td></td>" : "<th scope=\"col\">" + escaped(head) + "</th>";
     return text + "</tr></thead><tbody>" + rows + "</tbody></table>";
 }
 

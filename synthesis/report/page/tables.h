@@ -18,10 +18,10 @@ std::string standing_sentence(const nlohmann::ordered_json& document);
 /// Text of a JSON value for reading: numbers with eight digits, strings as they are.
 std::string shown_value(const nlohmann::ordered_json& value);
 
-/// One row of a table; cells are HTML, the first is its heading.
-std::string table_row(const std::vector<std::string>& cells);
+/// One row of a table; cells are plain texts, the first is its heading. A bad row stands out.
+std::string table_row(const std::vector<std::string>& cells, bool bad = false);
 
-/// A table of rows with a caption, and the heads of its columns; empty where there are no rows.
+/// A table of rows with a caption, and the heads of its columns (plain texts); empty where there are no rows.
 std::string table_of(std::string_view caption, const std::vector<std::string>& heads, const std::string& rows);
 
 }  // namespace mechwright
