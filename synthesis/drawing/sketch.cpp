@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -159,16 +161,48 @@ void join(SketchText& sketch, Joined& joined, const SketchPoint& point, double t
     joined.points.push_back(point);
 }
 
-/// The corners of a rigid body joined by lines of fixed length; returns the points in the order of the corners.
+SketchLine add_side(SketchText& sketch, Joined& joined, const Vector<double>& from, const Vector<double>& to,
+                    double tolerance) {
+    const SketchLine line = sketch.line(from, to, false);
+    join(sketch, joined, line.from, tolerance);
+    join(sketch, joined, line.to, tolerance);
+    sketch.keep_distance(line.from, line.to);
+    return line;
+}
+
+/// Three corners in line, to within a millionth: the lengths of a flat triangle do not say how it turns, so that it is
+/// one line with a point on it.
+bool in_line(const std::vector<Vector<double>>& corners) {
+    if (corners.size() != 3) return false;
+    const Vector<double> a = corners[1] - corners[0], b = corners[2] - corners[0], c = corners[2] - corners[1];
+    return std::abs(cross(a, b)) <= 1e-6 * std::max({dot(a, a), dot(b, b), dot(c, c)});
+}
+
+void add_flat_link(SketchText& sketch, Joined& joined, const std::string& name, std::vector<Vector<double>> corners,
+                   double tolerance) {
+    const auto apart = [](const Vector<double>& a, const Vector<double>& b) {
+        return std::hypot(b.x - a.x, b.y - a.y);
+    };
+    // The corner between the other two comes last.
+    while (apart(corners[0], corners[1]) < std::max(apart(corners[1], corners[2]), apart(corners[2], corners[0])))
+        std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+    const SketchLine line = add_side(sketch, joined, corners[0], corners[1], tolerance);
+    joined.arms.emplace_back(name, line);
+    if (same(corners[2], corners[0], tolerance) || same(corners[2], corners[1], tolerance)) return;
+    const SketchPoint between = sketch.point(corners[2]);
+    sketch.keep_on(between, line);
+    sketch.keep_distance(between, line.from);
+    join(sketch, joined, between, tolerance);
+}
+
+/// The corners of a rigid body joined by lines of fixed length.
 void add_link(SketchText& sketch, Joined& joined, const std::string& name, const std::vector<Vector<double>>& corners,
               double tolerance) {
     if (corners.size() == 1) return;
+    if (in_line(corners)) return add_flat_link(sketch, joined, name, corners, tolerance);
     const std::size_t sides = corners.size() == 2 ? 1 : corners.size();
     for (std::size_t i = 0; i < sides; ++i) {
-        const SketchLine line = sketch.line(corners[i], corners[(i + 1) % corners.size()], false);
-        join(sketch, joined, line.from, tolerance);
-        join(sketch, joined, line.to, tolerance);
-        sketch.keep_distance(line.from, line.to);
+        const SketchLine line = add_side(sketch, joined, corners[i], corners[(i + 1) % corners.size()], tolerance);
         if (i == 0) joined.arms.emplace_back(name, line);
     }
 }
