@@ -48,7 +48,8 @@ FinishedOrNot finished_design(const nlohmann::ordered_json& document);
 FinishedDesign finished_design(const Problem& problem, const Design& design);
 
 /// The document of another design of a result, from its alternatives or its front: that of the result with the other
-/// design in the place of its own, and with what is said of that. What is not stated is evaluated again. Precondition: `other` is an object with a design.
+/// design in the place of its own, and with what is said of that. What is not stated is evaluated again. Precondition:
+/// `other` is an object with a design.
 nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& other);
 
 }  // namespace mechwright

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "synthesis/drawing/motion_row.h"
+#include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv_text.h"
 #include "synthesis/report/gnuplot.h"
@@ -43,7 +45,7 @@ std::string unit_of_plot(std::string_view plot, Unit unit, const Units& units) {
 
 /// Angles without jumps of a full turn.
 void unwrap(std::vector<double>& radians) {
-    constexpr double turn = 6.283185307179586;
+    constexpr double turn = 2 * std::numbers::pi;
     double before = std::numeric_limits<double>::quiet_NaN();
     for (double& angle : radians) {
         if (std::isnan(angle)) continue;
@@ -61,7 +63,10 @@ struct LimitedPlot {
 };
 
 using enum LimitedPlot::Mirror;
-constexpr std::array<LimitedPlot, 14> limited_plots{{
+constexpr std::array<LimitedPlot, 17> limited_plots{{
+    {"function-max", "error of the function", at_zero},
+    {"line-deviation", "distance from the line", at_zero},
+    {"arc-deviation", "distance from the arc", at_zero},
     {"transmission-angle-min", "transmission angle"},
     {"transmission-angle-max", "transmission angle"},
     {"transmission-angle-worst", "transmission angle", at_right_angle},
@@ -85,7 +90,7 @@ void add_level(MotionPlots& plots, std::string_view quantity, std::string_view w
             if (plot.title != limited.plot) continue;
             const std::string name = fmt::format("{} {}", quantity, what);
             plot.levels.push_back({name, limited.mirror == below_zero ? -value : value});
-            const double right_angle = degrees ? 90 : 0.5 * 3.141592653589793;
+            const double right_angle = degrees ? 90 : 0.5 * std::numbers::pi;
             if (limited.mirror == at_zero) plot.levels.push_back({name, -value});
             if (limited.mirror == at_right_angle) plot.levels.push_back({name, 2 * right_angle - value});
             break;
@@ -108,6 +113,45 @@ void add_levels(MotionPlots& plots, const nlohmann::ordered_json& document, bool
         }
     if (document.contains("objective") && document["objective"].is_object())
         add(document["objective"], "value", "reached");
+}
+
+/// What is left between what a design does and what it is to follow, at a crank angle of its input range: the error of
+/// a function, or the distance from a line or an arc. NaN where there is none.
+double error_at(const FinishedDesign& design, const MotionRow& row) {
+    const double share = (row.values().front() - design["input-start"]) / design["input-range"];
+    constexpr double rounding = 1e-12;
+    if (!(share >= -rounding && share <= 1 + rounding)) return std::numeric_limits<double>::quiet_NaN();
+    if (design.function) {
+        const bool angle = design.mechanism->name == "four-bar";
+        const double asked = design["output-start"] + design["output-range"] * part_at(*design.function, share);
+        return angle ? std::remainder(row["rocker-angle"] - asked, 2 * std::numbers::pi) : row["ram-position"] - asked;
+    }
+    const Vector<double> point = row.vector("point");
+    if (design.motion.followed == Followed::line) {
+        const double angle = design["line-angle"];
+        return dot(point, Vector<double>{-std::sin(angle), std::cos(angle)}) - design["line-offset"];
+    }
+    return std::hypot(point.x - design["arc-x"], point.y - design["arc-y"]) - design["arc-radius"];
+}
+
+/// The plot of that, first of all: it is what such a design is made for. Samples of a function are not joined.
+void add_error(const FinishedDesign& design, MotionPlots& plots) {
+    const bool function = design.function && !design.function->expression.empty();
+    if (!function && design.motion.followed == Followed::nothing) return;
+    const Unit unit = function && design.mechanism->name == "four-bar" ? Unit::angle : Unit::length;
+    MotionCurve curve{function ? "error" : "distance", {}};
+    const double from = design.motion.from, to = design.motion.to;
+    const std::size_t rows = plots.angles.size();
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(rows - 1);
+        const MotionRow row(design, (1 - share) * from + share * to);
+        curve.values.push_back(row.assembled() ? error_at(design, row) * file_units_per_inner(unit, design.units)
+                                               : std::numeric_limits<double>::quiet_NaN());
+    }
+    const char* title = function                                   ? "error of the function"
+                        : design.motion.followed == Followed::line ? "distance from the line"
+                                                                   : "distance from the arc";
+    plots.plots.insert(plots.plots.begin(), {title, unit_label(unit, design.units), {std::move(curve)}, {}});
 }
 
 MotionPlot& plot_with(std::vector<MotionPlot>& plots, std::string_view title, const std::string& unit) {
@@ -154,6 +198,7 @@ MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_j
         plot.curves.push_back({(inverse ? "1/" : "") + std::string(mechanism.motion_columns[c]),
                                in_units(std::move(table[c]), title, unit, design.units)});
     }
+    add_error(design, plots);
     add_levels(plots, document, design.units.degrees);
     return plots;
 }

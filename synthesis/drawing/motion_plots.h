@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The motion of a design as curves over the crank angle, sorted into plots: position, velocity, acceleration, jerk,
-/// transmission or pressure angle, curvature.
+/// The motion of a design as curves over the crank angle, sorted into plots: the error of a function or the distance
+/// from a line or an arc; position, velocity, acceleration, jerk, transmission or pressure angle, curvature.
 
 #include <optional>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include <toml++/toml.h>
 
-#include "synthesis/report/names.h"
 #include "synthesis/mechanism/explanations/explanations.h"
+#include "synthesis/report/names.h"
 #include "tests/command_line/program.h"
 
 namespace mechwright::testing {

@@ -118,8 +118,10 @@ TEST(Completion, OfZshIsAScript) {
 TEST(Completion, OfZshNamesFilesByPatternsThatItUnderstands) {
     if (!installed("zsh")) GTEST_SKIP() << "there is no zsh here";
     const TemporaryFolder folder;
-    folder.write("a.toml", "");
-    folder.write("b.json", "");
+    const std::vector<std::string> names{"a.toml", "b.json", "c.html", "d.svg", "e.png",
+                                         "f.pdf",  "g.dxf",  "h.slvs", "i.csv"};
+    for (const std::string& name : names)
+        folder.write(name, "");
     const std::string script = script_for("zsh");
     const std::regex pattern("_files -g (\"[^\"]+\")");
     Set found;
@@ -129,7 +131,8 @@ TEST(Completion, OfZshNamesFilesByPatternsThatItUnderstands) {
         EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
         found.insert(outcome.out);
     }
-    EXPECT_EQ(found, (Set{"a.toml\n", "b.json\n", "a.toml b.json\n"}));
+    EXPECT_EQ(found, (Set{"a.toml\n", "b.json\n", "a.toml b.json\n", "c.html\n", "d.svg e.png f.pdf\n",
+                          "b.json g.dxf h.slvs i.csv\n"}));
 }
 
 TEST(Completion, OfFishKnowsCommandsOptionsAndNames) {
@@ -152,6 +155,7 @@ TEST(Completion, OfFishKnowsCommandsOptionsAndNames) {
     EXPECT_EQ(completed("mechwright explain swi"), Set{"swing"});
     EXPECT_EQ(completed("mechwright study exp"), Set{"export"});
     EXPECT_EQ(completed("mechwright study export --s"), Set{"--sql"});
+    EXPECT_EQ(completed("mechwright export --s"), Set{"--steps"});
 }
 
 TEST(Completion, OfAnUnknownShell) {

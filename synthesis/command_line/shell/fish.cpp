@@ -32,19 +32,15 @@ std::string values_for_fish(const Values& values) {
     return {};
 }
 
-/// "__fish_seen_subcommand_from study; and __fish_seen_subcommand_from export", and none of those below.
+/// "__mechwright_in study export", and none of those below: a name of a command can be that of one below another.
 std::string condition(const CommandNode& node) {
     if (node.path.empty()) return "__fish_use_subcommand";
-    std::vector<std::string> parts;
-    for (const std::string& name : node.path)
-        parts.push_back("__fish_seen_subcommand_from " + name);
-    if (!node.below.empty()) {
-        std::vector<std::string> below;
-        for (const CommandNode& other : node.below)
-            below.push_back(other.name);
-        parts.push_back(fmt::format("not __fish_seen_subcommand_from {}", fmt::join(below, " ")));
-    }
-    return fmt::format("{}", fmt::join(parts, "; and "));
+    std::string text = fmt::format("__mechwright_in {}", fmt::join(node.path, " "));
+    if (node.below.empty()) return text;
+    std::vector<std::string> below;
+    for (const CommandNode& other : node.below)
+        below.push_back(other.name);
+    return text + fmt::format("; and not __fish_seen_subcommand_from {}", fmt::join(below, " "));
 }
 
 std::string line(const CommandNode& node, std::string_view rest) {
@@ -75,6 +71,13 @@ std::string lines_of(const CommandNode& node) {
 std::string fish_completion(const CommandNode& program) {
     std::string text =
         "# Completion of mechwright for fish; made by 'mechwright completion fish'.\n"
+        "function __mechwright_in\n"
+        "    set -l words (commandline -opc)\n"
+        "    for i in (seq (count $argv))\n"
+        "        set -l next (math $i + 1)\n"
+        "        test \"$words[$next]\" = \"$argv[$i]\"; or return 1\n"
+        "    end\n"
+        "end\n"
         "complete -c mechwright -f\n";
     for (const CommandNode* node : all_nodes(program))
         text += lines_of(*node);

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "pages hold numbers with their lowest byte first");
 
-constexpr double width = 640, most_height = 520, thumbnail_width = 150;
+constexpr double width = 640, most_height = 520;
 constexpr double greatest_integer = 32767;
 
 template <class Number>
@@ -84,13 +84,6 @@ Json plots_of(const MotionPlots& plots) {
     return list;
 }
 
-std::string thumbnail_of(const DesignToShow& shown, const Scene& scene) {
-    const SvgView view = view_of(scene, thumbnail_width, 0.8 * thumbnail_width);
-    return fmt::format("<svg viewBox=\"0 0 {:.0f} {:.0f}\" aria-hidden=\"true\" class=\"small\">{}{}</svg>", view.width,
-                       view.height, svg_fixed(shown.design, scene, view),
-                       svg_bodies(shown.design, scene, view, shown_angle(shown.design), shown.design.motion.assembly));
-}
-
 }  // namespace
 
 std::string base64(std::string_view bytes) {
@@ -117,7 +110,9 @@ ShownParts shown_parts(const DesignToShow& shown, int steps, bool with_thumbnail
     const std::string bodies = svg_bodies(design, scene, view, shown_angle(design), design.motion.assembly);
     parts.drawing =
         svg_fixed(design, scene, view) + svg_ghosts(design, scene, view) + "<g id=\"bodies\">" + bodies + "</g>";
-    if (with_thumbnail) parts.thumbnail = thumbnail_of(shown, scene);
+    if (with_thumbnail)
+        parts.thumbnail = fmt::format("<svg viewBox=\"{}\" aria-hidden=\"true\" class=\"small\">{}{}</svg>",
+                                      parts.view_box, svg_fixed(design, scene, view), bodies);
     parts.tables = tables_of(shown.document);
 
     const std::vector<double> angles = even_angles(design, steps);
