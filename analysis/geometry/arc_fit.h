@@ -43,7 +43,9 @@ inline double distance_from_arc(const ArcVertex& a, const Vector<double>& b, con
 
 /// Appends the vertices of arcs that follow curve(t), t from `from` to `to`, to `vertices`; the end is left to what
 /// comes next. No point of the curve between is farther from its arc than the tolerance, as `samples` points on each
-/// arc show.
+/// arc show; except where even an arc of 1e-9 of the range is farther, at corners or where the tolerance is less than the
+/// rounding of the curve: there arcs are forced, each twice as long as the one before. Where the curve is not finite the
+/// arcs end.
 template <class Curve>
 void fit_arcs(const Curve& curve, double from, double to, double tolerance, std::vector<ArcVertex>& vertices) {
     constexpr int samples = 64;
@@ -61,7 +63,9 @@ void fit_arcs(const Curve& curve, double from, double to, double tolerance, std:
         return true;
     };
     constexpr double shortest = 1e-9;
-    for (double a = from; a < to;) {
+    const auto finite = [&](const Vector<double>& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+    double forced = shortest;
+    for (double a = from; a < to && finite(curve(a));) {
         double good = a, bad = to;
         if (follows(a, to)) {
             good = to;
@@ -70,7 +74,9 @@ void fit_arcs(const Curve& curve, double from, double to, double tolerance, std:
                 const double middle = 0.5 * (good + bad);
                 (follows(a, middle) ? good : bad) = middle;
             }
-            good = std::max(good, a + shortest * (to - from));
+            const bool follows_nowhere = good < a + shortest * (to - from);
+            if (follows_nowhere) good = std::min(to, a + forced * (to - from));
+            forced = follows_nowhere ? 2 * forced : shortest;
         }
         vertices.push_back(arc(a, good));
         a = good;
