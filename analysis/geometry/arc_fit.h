@@ -27,13 +27,17 @@ inline double bulge_through(const Vector<double>& a, const Vector<double>& m, co
     return std::tan(0.5 * half);
 }
 
-/// Distance of a point from the arc of a vertex to `b`; only near the arc, not beyond its ends.
+/// Distance of a point from the arc of a vertex to `b`, half a circle at most.
 inline double distance_from_arc(const ArcVertex& a, const Vector<double>& b, const Vector<double>& p) {
     const Vector<double> chord = b - a.at;
     const double length = std::hypot(chord.x, chord.y);
-    const Vector<double> to = p - a.at;
-    if (length == 0) return std::hypot(to.x, to.y);
-    const double along = dot(to, chord) / length, left = cross(chord, to) / length;
+    const Vector<double> from = p - a.at, to = p - b;
+    if (length == 0) return std::hypot(from.x, from.y);
+    // Tangents at the ends: the chord, turned by half of the arc's angle to either side.
+    const double square = a.bulge * a.bulge, cosine = (1 - square) / (1 + square), sine = 2 * a.bulge / (1 + square);
+    if (dot(from, turned(chord, {cosine, -sine})) < 0) return std::hypot(from.x, from.y);
+    if (dot(to, turned(chord, {cosine, sine})) > 0) return std::hypot(to.x, to.y);
+    const double along = dot(from, chord) / length, left = cross(chord, from) / length;
     if (std::abs(a.bulge) < 1e-12) return std::abs(left);
     // Centre on the perpendicular bisector; the sagitta is bulge * length / 2 to the right of the chord.
     const double sagitta = -0.5 * a.bulge * length;
@@ -43,9 +47,9 @@ inline double distance_from_arc(const ArcVertex& a, const Vector<double>& b, con
 
 /// Appends the vertices of arcs that follow curve(t), t from `from` to `to`, to `vertices`; the end is left to what
 /// comes next. No point of the curve between is farther from its arc than the tolerance, as `samples` points on each
-/// arc show; except where even an arc of 1e-9 of the range is farther, at corners or where the tolerance is less than the
-/// rounding of the curve: there arcs are forced, each twice as long as the one before. Where the curve is not finite the
-/// arcs end.
+/// arc show; except where even an arc of 1e-9 of the range is farther, at corners or where the tolerance is less than
+/// the rounding of the curve: there arcs are forced, each twice as long as the one before. Where the curve is not
+/// finite the arcs end.
 template <class Curve>
 void fit_arcs(const Curve& curve, double from, double to, double tolerance, std::vector<ArcVertex>& vertices) {
     constexpr int samples = 64;

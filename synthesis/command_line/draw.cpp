@@ -9,9 +9,9 @@
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/shown.h"
-#include "synthesis/drawing/motion_plots.h"
-#include "synthesis/drawing/raster.h"
-#include "synthesis/drawing/svg.h"
+#include "synthesis/report/drawing/motion_plots.h"
+#include "synthesis/report/drawing/raster.h"
+#include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/gnuplot.h"
 #include "synthesis/report/write_file.h"
 

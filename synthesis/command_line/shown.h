@@ -5,7 +5,7 @@
 #include <string>
 
 #include "synthesis/command_line/console.h"
-#include "synthesis/drawing/finished.h"
+#include "synthesis/report/drawing/finished.h"
 
 namespace mechwright {
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "synthesis/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/left_open.h"
@@ -14,6 +13,7 @@
 #include "synthesis/python/calls.h"
 #include "synthesis/python/values.h"
 #include "synthesis/report/document.h"
+#include "synthesis/report/drawing/motion_row.h"
 #include "synthesis/search/solve.h"
 #include "synthesis/verify/claimed_problem.h"
 

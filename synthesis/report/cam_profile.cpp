@@ -7,10 +7,10 @@
 #include <limits>
 #include <numbers>
 
-#include "synthesis/drawing/cam_curves.h"
-#include "synthesis/drawing/dxf.h"
-#include "synthesis/drawing/motion_row.h"
 #include "synthesis/report/csv_text.h"
+#include "synthesis/report/drawing/cam_curves.h"
+#include "synthesis/report/drawing/dxf.h"
+#include "synthesis/report/drawing/motion_row.h"
 
 namespace mechwright {
 

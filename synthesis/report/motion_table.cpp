@@ -1,8 +1,8 @@
 #include "synthesis/report/motion_table.h"
 
-#include "synthesis/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv_text.h"
+#include "synthesis/report/drawing/motion_row.h"
 
 namespace mechwright {
 

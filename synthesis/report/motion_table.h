@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "synthesis/drawing/finished.h"
+#include "synthesis/report/drawing/finished.h"
 
 namespace mechwright {
 

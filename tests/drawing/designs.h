@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "synthesis/drawing/finished.h"
 #include "synthesis/problem/reader.h"
+#include "synthesis/report/drawing/finished.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright::testing {

@@ -1,14 +1,14 @@
 // The curves that plots show, against the motion table and known errors.
 
-#include "synthesis/drawing/motion_plots.h"
+#include "synthesis/report/drawing/motion_plots.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/drawing/motion_row.h"
 #include "synthesis/report/document.h"
+#include "synthesis/report/drawing/motion_row.h"
 #include "tests/drawing/designs.h"
 
 namespace mechwright::testing {

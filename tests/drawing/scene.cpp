@@ -1,14 +1,14 @@
 // Where bodies are drawn: against the analysis, and against each other.
 
-#include "synthesis/drawing/scene.h"
+#include "synthesis/report/drawing/scene.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/drawing/motion_row.h"
-#include "synthesis/drawing/svg.h"
+#include "synthesis/report/drawing/motion_row.h"
+#include "synthesis/report/drawing/svg.h"
 #include "tests/drawing/designs.h"
 
 namespace mechwright::testing {

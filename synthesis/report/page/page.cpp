@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "synthesis/drawing/motion_plots.h"
-#include "synthesis/drawing/raster.h"
+#include "synthesis/report/drawing/motion_plots.h"
+#include "synthesis/report/drawing/raster.h"
 #include "synthesis/report/gnuplot.h"
 #include "synthesis/report/page/assets.h"
 #include "synthesis/report/page/tables.h"

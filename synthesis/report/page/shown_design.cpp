@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "synthesis/drawing/motion_plots.h"
-#include "synthesis/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/report/drawing/motion_plots.h"
+#include "synthesis/report/drawing/motion_row.h"
 #include "synthesis/report/page/tables.h"
 
 namespace mechwright {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "synthesis/drawing/finished.h"
-#include "synthesis/drawing/svg.h"
+#include "synthesis/report/drawing/finished.h"
+#include "synthesis/report/drawing/svg.h"
 
 namespace mechwright {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/drawing/svg.h"
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/table.h"
 
 namespace mechwright {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "synthesis/drawing/scene.h"
+#include "synthesis/report/drawing/scene.h"
 
 namespace mechwright {
 

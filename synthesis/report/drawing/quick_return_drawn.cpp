@@ -1,8 +1,8 @@
 #include "analysis/quick_return.h"
 #include "analysis/slider_crank.h"
-#include "synthesis/drawing/drawn.h"
-#include "synthesis/drawing/outlines.h"
 #include "synthesis/mechanism/quick_return/drive.h"
+#include "synthesis/report/drawing/drawn.h"
+#include "synthesis/report/drawing/outlines.h"
 
 namespace mechwright::drawing {
 

@@ -1,4 +1,4 @@
-#include "synthesis/drawing/finished.h"
+#include "synthesis/report/drawing/finished.h"
 
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "synthesis/drawing/finished.h"
+#include "synthesis/report/drawing/finished.h"
 
 namespace mechwright {
 

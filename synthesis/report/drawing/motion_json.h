@@ -2,7 +2,7 @@
 /// \file
 /// A mechanism and its motion as JSON for other programs.
 
-#include "synthesis/drawing/scene.h"
+#include "synthesis/report/drawing/scene.h"
 
 namespace mechwright {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "synthesis/drawing/finished.h"
+#include "synthesis/report/drawing/finished.h"
 
 namespace mechwright {
 

@@ -1,4 +1,4 @@
-#include "synthesis/drawing/raster.h"
+#include "synthesis/report/drawing/raster.h"
 
 #include <cerrno>
 #include <system_error>

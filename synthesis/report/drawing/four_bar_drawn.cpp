@@ -1,7 +1,7 @@
 #include "analysis/four_bar.h"
 #include "analysis/geometry/placement.h"
-#include "synthesis/drawing/drawn.h"
-#include "synthesis/drawing/outlines.h"
+#include "synthesis/report/drawing/drawn.h"
+#include "synthesis/report/drawing/outlines.h"
 
 namespace mechwright::drawing {
 

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <numbers>
 
-#include "synthesis/drawing/cam_curves.h"
-#include "synthesis/drawing/drawn.h"
-#include "synthesis/drawing/motion_row.h"
-#include "synthesis/drawing/outlines.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/report/drawing/cam_curves.h"
+#include "synthesis/report/drawing/drawn.h"
+#include "synthesis/report/drawing/motion_row.h"
+#include "synthesis/report/drawing/outlines.h"
 
 namespace mechwright::drawing {
 

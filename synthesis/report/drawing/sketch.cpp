@@ -1,4 +1,4 @@
-#include "synthesis/drawing/sketch.h"
+#include "synthesis/report/drawing/sketch.h"
 
 #include <fmt/format.h>
 

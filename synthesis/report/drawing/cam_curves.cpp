@@ -1,10 +1,10 @@
-#include "synthesis/drawing/cam_curves.h"
+#include "synthesis/report/drawing/cam_curves.h"
 
 #include <algorithm>
 #include <numbers>
 
-#include "synthesis/drawing/motion_row.h"
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/report/drawing/motion_row.h"
 
 namespace mechwright {
 

@@ -1,9 +1,9 @@
-#include "synthesis/drawing/motion_json.h"
+#include "synthesis/report/drawing/motion_json.h"
 
 #include <cmath>
 
-#include "synthesis/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/report/drawing/motion_row.h"
 
 namespace mechwright {
 

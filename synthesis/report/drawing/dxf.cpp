@@ -1,4 +1,4 @@
-#include "synthesis/drawing/dxf.h"
+#include "synthesis/report/drawing/dxf.h"
 
 #include <fmt/format.h>
 

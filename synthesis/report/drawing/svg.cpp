@@ -1,4 +1,4 @@
-#include "synthesis/drawing/svg.h"
+#include "synthesis/report/drawing/svg.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 /// \file
 /// How each mechanism is drawn.
 
-#include "synthesis/drawing/scene.h"
+#include "synthesis/report/drawing/scene.h"
 
 namespace mechwright::drawing {
 

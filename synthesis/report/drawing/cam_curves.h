@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/geometry/arc_fit.h"
-#include "synthesis/drawing/finished.h"
+#include "synthesis/report/drawing/finished.h"
 
 namespace mechwright {
 

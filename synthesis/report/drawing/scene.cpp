@@ -1,4 +1,4 @@
-#include "synthesis/drawing/scene.h"
+#include "synthesis/report/drawing/scene.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "analysis/numbers/scalar.h"
-#include "synthesis/drawing/drawn.h"
-#include "synthesis/drawing/motion_row.h"
-#include "synthesis/drawing/outlines.h"
+#include "synthesis/report/drawing/drawn.h"
+#include "synthesis/report/drawing/motion_row.h"
+#include "synthesis/report/drawing/outlines.h"
 
 namespace mechwright {
 

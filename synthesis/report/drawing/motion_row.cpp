@@ -1,4 +1,4 @@
-#include "synthesis/drawing/motion_row.h"
+#include "synthesis/report/drawing/motion_row.h"
 
 #include <algorithm>
 

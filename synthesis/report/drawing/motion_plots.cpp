@@ -1,4 +1,4 @@
-#include "synthesis/drawing/motion_plots.h"
+#include "synthesis/report/drawing/motion_plots.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <limits>
 #include <numbers>
 
-#include "synthesis/drawing/motion_row.h"
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv_text.h"
+#include "synthesis/report/drawing/motion_row.h"
 #include "synthesis/report/gnuplot.h"
 #include "synthesis/report/table.h"
 

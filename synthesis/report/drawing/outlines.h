@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/drawing/scene.h"
+#include "synthesis/report/drawing/scene.h"
 
 namespace mechwright::outlines {
 
