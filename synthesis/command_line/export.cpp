@@ -73,7 +73,7 @@ int run_export(const ExportOptions& options, Console& console) {
     ShownDesign shown;
     if (const int outcome = read_shown(options.file, options.alternative.value_or(0), console, shown)) return outcome;
     const FinishedDesign& design = shown.design;
-    std::vector<Place> places(8);
+    std::array<Place, most_bodies> places;
     if (!place_bodies(design, angle_of(options, design), design.motion.assembly, places)) {
         complain(console,
                  fmt::format("--at {}: the mechanism does not assemble at this crank angle; it does from {} to {}",

@@ -16,7 +16,6 @@ namespace {
 
 using drawing::Drawn;
 
-constexpr std::size_t most_bodies = 5;
 constexpr int samples = 360;
 
 const Drawn& drawn_of(const Mechanism& mechanism) {

@@ -57,6 +57,9 @@ struct Scene {
 /// The bodies and curves of a design that assembles. Curves stay within `fineness` times the extent of the drawing.
 Scene scene_of(const FinishedDesign& design, double fineness);
 
+/// No scene has more bodies.
+inline constexpr std::size_t most_bodies = 5;
+
 /// Where the bodies of the scene are, one place for each, with the given assembly. False where it does not assemble.
 bool place_bodies(const FinishedDesign& design, double crank_angle, std::size_t assembly, std::span<Place> places);
 

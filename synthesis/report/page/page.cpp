@@ -56,11 +56,14 @@ struct Writing {
     ShownParts first;              ///< of the design that shows at first
     bool any = false;
 
-    void add(const DesignToShow& shown, int steps, bool thumbnail) {
-        ShownParts parts = shown_parts(shown, steps, thumbnail);
+    /// Returns the design's thumbnail, if it is to have one.
+    std::string add(const DesignToShow& shown, int steps, bool with_thumbnail) {
+        ShownParts parts = shown_parts(shown, steps, with_thumbnail);
         if (!any) first = parts;
         any = true;
+        std::string thumbnail = std::move(parts.thumbnail);
         designs.push_back(as_data(std::move(parts)));
+        return thumbnail;
     }
 };
 
@@ -75,17 +78,14 @@ void add_result(const ResultToShow& result, bool heading, Writing& writing) {
     writing.choices += "<div class=\"choices\">";
     for (const DesignToShow& shown : result.designs) {
         const std::size_t number = writing.designs.size();
-        ShownParts parts = shown_parts(shown, result_steps, true);
+        const std::string thumbnail = writing.add(shown, result_steps, true);
         const std::string defect =
             shown.document.contains("defect") ? ": " + shown_value(shown.document["defect"]) : "";
         writing.choices += fmt::format(
             "<button type=\"button\" class=\"choice\" data-design=\"{}\" aria-pressed=\"{}\">{}<span>{}{}<br>{}</span>"
             "</button>",
-            number, number == 0 ? "true" : "false", parts.thumbnail, escaped(shown.name), escaped(defect),
+            number, number == 0 ? "true" : "false", thumbnail, escaped(shown.name), escaped(defect),
             escaped(objective_text(shown.document)));
-        if (!writing.any) writing.first = parts;
-        writing.any = true;
-        writing.designs.push_back(as_data(std::move(parts)));
     }
     writing.choices += "</div>";
     if (result.not_shown > 0)
@@ -145,15 +145,18 @@ std::string mechanism_section(const Writing& writing) {
            controls() + "</section>";
 }
 
+/// That which the page shows at first. Precondition: there is one.
+const DesignToShow& first_design(const Page& page) {
+    for (const ResultToShow& result : page.results)
+        if (!result.designs.empty()) return result.designs.front();
+    return page.study.designs.front();
+}
+
 std::string plots_section(const Page& page, const Writing& writing) {
     if (!writing.any) return {};
     std::string still;
     if (page.static_plots) {
-        const DesignToShow& first = page.results.empty() ? page.study.designs.front() : [&]() -> const DesignToShow& {
-            for (const ResultToShow& result : page.results)
-                if (!result.designs.empty()) return result.designs.front();
-            return page.study.designs.front();
-        }();
+        const DesignToShow& first = first_design(page);
         const MotionPlots plots = motion_plots(first.design, first.document, result_steps);
         constexpr int width = 720;
         still =
