@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "synthesis/report/csv_text.h"
+#include "synthesis/report/write_file.h"
 #include "synthesis/study/store.h"
 
 namespace mechwright {
@@ -115,6 +117,30 @@ std::string problem_text(const std::filesystem::path& data) {
     return with_data(data, [](SQLite::Database& database) {
         return database.execAndGet("SELECT value FROM study WHERE name = 'text'").getString();
     });
+}
+
+std::filesystem::path write_study_files(const std::filesystem::path& data, const std::filesystem::path& folder) {
+    std::vector<std::pair<std::filesystem::path, std::string>> files{{"study.toml", problem_text(data)}};
+    with_data(data, [&](SQLite::Database& database) {
+        SQLite::Statement query(database, "SELECT substr(name, 6), value FROM study WHERE name LIKE 'file:%'");
+        while (query.executeStep()) {
+            const auto name = std::filesystem::path(query.getColumn(0).getString()).lexically_normal();
+            if (name.is_relative()) files.emplace_back(name, query.getColumn(1).getString());
+        }
+    });
+    // As deep as a name goes up.
+    std::ptrdiff_t depth = 0;
+    for (const auto& [name, text] : files)
+        depth = std::max<std::ptrdiff_t>(depth, std::count(name.begin(), name.end(), ".."));
+    std::filesystem::path problem_folder = folder;
+    for (std::ptrdiff_t i = 0; i < depth; ++i)
+        problem_folder /= "below";
+    for (const auto& [name, text] : files) {
+        const std::filesystem::path place = (problem_folder / name).lexically_normal();
+        if (const auto fault = prepare_folder(place.parent_path())) throw StoreFault(*fault);
+        if (const auto fault = write_atomically(place, text)) throw StoreFault(*fault);
+    }
+    return problem_folder / "study.toml";
 }
 
 void export_data(const std::filesystem::path& data, const std::string& query, DataFormat format,

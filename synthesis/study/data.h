@@ -35,6 +35,10 @@ StudyStanding standing_of_study(const std::filesystem::path& data);
 /// The text of the study's problem file.
 std::string problem_text(const std::filesystem::path& data);
 
+/// Writes the study's problem file and the files that it names below a folder, to the same places as seen from the
+/// problem file, and returns that. Files with absolute names are left out.
+std::filesystem::path write_study_files(const std::filesystem::path& data, const std::filesystem::path& folder);
+
 /// What an SQL query gives, as text, row by row; an empty query asks for all points in order. The data cannot be
 /// changed by it. `take` returns whether it wants more. Throws SqlFault for a query that SQLite does not understand.
 void export_data(const std::filesystem::path& data, const std::string& query, DataFormat format,

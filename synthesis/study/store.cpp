@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "synthesis/problem/bytes.h"
 #include "synthesis/study/points.h"
 
 namespace mechwright {
@@ -13,6 +14,8 @@ namespace {
 
 /// How long another program may hold the file before a run gives up.
 constexpr int patience_in_milliseconds = 10'000;
+constexpr std::size_t most_bytes = 64 << 20;
+const std::string named_file_prefix = "file:";
 /// Of the layout of the file.
 constexpr int layout = 1;
 
@@ -65,6 +68,12 @@ void make_tables(SQLite::Database& database, const PreparedStudy& prepared) {
     put("points", static_cast<std::int64_t>(point_count(*prepared.study)));
     put("text", prepared.text);
     put("title", prepared.base.title);
+    // With the files that it names the study can be looked at wherever its data go.
+    for (const std::string& name : prepared.named_files) {
+        const auto place = std::filesystem::path(prepared.file).parent_path() / name;
+        const reading::Bytes read = reading::read_bytes(place.string(), most_bytes, true);
+        if (read.failure.empty()) put((named_file_prefix + name).c_str(), read.bytes);
+    }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "synthesis/study/study_page.h"
 
 #include <fmt/format.h>
+#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,10 @@
 #include "synthesis/study/charts.h"
 #include "synthesis/study/data.h"
 #include "synthesis/study/points.h"
+#include "synthesis/study/prepare.h"
 #include "synthesis/study/store.h"
+#include "synthesis/study/tolerance.h"
+#include "synthesis/study/tolerance_text.h"
 
 namespace mechwright {
 
@@ -119,11 +123,63 @@ std::string standing_text(const StudyStanding& standing) {
     return text + ".";
 }
 
+/// A folder that is gone when it is no longer needed.
+struct Workplace {
+    std::filesystem::path folder;
+
+    Workplace() {
+        std::string name = (std::filesystem::temp_directory_path() / "mechwright-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr)
+            throw StoreFault("cannot make a folder in " + std::filesystem::temp_directory_path().string());
+        folder = name;
+    }
+    ~Workplace() {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder, ignored);
+    }
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+};
+
+/// Every point, and of every so many designs the first one, so that they lie evenly.
+void add_points(const std::filesystem::path& data, const std::string& text, const std::string& file, const Study& study,
+                const std::vector<ChartOfPoints>& charts, std::uint64_t most_designs, StudyToShow& shown) {
+    std::uint64_t designs = 0, seen = 0;
+    for_each_point(data, [&](const StudyPoint& point) { designs += point.design ? 1 : 0; });
+    const std::uint64_t every = std::max<std::uint64_t>(1, (designs + most_designs - 1) / most_designs);
+    VariedProblem varied(text, file);
+    for_each_point(data, [&](const StudyPoint& point) {
+        shown.points.push_back(chart_point(point, shown.columns, charts));
+        if (!point.design || seen++ % every != 0) return;
+        if (auto design = design_to_show(point, varied, study)) {
+            shown.points.back().design = static_cast<long>(shown.designs.size());
+            shown.designs.push_back(std::move(*design));
+        }
+    });
+}
+
+/// Of a tolerance study its tables, and the design that it is about.
+void add_tolerances(const std::filesystem::path& data, const std::string& file, StudyToShow& shown) {
+    const PreparedOrNot read = prepare_study(file);
+    if (!read.ok) return;
+    std::string why;
+    const auto design = toleranced_design(read.prepared, {}, why);
+    if (!design) {
+        shown.text = why;
+        return;
+    }
+    shown.text = tolerance_text(tolerance_report(read.prepared, *design, data));
+    FinishedDesign nominal = finished_design(design->problem, design->nominal.design);
+    if (nominal.assembles())
+        shown.designs.push_back({"nominal", std::move(nominal), analysis_document(design->problem, design->nominal)});
+}
+
 }  // namespace
 
 Page study_page(const std::filesystem::path& data, std::uint64_t most_designs) {
     const StudyStanding standing = standing_of_study(data);
-    const std::string text = problem_text(data), file = (data.parent_path() / "study.toml").string();
+    const Workplace place;
+    const std::string file = write_study_files(data, place.folder).string(), text = problem_text(data);
     const Problem problem = parse_problem(text, file).problem;
     if (problem.mechanism == nullptr || !problem.study) throw StoreFault(data.string() + ": holds no study");
     Page page;
@@ -136,23 +192,9 @@ Page study_page(const std::filesystem::path& data, std::uint64_t most_designs) {
             page.study.charts.push_back(page_chart(chart, script));
             charts.push_back({chart.x, script.upwards, points_where(data, script.where)});
         }
-    std::uint64_t designs = 0, seen = 0;
-    for_each_point(data, [&](const StudyPoint& point) { designs += point.design ? 1 : 0; });
-    VariedProblem varied(text, file);
-    for_each_point(data, [&](const StudyPoint& point) {
-        page.study.points.push_back(chart_point(point, page.study.columns, charts));
-        if (!point.design) return;
-        // Of every so many designs the first one, so that they lie evenly.
-        const bool wanted = seen * most_designs / std::max<std::uint64_t>(designs, 1) !=
-                                (seen + 1) * most_designs / std::max<std::uint64_t>(designs, 1) ||
-                            designs <= most_designs;
-        ++seen;
-        if (!wanted) return;
-        if (auto shown = design_to_show(point, varied, *problem.study)) {
-            page.study.points.back().design = static_cast<long>(page.study.designs.size());
-            page.study.designs.push_back(std::move(*shown));
-        }
-    });
+    if (problem.study->tolerances()) add_tolerances(data, file, page.study);
+    // Points without a chart cannot be chosen: they stay in the data.
+    if (!charts.empty()) add_points(data, text, file, *problem.study, charts, most_designs, page.study);
     return page;
 }
 

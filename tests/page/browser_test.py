@@ -325,6 +325,29 @@ class Study(unittest.TestCase):
         self.assertTrue(any(abs(left - 0.12) < 0.004 and abs(right - 0.84) < 0.004 and abs(top - 0.1) < 0.004
                             and abs(bottom - 0.86) < 0.004 for left, right, top, bottom in lines))
 
+    def test_takes_the_files_along_that_the_problem_names(self):
+        folder = self.results.folder / "sizes"
+        succeed("study", PROBLEMS / "studies/path-error-over-size.toml", "--out", folder, "--quiet")
+        succeed("report", folder, "--designs", 5, "--quiet")
+        open_page(folder / "report.html")
+        designs = driver.execute_script(
+            "return JSON.parse(document.getElementById('data').textContent).designs.length")
+        self.assertEqual(designs, 5)
+        driver.find_element(By.CSS_SELECTOR, ".chart").send_keys(Keys.ARROW_LEFT)
+        self.assertIn("solved", self.shown()[0])
+
+    def test_of_tolerances_shows_their_tables_and_the_nominal_design(self):
+        text = (PROBLEMS / "studies/crank-rocker-tolerances.toml").read_text().replace("20000", "200")
+        file = self.results.folder / "tolerances.toml"
+        file.write_text(text)
+        folder = self.results.folder / "tolerances"
+        succeed("study", file, "--out", folder, "--quiet")
+        succeed("report", folder, "--quiet")
+        open_page(folder / "report.html")
+        self.assertIn("Part of the variance that comes from each dimension",
+                      driver.find_element(By.ID, "study").text)
+        self.assertIn("34.099741", driver.find_element(By.ID, "numbers").text)
+
     def test_goes_from_point_to_point_by_keys(self):
         open_page(self.folder / "report.html")
         chart = driver.find_element(By.CSS_SELECTOR, ".chart")
@@ -344,6 +367,10 @@ class Shots(unittest.TestCase):
 
         open_page(results.page(name))
         scrub(40)
+        # Of a size that does not depend on the letters around it.
+        driver.execute_script(
+            "document.querySelector(arguments[0]).style.cssText ="
+            "'position: fixed; left: 0; top: 0; width: 640px; border: 0; border-radius: 0'", selector)
         shot = Image.open(io.BytesIO(driver.find_element(By.CSS_SELECTOR, selector).screenshot_as_png)).convert("L")
         file = Path(__file__).parent / "references" / f"{name}.png"
         if not file.exists():

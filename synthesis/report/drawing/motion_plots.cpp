@@ -203,6 +203,27 @@ MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_j
     return plots;
 }
 
+namespace {
+
+/// The ends of the upright axis: all values and levels, and some room.
+std::pair<double, double> upright_axis(const MotionPlot& plot) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    const auto add = [&](double value) {
+        if (std::isnan(value)) return;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    };
+    for (const MotionCurve& curve : plot.curves)
+        std::for_each(curve.values.begin(), curve.values.end(), add);
+    for (const PlotLevel& level : plot.levels)
+        add(level.value);
+    if (!(low <= high)) return {0, 1};
+    const double room = low < high ? 0.08 * (high - low) : std::max(0.01, 0.01 * std::abs(low));
+    return {low - room, high + room};
+}
+
+}  // namespace
+
 int plots_height(const MotionPlots& plots, int width) {
     return static_cast<int>((plots.plots.size() + 1) / 2) * width * 2 / 5;
 }
@@ -219,7 +240,8 @@ std::string plots_script(const MotionPlots& plots) {
         const std::string unit = plot.unit.empty() ? "" : ", " + plot.unit;
         script += fmt::format("set title {}\nset xlabel {}\n", gnuplot_text(plot.title + unit),
                               gnuplot_text(plots.angle_name + ", " + plots.angle_unit));
-        script += fmt::format("$plot{} << END_OF_DATA\n", k);
+        const auto [low, high] = upright_axis(plot);
+        script += fmt::format("set yrange [{}:{}]\n$plot{} << END_OF_DATA\n", csv_number(low), csv_number(high), k);
         for (std::size_t i = 0; i < plots.angles.size(); ++i) {
             script += csv_number(plots.angles[i]);
             for (const MotionCurve& curve : plot.curves)

@@ -112,13 +112,15 @@ Json study_data(const StudyToShow& study) {
 }
 
 std::string study_section(const StudyToShow& study) {
-    if (study.charts.empty() && study.points.empty()) return {};
+    if (study.standing.empty()) return {};
     std::string text = "<section id=\"study\"><h2>Study</h2><p>" + escaped(study.standing) + "</p>";
     for (std::size_t i = 0; i < study.charts.size(); ++i)
         text += fmt::format(
             "<figure class=\"chart\" data-chart=\"{}\" tabindex=\"0\" role=\"application\" aria-label=\"{}: arrow keys "
             "go from point to point\">{}<i class=\"mark\" hidden></i></figure>",
             i, escaped(study.charts[i].title), svg_element(study.charts[i].svg));
+    if (!study.text.empty()) text += "<pre>" + escaped(study.text) + "</pre>";
+    if (study.charts.empty()) return text + "</section>";
     return text +
            "<p class=\"script\">Click a point of a chart, or go through them with the arrow keys, to open its "
            "design.</p><div id=\"point\" aria-live=\"polite\"></div></section>";

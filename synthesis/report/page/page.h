@@ -48,6 +48,7 @@ struct StudyToShow {
     std::vector<ChartPoint> points;
     std::vector<DesignToShow> designs;
     std::string standing;
+    std::string text;  ///< tables as for a terminal
 };
 
 struct Page {

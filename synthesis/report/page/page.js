@@ -4,8 +4,6 @@
   const data = JSON.parse(document.getElementById("data").textContent);
   const $ = (id) => document.getElementById(id);
   document.body.classList.replace("still", "live");
-  if (data.designs.length === 0) return;
-
   const bytesOf = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
   const svgNamespace = "http://www.w3.org/2000/svg";
 
@@ -238,23 +236,25 @@
     requestAnimationFrame(advance);
   }
 
-  $("play").addEventListener("click", () => play(!playing));
-  $("angle").addEventListener("input", (event) => {
-    share = Number(event.target.value) / design.steps;
-    show();
-  });
-  $("other").addEventListener("change", () => { showOther(); show(); });
-  $("ghosts").addEventListener("change", (event) =>
-    $("drawing").classList.toggle("no-ghosts", !event.target.checked));
-  document.querySelectorAll(".choice").forEach((button) =>
-    button.addEventListener("click", () => choose(Number(button.dataset.design))));
-  document.addEventListener("keydown", (event) => {
-    const typing = event.target.closest("input, select, button, summary, .chart");
-    if (event.key === " " && !typing) {
-      event.preventDefault();
-      play(!playing);
-    }
-  });
+  function listen() {
+    $("play").addEventListener("click", () => play(!playing));
+    $("angle").addEventListener("input", (event) => {
+      share = Number(event.target.value) / design.steps;
+      show();
+    });
+    $("other").addEventListener("change", () => { showOther(); show(); });
+    $("ghosts").addEventListener("change", (event) =>
+      $("drawing").classList.toggle("no-ghosts", !event.target.checked));
+    document.querySelectorAll(".choice").forEach((button) =>
+      button.addEventListener("click", () => choose(Number(button.dataset.design))));
+    document.addEventListener("keydown", (event) => {
+      const typing = event.target.closest("input, select, button, summary, .chart");
+      if (event.key === " " && !typing) {
+        event.preventDefault();
+        play(!playing);
+      }
+    });
+  }
 
   function resizePlots() {
     for (const { graph, plot } of plots) {
@@ -358,5 +358,8 @@
     });
   });
 
-  choose(0);
+  if (data.designs.length > 0) {
+    listen();
+    choose(0);
+  }
 })();
