@@ -13,7 +13,6 @@
 #include "synthesis/report/drawing/raster.h"
 #include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/gnuplot.h"
-#include "synthesis/report/write_file.h"
 
 namespace mechwright {
 
@@ -54,17 +53,11 @@ int draw(const DrawOptions& options, Console& console) {
     try {
         std::string picture = picture_of(shown, options);
         if (format) picture = rasterised(picture, *format);
-        if (options.out.empty()) {
-            print(console, picture);
-        } else if (const auto fault = write_atomically(options.out, picture)) {
-            complain(console, *fault);
-            return exit_code::no_access;
-        }
+        return hand_over(options.out, picture, console);
     } catch (const ChartFault& fault) {
         complain(console, fault.what());
         return exit_code::no_access;
     }
-    return exit_code::solved;
 }
 
 }  // namespace

@@ -79,6 +79,18 @@ std::string snippet_of(const Explanation& explanation) {
     return text;
 }
 
+/// What else to look at: related names that several explanations share, without the one that is explained.
+std::string others(std::string_view related, std::string_view name) {
+    std::string list;
+    while (!related.empty()) {
+        const std::size_t comma = std::min(related.find(", "), related.size());
+        const std::string_view one = related.substr(0, comma);
+        if (one != name) list += (list.empty() ? "" : ", ") + std::string(one);
+        related.remove_prefix(std::min(comma + 2, related.size()));
+    }
+    return list;
+}
+
 std::string as_quantity(std::string_view name, const Mechanisms& of, bool colour) {
     Mechanisms with;
     std::copy_if(of.begin(), of.end(), std::back_inserter(with),
@@ -94,7 +106,7 @@ std::string as_quantity(std::string_view name, const Mechanisms& of, bool colour
     return emphasised(name, Emphasis::strong, colour) + fmt::format(": quantity, {}\n\n", fmt::join(units, " or ")) +
            folded("", explanation->what) + "\n" + line("of", listed_mechanisms(with)) +
            line("over", explanation->over) + formulas_of(*explanation, with) + line("usual", explanation->usual) +
-           line("undefined", explanation->undefined) + line("see also", explanation->related) +
+           line("undefined", explanation->undefined) + line("see also", others(explanation->related, name)) +
            snippet_of(*explanation);
 }
 

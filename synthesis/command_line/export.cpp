@@ -18,7 +18,6 @@
 #include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/json_text.h"
 #include "synthesis/report/motion_table.h"
-#include "synthesis/report/write_file.h"
 
 namespace mechwright {
 
@@ -81,14 +80,7 @@ int run_export(const ExportOptions& options, Console& console) {
                              in_file_unit(design.motion.to, Unit::angle, design.units)));
         return exit_code::wrong_usage;
     }
-    const std::string text = exported(format, options, design);
-    if (options.out.empty()) {
-        print(console, text);
-    } else if (const auto fault = write_atomically(options.out, text)) {
-        complain(console, *fault);
-        return exit_code::no_access;
-    }
-    return exit_code::solved;
+    return hand_over(options.out, exported(format, options, design), console);
 }
 
 }  // namespace

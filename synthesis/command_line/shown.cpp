@@ -6,6 +6,7 @@
 #include "synthesis/command_line/input.h"
 #include "synthesis/program/left_open.h"
 #include "synthesis/report/document.h"
+#include "synthesis/report/write_file.h"
 #include "synthesis/search/solve.h"
 #include "synthesis/verify/result_file.h"
 
@@ -71,6 +72,17 @@ int read_shown(const std::string& file, std::size_t alternative, Console& consol
     if (outcome != exit_code::solved || shown.design.assembles()) return outcome;
     complain(console, file + ": the mechanism does not assemble at any crank angle");
     return exit_code::infeasible;
+}
+
+int hand_over(const std::string& file, std::string_view text, Console& console) {
+    if (file.empty()) {
+        print(console, text);
+        return exit_code::solved;
+    }
+    const auto fault = write_atomically(file, text);
+    if (!fault) return exit_code::solved;
+    complain(console, *fault);
+    return exit_code::no_access;
 }
 
 }  // namespace mechwright

@@ -19,4 +19,7 @@ struct ShownDesign {
 /// reports what is wrong with it. Returns the exit code; a design that does not assemble is `infeasible`.
 int read_shown(const std::string& file, std::size_t alternative, Console& console, ShownDesign& shown);
 
+/// Writes what was made of a design to a file, or prints it where none is named. Returns the exit code.
+int hand_over(const std::string& file, std::string_view text, Console& console);
+
 }  // namespace mechwright

@@ -164,7 +164,7 @@ std::vector<Explanation> of_contours() {
 std::vector<Explanation> of_pressure() {
     constexpr std::string_view usual =
         "at most 30 deg for translating followers (Theory of Machines, chapter 6), at most 45 deg for oscillating ones "
-        "(VDI 2142); less for fast cams and where friction in the guide counts.";
+        "in practice; less for fast cams and where friction in the guide counts.";
     constexpr std::string_view what =
         "The angle between the direction in which the cam pushes and that in which the follower can go. What is not "
         "along it presses sideways on guide or pivot.";
@@ -183,7 +183,7 @@ std::vector<Explanation> of_pressure() {
          .over = "all returns, continuously; a cycle counts whole",
          .formulas = pressure_formulas(),
          .usual = "at most 45 deg where a spring alone drives the return, else as on the rise: 30 deg for translating "
-                  "followers (Theory of Machines, chapter 6), 45 deg for oscillating ones (VDI 2142).",
+                  "followers (Theory of Machines, chapter 6), 45 deg for oscillating ones in practice.",
          .undefined = "for motions without a return",
          .require = "max = 45",
          .objective = "minimize",
@@ -252,7 +252,7 @@ std::vector<Explanation> of_curvature() {
 
 std::vector<Explanation> of_motion() {
     constexpr std::string_view joints = "the joints of segments, the end of the turn with its beginning too";
-    constexpr std::string_view to_the_law = "Theory of Machines, chapter 6; VDI 2143 for the constants of the laws";
+    constexpr std::string_view to_the_law = "Theory of Machines, chapter 6";
     return {
         {.name = "velocity-max",
          .what = "The greatest velocity of the follower for a cam of unit angular velocity.",
@@ -296,7 +296,7 @@ std::vector<Explanation> of_motion() {
          .what = "How much the velocity of the follower jumps, for a cam of unit angular velocity: a blow.",
          .over = joints,
          .formulas = {{"", "greatest |v after - v before|", "definition"}},
-         .usual = "0 (VDI 2143). constant-velocity against a dwell has one.",
+         .usual = "0. constant-velocity against a dwell has one.",
          .undefined = "",
          .require = "max = 0",
          .objective = "minimize",
@@ -305,7 +305,7 @@ std::vector<Explanation> of_motion() {
          .what = "How much the acceleration of the follower jumps, for a cam of unit angular velocity: infinite jerk.",
          .over = joints,
          .formulas = {{"", "greatest |a after - a before|", "definition"}},
-         .usual = "0 for all but slow cams (VDI 2143). harmonic and parabolic against a dwell have one.",
+         .usual = "0 for all but slow cams. harmonic and parabolic against a dwell have one.",
          .undefined = "",
          .require = "max = 0",
          .objective = "minimize",
