@@ -214,6 +214,7 @@ void draw_curves(ChartData& data, const Problem& problem, const StudyChart& char
     const auto all = data.numbers({chart.x, chart.value}, where);
     if (all.empty()) throw ChartFault("there is no point to draw");
     picture.frame = frame_of(all, 0, 0.05);
+    if (!chart.family.empty()) picture.frame.right = 0.7;
     picture.upwards = chart.value;
     std::string script = head(problem, chart, picture);
     std::string plots;

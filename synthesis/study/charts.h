@@ -15,7 +15,8 @@ namespace mechwright {
 /// height counted from the lower left.
 struct ChartFrame {
     double x_from = 0, x_to = 1, y_from = 0, y_to = 1;
-    static constexpr double left = 0.12, right = 0.84, bottom = 0.14, top = 0.9;
+    double right = 0.84;  ///< less where there is a legend
+    static constexpr double left = 0.12, bottom = 0.14, top = 0.9;
 };
 
 /// A picture as a gnuplot script with its data in it; the terminal is left to whoever runs it.

@@ -39,7 +39,7 @@ PageChart page_chart(const StudyChart& chart, const ChartScript& script) {
     return {.title = script.title,
             .svg = drawn_by_gnuplot(script.script, {}),
             .left = ChartFrame::left,
-            .right = ChartFrame::right,
+            .right = frame.right,
             .bottom = 1 - ChartFrame::bottom,
             .top = 1 - ChartFrame::top,
             .x_from = frame.x_from,
