@@ -129,11 +129,7 @@ int run_strands(const PreparedStudy& prepared, StudyStore& store, const StudyOpt
 std::string standing_text(const std::filesystem::path& data) {
     const StudyStanding standing = standing_of_study(data);
     std::string text = standing.title.empty() ? "" : standing.title + "\n";
-    text += standing.done == standing.points ? fmt::format("{} points", standing.points)
-                                             : fmt::format("{} of {} points", standing.done, standing.points);
-    for (std::size_t i = 0; i < standing.statuses.size(); ++i)
-        text += fmt::format("{}{} {}", i == 0 ? ": " : ", ", standing.statuses[i].second, standing.statuses[i].first);
-    text += '\n';
+    text += tally(standing) + '\n';
     if (standing.both_ways + standing.from_neighbours > 0)
         text += folded("", fmt::format("{} solved from their neighbours alone; {} both ways, of which {} had a better "
                                        "design of their own (all points beside those were solved again)",

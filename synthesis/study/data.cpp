@@ -95,6 +95,15 @@ SQLite::Statement understood(SQLite::Database& database, const std::string& quer
 
 }  // namespace
 
+std::string tally(const StudyStanding& standing) {
+    std::string text = standing.done == standing.points
+                           ? fmt::format("{} points", standing.points)
+                           : fmt::format("{} of {} points", standing.done, standing.points);
+    for (std::size_t i = 0; i < standing.statuses.size(); ++i)
+        text += fmt::format("{}{} {}", i == 0 ? ": " : ", ", standing.statuses[i].second, standing.statuses[i].first);
+    return text;
+}
+
 StudyStanding standing_of_study(const std::filesystem::path& data) {
     return with_data(data, [](SQLite::Database& database) {
         StudyStanding standing;

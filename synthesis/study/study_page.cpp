@@ -116,13 +116,6 @@ std::optional<DesignToShow> design_to_show(const StudyPoint& point, VariedProble
                         analysis_document(*problem, assess(*problem, *point.design))};
 }
 
-std::string standing_text(const StudyStanding& standing) {
-    std::string text = fmt::format("{} of {} points", standing.done, standing.points);
-    for (const auto& [status, count] : standing.statuses)
-        text += fmt::format(", {} {}", count, status);
-    return text + ".";
-}
-
 /// A folder that is gone when it is no longer needed.
 struct Workplace {
     std::filesystem::path folder;
@@ -184,7 +177,7 @@ Page study_page(const std::filesystem::path& data, std::uint64_t most_designs) {
     if (problem.mechanism == nullptr || !problem.study) throw StoreFault(data.string() + ": holds no study");
     Page page;
     page.title = standing.title.empty() ? "Study" : standing.title;
-    page.study.standing = standing_text(standing);
+    page.study.standing = tally(standing) + ".";
     page.study.columns = columns_of(*problem.study);
     std::vector<ChartOfPoints> charts;
     for (const StudyChart& chart : charts_of(problem))

@@ -102,5 +102,12 @@ TEST(MotionPlots, DrawLimitsWhereTheyHold) {
     EXPECT_NEAR(*least, -45, 0.05);
 }
 
+TEST(MotionPlots, DrawLimitsOfQuantitiesThatThereAre) {
+    for (const std::string_view name : quantities_with_levels())
+        EXPECT_TRUE(std::any_of(mechanisms().begin(), mechanisms().end(), [&](const Mechanism* m) {
+            return find_quantity(*m, name) >= 0;
+        })) << name;
+}
+
 }  // namespace
 }  // namespace mechwright::testing

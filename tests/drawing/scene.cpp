@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "synthesis/report/drawing/motion_row.h"
 #include "synthesis/report/drawing/svg.h"
@@ -64,6 +65,19 @@ void expect_joined(const FinishedDesign& design, const std::vector<Joint>& joint
         for (const Place& place : pose.places)
             EXPECT_NEAR(std::hypot(place.turn.x, place.turn.y), 1, 1e-14);
     }
+}
+
+/// A mechanism that is added has to be drawn, and tested here.
+TEST(Scene, IsTestedForEveryMechanism) {
+    std::set<std::string_view> drawn;
+    for (const std::string& text : {four_bar_text("open"), slider_crank_text, crank_shaper_text, whitworth_text,
+                                    drag_link_text, roller_text("translating", "ccw")}) {
+        const FinishedDesign design = given(text);
+        EXPECT_GE(scene_of(design, fineness).bodies.size(), 2u);
+        drawn.insert(design.mechanism->name);
+    }
+    for (const Mechanism* mechanism : mechanisms())
+        EXPECT_TRUE(drawn.contains(mechanism->name)) << mechanism->name;
 }
 
 TEST(Scene, JoinsTheLinksOfAFourBar) {

@@ -122,7 +122,7 @@ double error_at(const FinishedDesign& design, const MotionRow& row) {
     constexpr double rounding = 1e-12;
     if (!(share >= -rounding && share <= 1 + rounding)) return std::numeric_limits<double>::quiet_NaN();
     if (design.function) {
-        const bool angle = design.mechanism->name == "four-bar";
+        const bool angle = deviation_from(*design.mechanism, "function").unit == Unit::angle;
         const double asked = design["output-start"] + design["output-range"] * part_at(*design.function, share);
         return angle ? std::remainder(row["rocker-angle"] - asked, 2 * std::numbers::pi) : row["ram-position"] - asked;
     }
@@ -135,16 +135,13 @@ double error_at(const FinishedDesign& design, const MotionRow& row) {
 }
 
 /// The plot of that, first of all: it is what such a design is made for. Samples of a function are not joined.
-void add_error(const FinishedDesign& design, MotionPlots& plots) {
+void add_error(const FinishedDesign& design, int steps, MotionPlots& plots) {
     const bool function = design.function && !design.function->expression.empty();
     if (!function && design.motion.followed == Followed::nothing) return;
-    const Unit unit = function && design.mechanism->name == "four-bar" ? Unit::angle : Unit::length;
+    const Unit unit = function ? deviation_from(*design.mechanism, "function").unit : Unit::length;
     MotionCurve curve{function ? "error" : "distance", {}};
-    const double from = design.motion.from, to = design.motion.to;
-    const std::size_t rows = plots.angles.size();
-    for (std::size_t i = 0; i < rows; ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(rows - 1);
-        const MotionRow row(design, (1 - share) * from + share * to);
+    for (const double angle : even_angles(design, steps)) {
+        const MotionRow row(design, angle);
         curve.values.push_back(row.assembled() ? error_at(design, row) * file_units_per_inner(unit, design.units)
                                                : std::numeric_limits<double>::quiet_NaN());
     }
@@ -173,6 +170,13 @@ std::vector<double> in_units(std::vector<double> values, std::string_view plot, 
 
 }  // namespace
 
+std::vector<std::string_view> quantities_with_levels() {
+    std::vector<std::string_view> names;
+    for (const LimitedPlot& limited : limited_plots)
+        names.push_back(limited.quantity);
+    return names;
+}
+
 MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_json& document, int steps) {
     const Mechanism& mechanism = *design.mechanism;
     const std::size_t columns = mechanism.motion_columns.size(), rows = static_cast<std::size_t>(steps) + 1;
@@ -198,7 +202,7 @@ MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_j
         plot.curves.push_back({(inverse ? "1/" : "") + std::string(mechanism.motion_columns[c]),
                                in_units(std::move(table[c]), title, unit, design.units)});
     }
-    add_error(design, plots);
+    add_error(design, steps, plots);
     add_levels(plots, document, design.units.degrees);
     return plots;
 }

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "synthesis/report/drawing/finished.h"
@@ -40,6 +41,9 @@ struct MotionPlots {
 /// on beyond a full turn instead of jumping. Levels are the limits of the document's requirements and the value of its
 /// objective, where a plot shows what they are about.
 MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_json& document, int steps);
+
+/// The quantities whose limits are drawn as levels.
+std::vector<std::string_view> quantities_with_levels();
 
 /// All plots in one picture, two beside each other, as a script for gnuplot.
 std::string plots_script(const MotionPlots& plots);

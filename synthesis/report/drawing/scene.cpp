@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "analysis/numbers/scalar.h"
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/report/drawing/drawn.h"
 #include "synthesis/report/drawing/motion_row.h"
 #include "synthesis/report/drawing/outlines.h"
@@ -27,6 +29,7 @@ const Drawn& drawn_of(const Mechanism& mechanism) {
          {"drag-link", drawing::drag_link_drawn}}};
     for (const auto& [name, drawn] : linkages)
         if (name == mechanism.name) return drawn();
+    if (!is_cam(mechanism)) throw std::logic_error("nothing says how a " + std::string(mechanism.name) + " is drawn");
     return drawing::cam_drawn();
 }
 
