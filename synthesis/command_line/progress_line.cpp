@@ -62,6 +62,12 @@ void draw_points(ProgressLine& line, std::uint64_t done, std::uint64_t newly, st
     });
 }
 
+void draw_measurements(ProgressLine& line, int done, int total) {
+    redraw(line, [&](double seconds) {
+        return fmt::format("{}/{} measurements  {:.0f} s  {}", done, total, seconds, line.label);
+    });
+}
+
 void erase(ProgressLine& line) {
     if (line.width == 0) return;
     line.console->err << '\r' << std::string(line.width, ' ') << '\r' << std::flush;

@@ -29,6 +29,9 @@ void draw_bound(ProgressLine& line, double part, long boxes);
 /// The same for the points of a study: those done, those of them done since the line began, and all there are.
 void draw_points(ProgressLine& line, std::uint64_t done, std::uint64_t newly, std::uint64_t total);
 
+/// The same for measurements: those done, and all there are.
+void draw_measurements(ProgressLine& line, int done, int total);
+
 void erase(ProgressLine& line);
 
 }  // namespace mechwright

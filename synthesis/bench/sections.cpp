@@ -1,0 +1,12 @@
+#include "synthesis/bench/sections.h"
+
+#include <array>
+
+namespace mechwright::bench {
+
+std::span<const Section> sections() {
+    static const std::array all{kernels()};
+    return all;
+}
+
+}  // namespace mechwright::bench

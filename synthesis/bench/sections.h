@@ -1,0 +1,11 @@
+#pragma once
+/// \file
+/// The sections, one file each.
+
+#include "synthesis/bench/section.h"
+
+namespace mechwright::bench {
+
+Section kernels();
+
+}  // namespace mechwright::bench
