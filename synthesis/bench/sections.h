@@ -7,5 +7,6 @@
 namespace mechwright::bench {
 
 Section kernels();
+Section start_up();
 
 }  // namespace mechwright::bench
