@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <new>
 
 #include "synthesis/local/local.h"
 
@@ -151,8 +152,11 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
                           options->SetNumericValue("tol", 1e-10) && options->SetNumericValue("bound_relax_factor", 0) &&
                           options->SetStringValue("honor_original_bounds", "yes");
     // An empty name keeps a stray ipopt.opt in the working directory from changing results.
+    Ipopt::ApplicationReturnStatus verdict = Ipopt::Internal_Error;
     if (accepted && application->Initialize("") == Ipopt::Solve_Succeeded)
-        application->OptimizeTNLP(GetRawPtr(tnlp));  // its verdict is not evidence; `best` is what counts
+        verdict = application->OptimizeTNLP(GetRawPtr(tnlp));
+    // The verdict is not evidence, `best` is what counts; but a run that lacked memory is not finished.
+    if (verdict == Ipopt::Insufficient_Memory) throw std::bad_alloc();
     return tnlp->best;
 }
 
