@@ -18,6 +18,12 @@ using Ipopt::Number;
 /// MUMPS, the linear solver beneath, keeps global state.
 std::mutex one_at_a_time;
 
+/// MUMPS does not survive a lack of memory: it crashes, or the run ends as if nothing were feasible. Before each run it
+/// is made sure that this can be had, several times what programs of some dozen variables take.
+constexpr std::size_t room_for_a_run = 32 << 20;
+
+void make_sure_of_room() { ::operator delete(::operator new(room_for_a_run)); }
+
 /// Ipopt's number for "no limit".
 constexpr double no_limit = 2e19;
 
@@ -145,6 +151,7 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
         tnlp->at(start.data());
         return tnlp->best;
     }
+    make_sure_of_room();
     const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
     const auto options = application->Options();
     const bool accepted = options->SetStringValue("linear_solver", "mumps") && options->SetStringValue("sb", "yes") &&

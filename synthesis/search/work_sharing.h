@@ -7,7 +7,6 @@
 #include <exception>
 #include <functional>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -36,7 +35,7 @@ inline void share_work(int count, int jobs, const std::function<void(int)>& task
         try {
             for (int i = 1; i < jobs && i < count; ++i)
                 helpers.emplace_back(work);
-        } catch (const std::system_error&) {
+        } catch (const std::exception&) {  // no more threads, or no memory for one
         }
         work();
     }

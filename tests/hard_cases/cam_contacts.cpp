@@ -94,14 +94,13 @@ TEST(HardCamContacts, AreAsExactAsTheirConditioning) {
         expect_lift(motion, row, lift);
         const std::string& follower = row.text("follower");
         if (follower == "roller")
+            expect_roller(kept, row,
+                          cam::TranslatingRoller<double>{size("size_1"), size("size_2"), size("size_3"), sense}, lift);
+        else if (follower == "arm")
             expect_roller(
                 kept, row,
-                cam::TranslatingRoller<double>{size("size_1"), size("size_2"), size("size_3"), sense}, lift);
-        else if (follower == "arm")
-            expect_roller(kept, row,
-                          cam::OscillatingRoller<double>{size("size_1"), size("size_3"), size("size_4"),
-                                                         size("size_2"), sense},
-                          lift);
+                cam::OscillatingRoller<double>{size("size_1"), size("size_3"), size("size_4"), size("size_2"), sense},
+                lift);
         else if (follower == "flat")
             expect_flat(kept, row, cam::TranslatingFlat<double>{size("size_1"), sense}, lift);
         else

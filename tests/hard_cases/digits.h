@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// How many digits a family of hard cases keeps. How well an answer is conditioned stands beside it in the data: how far
-/// it moves when the inputs move by their rounding.
+/// How many digits a family of hard cases keeps. How well an answer is conditioned stands beside it in the data: how
+/// far it moves when the inputs move by their rounding.
 
 #include <algorithm>
 #include <cmath>

@@ -50,11 +50,10 @@ TEST(HardSizes, KeepFourBarsTheSame) {
             const auto a = acceleration(m, p, v);
             const auto at = position(m, point, p), moving = velocity(m, point, p, v);
             const auto speeding = acceleration(m, point, p, v, a);
-            return Measured{{p.coupler.x, p.coupler.y, p.rocker.x, p.rocker.y, p.transmission_sine,
-                             p.transmission_cosine, transmission_angle(m, row.half()), v.coupler, v.rocker, a.coupler,
-                             a.rocker},
-                            {p.margins.stretch, p.margins.fold, at.x, at.y, moving.x, moving.y, speeding.x,
-                             speeding.y}};
+            return Measured{
+                {p.coupler.x, p.coupler.y, p.rocker.x, p.rocker.y, p.transmission_sine, p.transmission_cosine,
+                 transmission_angle(m, row.half()), v.coupler, v.rocker, a.coupler, a.rocker},
+                {p.margins.stretch, p.margins.fold, at.x, at.y, moving.x, moving.y, speeding.x, speeding.y}};
         });
 }
 
@@ -115,14 +114,14 @@ TEST(HardSizes, KeepQuickReturnsTheSame) {
         });
     for (const Row& row : table("drag_links.csv"))
         expect_same_at_all_sizes(row, [&](double unit) {
-            const DragLink<double> m{times(unit, {row.number("ground"), row.number("crank"), row.number("coupler"),
-                                                  row.number("follower")}),
-                                     unit * row.number("arm"),
-                                     row.number("arm_angle"),
-                                     unit * row.number("rod"),
-                                     row.number("slide_angle"),
-                                     unit * row.number("offset"),
-                                     row.assembly()};
+            const DragLink<double> m{
+                times(unit, {row.number("ground"), row.number("crank"), row.number("coupler"), row.number("follower")}),
+                unit * row.number("arm"),
+                row.number("arm_angle"),
+                unit * row.number("rod"),
+                row.number("slide_angle"),
+                unit * row.number("offset"),
+                row.assembly()};
             return measured(m, angle_in(row), makes_two_strokes(m));
         });
 }
@@ -147,16 +146,16 @@ TEST(HardSizes, KeepCamsTheSame) {
         expect_same_at_all_sizes(row, [&](double unit) {
             const std::string& follower = row.text("follower");
             const auto size = [&](const char* column) { return unit * row.number(column); };
-            const cam::Lift<double> angles{row.number("lift_here"), row.number("velocity"),
-                                           row.number("acceleration"), 0};
+            const cam::Lift<double> angles{row.number("lift_here"), row.number("velocity"), row.number("acceleration"),
+                                           0};
             const cam::Lift<double> lengths{size("lift_here"), size("velocity"), size("acceleration"), 0};
             if (follower == "roller")
-                return measured_roller(
-                    cam::TranslatingRoller<double>{size("size_1"), size("size_2"), size("size_3")}, lengths, unit);
+                return measured_roller(cam::TranslatingRoller<double>{size("size_1"), size("size_2"), size("size_3")},
+                                       lengths, unit);
             if (follower == "arm")
-                return measured_roller(cam::OscillatingRoller<double>{size("size_1"), size("size_3"), size("size_4"),
-                                                                      size("size_2")},
-                                       angles, unit);
+                return measured_roller(
+                    cam::OscillatingRoller<double>{size("size_1"), size("size_3"), size("size_4"), size("size_2")},
+                    angles, unit);
             if (follower == "flat") return measured_flat(cam::TranslatingFlat<double>{size("size_1")}, lengths);
             return measured_flat(cam::OscillatingFlat<double>{size("size_1"), size("size_2"), size("size_3")}, angles);
         });

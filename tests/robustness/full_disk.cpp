@@ -1,5 +1,5 @@
-// A disk that is full: the program says so with exit code 6, what stood on the disk stays whole, and with room again the
-// same command line goes on.
+// A disk that is full: the program says so with exit code 6, what stood on the disk stays whole, and with room again
+// the same command line goes on.
 
 #include "tests/robustness/problems.h"
 #include "tests/robustness/small_disk.h"

@@ -10,9 +10,7 @@
 
 namespace mechwright::testing {
 
-inline std::string problem_file(const std::string& name) {
-    return MECHWRIGHT_SOURCE_DIR "/problems/" + name + ".toml";
-}
+inline std::string problem_file(const std::string& name) { return MECHWRIGHT_SOURCE_DIR "/problems/" + name + ".toml"; }
 
 inline std::vector<std::string> problem_files(const std::vector<std::string>& names) {
     std::vector<std::string> files;

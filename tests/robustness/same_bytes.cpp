@@ -7,20 +7,29 @@ namespace mechwright::testing {
 namespace {
 
 /// Of each family one that is solved quickly.
-const std::vector<std::string> of_each_family{
-    "four-bar/crank-rocker",         "four-bar/drag-link-velocity-ratio",
-    "path/case-1",                   "path/case-2",
-    "function/power",                "exact/problem-3",
-    "exact/five-timed-points",       "exact/three-poses-four-points",
-    "poses/tipper",                  "poses/five-poses",
-    "quick-return/shaper-stroke-100", "quick-return/uniform-speed-whitworth",
-    "quick-return/drag-link-compact", "cam/roller-uneven",
-    "cam/oscillating-roller",        "cam/choice-of-law",
-    "line/lambda-120",               "trade-off/case-4-margin"};
+const std::vector<std::string> of_each_family{"four-bar/crank-rocker",
+                                              "four-bar/drag-link-velocity-ratio",
+                                              "path/case-1",
+                                              "path/case-2",
+                                              "function/power",
+                                              "exact/problem-3",
+                                              "exact/five-timed-points",
+                                              "exact/three-poses-four-points",
+                                              "poses/tipper",
+                                              "poses/five-poses",
+                                              "quick-return/shaper-stroke-100",
+                                              "quick-return/uniform-speed-whitworth",
+                                              "quick-return/drag-link-compact",
+                                              "cam/roller-uneven",
+                                              "cam/oscillating-roller",
+                                              "cam/choice-of-law",
+                                              "line/lambda-120",
+                                              "trade-off/case-4-margin"};
 
 /// Those that screen candidates or follow paths in lanes.
-const std::vector<std::string> in_lanes{"path/case-1",  "path/case-2",        "path/yu1-compact",
-                                        "poses/tipper", "exact/problem-3",    "exact/three-poses-four-points",
+const std::vector<std::string> in_lanes{"path/case-1",      "path/case-2",
+                                        "path/yu1-compact", "poses/tipper",
+                                        "exact/problem-3",  "exact/three-poses-four-points",
                                         "poses/five-poses", "trade-off/case-4-margin"};
 
 /// The documents of problems, solved with a number of threads and up to an instruction set (empty: any).
@@ -57,8 +66,8 @@ INSTANTIATE_TEST_SUITE_P(SameBytes, WithInstructions,
 std::string points_of_study(const std::string& jobs, const std::string& set) {
     const TemporaryFolder folder;
     Start how;
-    how.arguments = {"study", folder.write("a.toml", small_study()), "--out", folder / "out", "--quiet",
-                     "--jobs", jobs};
+    how.arguments = {"study", folder.write("a.toml", small_study()), "--out", folder / "out", "--quiet", "--jobs",
+                     jobs};
     how.environment = {{"MECHWRIGHT_INSTRUCTIONS", set}};
     EXPECT_EQ(run(how).exit_code, 0);
     const Outcome exported = run({"study", "export", folder / "out", "--csv"});
