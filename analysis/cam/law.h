@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "analysis/numbers/dual.h"
@@ -152,11 +153,60 @@ Lift<T> on_polynomial(const std::array<Constant<T>, N>& coefficient, const T& u)
     return f;
 }
 
+/// f(u) seen backward: 1 - f(1 - u).
+template <class T>
+Lift<T> reversed(const Lift<T>& f) {
+    return {T(Constant<T>(1)) - f.s, f.v, -f.a, f.j};
+}
+
+/// A polynomial from the nearer end, where its terms do not cancel. The coefficients, times `unit`: of u^0, u^1, ...,
+/// and of the same seen backward.
+template <class T, std::size_t N>
+Lift<T> on_polynomial(const std::array<int, N>& from_start, const std::array<int, N>& from_end, int unit, const T& u) {
+    using R = Constant<T>;
+    const auto on = [&](const std::array<int, N>& times_unit, const T& at) {
+        std::array<R, N> coefficient;
+        for (std::size_t i = 0; i < N; ++i)
+            coefficient[i] = R(times_unit[i]) / R(unit);
+        return on_polynomial<T, N>(coefficient, at);
+    };
+    return u > T(R(0.5)) ? reversed(on(from_end, T(R(1)) - u)) : on(from_start, u);
+}
+
+/// Sine and cosine of an angle from those of its half.
+template <class T>
+struct Doubled {
+    T half_sine;
+    T sine;
+    T cosine;
+};
+
+template <class T>
+Doubled<T> doubled(const T& half) {
+    using std::cos, std::sin;
+    using R = Constant<T>;
+    const T s = sin(half), c = cos(half);
+    return {s, T(R(2)) * s * c, (c - s) * (c + s)};
+}
+
+/// x - sin(x), for x from 0 to 1 by its series, in which nothing cancels. sine = sin(x).
+template <class T>
+T less_its_sine(const T& x, const T& sine) {
+    using R = Constant<T>;
+    if (x > T(R(1))) return x - sine;
+    // x^3/6 (1 - x^2/(4 5) (1 - x^2/(6 7) (...))): at x = 1 term number n is less than 1/(2 n + 3)!.
+    constexpr int terms = std::numeric_limits<R>::digits <= 53 ? 9 : 22;
+    const T square = x * x;
+    T sum = T(R(1));
+    for (int n = terms; n > 0; --n)
+        sum = T(R(1)) - square * T(R(1) / R((2 * n + 2) * (2 * n + 3))) * sum;
+    return x * square * T(R(1) / R(6)) * sum;
+}
+
 /// amplitude * (1 - cos(w u)) and derivatives.
 template <class T, class R>
 Lift<T> versine(const R& amplitude, const R& w, const T& u) {
-    using std::cos, std::sin;
-    const T half = sin(T(w / R(2)) * u), sine = sin(T(w) * u), cosine = cos(T(w) * u);
+    const auto [half, sine, cosine] = doubled(T(T(w / R(2)) * u));
     return {T(R(2) * amplitude) * half * half, T(amplitude * w) * sine, T(amplitude * w * w) * cosine,
             T(-(amplitude * w * w * w)) * sine};
 }
@@ -164,9 +214,8 @@ Lift<T> versine(const R& amplitude, const R& w, const T& u) {
 /// u - sin(w u) / w and derivatives.
 template <class T, class R>
 Lift<T> cycloid(const R& w, const T& u) {
-    using std::cos, std::sin;
-    const T half = sin(T(w / R(2)) * u), sine = sin(T(w) * u), cosine = cos(T(w) * u);
-    return {u - sine / T(w), T(R(2)) * half * half, T(w) * sine, T(w * w) * cosine};
+    const auto [half, sine, cosine] = doubled(T(T(w / R(2)) * u));
+    return {less_its_sine(T(T(w) * u), sine) * T(R(1) / w), T(R(2)) * half * half, T(w) * sine, T(w * w) * cosine};
 }
 
 template <class T>
@@ -206,15 +255,18 @@ Lift<T> lift_at(Law law, std::size_t piece, const T& u) {
             return detail::difference(detail::versine<T, R>(R(1) / R(2), p, u),
                                       detail::versine<T, R>(R(1) / R(8), R(2) * p, u));
         case Law::cycloidal: return detail::cycloid<T, R>(R(2) * p, u);
-        case Law::polynomial_345: return detail::on_polynomial<T, 6>({R(0), R(0), R(0), R(10), R(-15), R(6)}, u);
-        case Law::polynomial_4567:
-            return detail::on_polynomial<T, 8>({R(0), R(0), R(0), R(0), R(35), R(-84), R(70), R(-20)}, u);
-        case Law::kloomok_muffley: {
-            const R e(100000);
-            return detail::on_polynomial<T, 9>({R(0), R(0), R(0), R(609755) / e, R(0), R(-2078040) / e, R(2673155) / e,
-                                                R(-1360965) / e, R(256095) / e},
-                                               u);
+        case Law::polynomial_345: {
+            constexpr std::array<int, 6> either_end{0, 0, 0, 10, -15, 6};
+            return detail::on_polynomial<T>(either_end, either_end, 1, u);
         }
+        case Law::polynomial_4567: {
+            constexpr std::array<int, 8> either_end{0, 0, 0, 0, 35, -84, 70, -20};
+            return detail::on_polynomial<T>(either_end, either_end, 1, u);
+        }
+        case Law::kloomok_muffley:
+            return detail::on_polynomial<T>(std::array{0, 0, 0, 609755, 0, -2078040, 2673155, -1360965, 256095},
+                                            std::array{0, 0, 263415, 0, 0, -278055, -317060, 687795, -256095}, 100000,
+                                            u);
         case Law::half_parabolic: return detail::on_polynomial<T, 3>({R(0), R(0), R(1)}, u);
         case Law::half_harmonic: return detail::versine<T, R>(R(1), p / R(2), u);
         case Law::half_cycloidal: return detail::cycloid<T, R>(p, u);

@@ -97,12 +97,6 @@ double break_before(const Segment<T>& segment, std::size_t piece) {
 
 namespace detail {
 
-/// f(u) seen backward: 1 - f(1 - u).
-template <class T>
-Lift<T> reversed(const Lift<T>& f) {
-    return {T(Constant<T>(1)) - f.s, f.v, -f.a, f.j};
-}
-
 /// The part of the lift that has been done at u, between 0 and 1. A return is the mirror image in time of a rise.
 template <class T>
 Lift<T> normalised(const Segment<T>& segment, std::size_t piece, const T& u) {

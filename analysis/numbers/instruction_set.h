@@ -2,6 +2,9 @@
 /// \file
 /// Which instructions carry out the arithmetic of lanes (lanes.h). The digits are the same in all of them.
 
+#include <atomic>
+#include <initializer_list>
+
 namespace mechwright {
 
 enum class InstructionSet { baseline, avx2, avx512 };
@@ -18,12 +21,21 @@ inline bool is_available(InstructionSet set) {
     return set == InstructionSet::baseline;
 }
 
-/// The widest that this processor has.
+namespace detail {
+
+inline std::atomic<InstructionSet> widest_allowed = InstructionSet::avx512;
+
+}  // namespace detail
+
+/// From now on nothing wider is used.
+inline void allow_instruction_sets_up_to(InstructionSet widest) { detail::widest_allowed = widest; }
+
+/// The widest that this processor has and that is allowed.
 inline InstructionSet widest_instruction_set() {
-    static const InstructionSet widest = is_available(InstructionSet::avx512) ? InstructionSet::avx512
-                                         : is_available(InstructionSet::avx2) ? InstructionSet::avx2
-                                                                              : InstructionSet::baseline;
-    return widest;
+    const InstructionSet allowed = detail::widest_allowed;
+    for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2})
+        if (set <= allowed && is_available(set)) return set;
+    return InstructionSet::baseline;
 }
 
 }  // namespace mechwright

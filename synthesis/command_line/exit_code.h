@@ -11,7 +11,7 @@
 namespace mechwright::exit_code {
 
 inline constexpr int solved = 0;
-inline constexpr int internal_error = 1;  ///< a defect of the program
+inline constexpr int internal_error = 1;  ///< a defect of the program; or out of memory
 inline constexpr int wrong_usage = 2;
 inline constexpr int invalid_file = 3;
 inline constexpr int infeasible = 4;

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
+#include "analysis/numbers/instruction_set.h"
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/defect.h"
 #include "synthesis/command_line/exit_code.h"
@@ -48,6 +52,21 @@ std::string command_fault(int argc, const char* const* argv, const std::vector<C
     return "unknown command " + reading::quoted(argv[1]) + "; " + reading::remedy(argv[1], known);
 }
 
+/// Takes MECHWRIGHT_INSTRUCTIONS into account. Returns what is wrong with it, or nothing.
+std::string instructions_fault() {
+    constexpr std::array<std::pair<std::string_view, InstructionSet>, 3> sets{
+        {{"baseline", InstructionSet::baseline}, {"avx2", InstructionSet::avx2}, {"avx512", InstructionSet::avx512}}};
+    const char* wanted = std::getenv("MECHWRIGHT_INSTRUCTIONS");
+    if (wanted == nullptr || *wanted == 0) return {};
+    for (const auto& [name, set] : sets) {
+        if (name != wanted) continue;
+        if (!is_available(set)) return fmt::format("MECHWRIGHT_INSTRUCTIONS: this processor does not have {}", name);
+        allow_instruction_sets_up_to(set);
+        return {};
+    }
+    return fmt::format("MECHWRIGHT_INSTRUCTIONS must be baseline, avx2 or avx512, not {}", reading::quoted(wanted));
+}
+
 int wrong_usage(std::string_view fault, Console& console) {
     complain(console,
              fmt::format("{}\nRun 'mechwright --help', or 'mechwright COMMAND --help', for what there is.", fault));
@@ -55,6 +74,7 @@ int wrong_usage(std::string_view fault, Console& console) {
 }
 
 int run_command(int argc, const char* const* argv, Console& console) {
+    if (const std::string fault = instructions_fault(); !fault.empty()) return wrong_usage(fault, console);
     CLI::App program("Synthesis and optimisation of planar mechanisms.", "mechwright");
     program.set_version_flag("--version", version_text, "Print the versions of the program and its libraries");
     program.footer(exit_code::explained());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <new>
 
 #include "synthesis/local/local.h"
 
@@ -16,6 +17,12 @@ using Ipopt::Number;
 
 /// MUMPS, the linear solver beneath, keeps global state.
 std::mutex one_at_a_time;
+
+/// MUMPS does not survive a lack of memory: it crashes, or the run ends as if nothing were feasible. Before each run it
+/// is made sure that this can be had, several times what programs of some dozen variables take.
+constexpr std::size_t room_for_a_run = 32 << 20;
+
+void make_sure_of_room() { ::operator delete(::operator new(room_for_a_run)); }
 
 /// Ipopt's number for "no limit".
 constexpr double no_limit = 2e19;
@@ -144,6 +151,7 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
         tnlp->at(start.data());
         return tnlp->best;
     }
+    make_sure_of_room();
     const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
     const auto options = application->Options();
     const bool accepted = options->SetStringValue("linear_solver", "mumps") && options->SetStringValue("sb", "yes") &&
@@ -151,8 +159,11 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
                           options->SetNumericValue("tol", 1e-10) && options->SetNumericValue("bound_relax_factor", 0) &&
                           options->SetStringValue("honor_original_bounds", "yes");
     // An empty name keeps a stray ipopt.opt in the working directory from changing results.
+    Ipopt::ApplicationReturnStatus verdict = Ipopt::Internal_Error;
     if (accepted && application->Initialize("") == Ipopt::Solve_Succeeded)
-        application->OptimizeTNLP(GetRawPtr(tnlp));  // its verdict is not evidence; `best` is what counts
+        verdict = application->OptimizeTNLP(GetRawPtr(tnlp));
+    // The verdict is not evidence, `best` is what counts; but a run that lacked memory is not finished.
+    if (verdict == Ipopt::Insufficient_Memory) throw std::bad_alloc();
     return tnlp->best;
 }
 

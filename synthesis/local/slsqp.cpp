@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <memory>
+#include <new>
 #include <vector>
 
 #include "synthesis/local/local.h"
@@ -34,6 +36,7 @@ struct Run {
     VectorXd x;
     ProgramValues values;
     bool derivatives_known = false;
+    std::exception_ptr thrown{};  ///< by a callback: NLopt is C, no exception may pass through it
 
     const ProgramValues& at(const double* point, bool derivatives) {
         const auto n = static_cast<Index>(program.size());
@@ -48,8 +51,7 @@ struct Run {
     }
 };
 
-double objective(unsigned n, const double* x, double* gradient, void* data) {
-    Run& run = *static_cast<Run*>(data);
+double objective_value(Run& run, unsigned n, const double* x, double* gradient) {
     const ProgramValues& v = run.at(x, gradient != nullptr);
     // Infinity makes the line search step back.
     if (!v.assembled) {
@@ -75,21 +77,39 @@ void constraints(Run& run, const std::vector<Side>& sides, unsigned m, double* r
     }
 }
 
+/// Carries out what a callback is to do, and keeps what it throws until NLopt has returned.
+template <class Work>
+void guarded(Run& run, const Work& work) {
+    try {
+        work();
+    } catch (...) {
+        run.thrown = std::current_exception();
+        nlopt_force_stop(run.optimiser);
+    }
+}
+
+double objective(unsigned n, const double* x, double* gradient, void* data) {
+    Run& run = *static_cast<Run*>(data);
+    double value = HUGE_VAL;
+    guarded(run, [&] { value = objective_value(run, n, x, gradient); });
+    return value;
+}
+
 void equalities(unsigned m, double* result, unsigned n, const double* x, double* gradient, void* data) {
     Run& run = *static_cast<Run*>(data);
-    constraints(run, run.equalities, m, result, n, x, gradient);
+    guarded(run, [&] { constraints(run, run.equalities, m, result, n, x, gradient); });
 }
 
 void inequalities(unsigned m, double* result, unsigned n, const double* x, double* gradient, void* data) {
     Run& run = *static_cast<Run*>(data);
-    constraints(run, run.inequalities, m, result, n, x, gradient);
+    guarded(run, [&] { constraints(run, run.inequalities, m, result, n, x, gradient); });
 }
 
 }  // namespace
 
 LocalOutcome slsqp(const Program& program, const VectorXd& start, const LocalLimits& limits) {
     const auto n = static_cast<unsigned>(program.size());
-    Run run{program, limits, {}, {}, {}, {}, 1, {}, {}, false};
+    Run run{program, limits, {}, {}, {}, {}, 1, {}, {}, false, {}};
     for (std::size_t r = 0; r < program.rows.size(); ++r) {
         const Row& row = program.rows[r];
         const auto index = static_cast<Index>(r);
@@ -102,6 +122,7 @@ LocalOutcome slsqp(const Program& program, const VectorXd& start, const LocalLim
     }
 
     const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(NLOPT_LD_SLSQP, n), nlopt_destroy);
+    if (!optimiser) throw std::bad_alloc();
     run.optimiser = optimiser.get();
     // A gradient of order one at the start: SLSQP's line search is not invariant to the scale of the objective.
     const ProgramValues& first = run.at(start.data(), true);
@@ -133,7 +154,10 @@ LocalOutcome slsqp(const Program& program, const VectorXd& start, const LocalLim
     nlopt_set_maxeval(run.optimiser, limits.most_evaluations);
     VectorXd x = start;
     double reached = 0;
-    nlopt_optimize(run.optimiser, x.data(), &reached);  // its verdict is not evidence; `best` is what counts
+    // Its verdict is not evidence, `best` is what counts; but a run that lacked memory is not finished.
+    const nlopt_result verdict = nlopt_optimize(run.optimiser, x.data(), &reached);
+    if (run.thrown) std::rethrow_exception(run.thrown);
+    if (verdict == NLOPT_OUT_OF_MEMORY) throw std::bad_alloc();
     return run.best;
 }
 

@@ -1,5 +1,6 @@
 #include "synthesis/local/subplex.h"
 
+#include <new>
 #include <nlopt.hpp>
 
 namespace mechwright {
@@ -27,6 +28,8 @@ std::vector<double> subplex(const CubeFunction& function, std::vector<double> st
     double value = 0;
     try {
         solver.optimize(start, value);
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception&) {  // rounding, or a stop: the best point so far stands in `start`
     }
     return start;

@@ -96,11 +96,7 @@ ReadProblem parse_problem(std::string_view text, const std::string& file) {
     ReadProblem read;
     reading::Messages messages{.file = file};
     read.problem.file = file;
-    try {
-        reading::read_text(text, read.problem, messages);
-    } catch (const std::exception& exhausted) {  // memory, in the parser or here: nothing else throws
-        reading::add_error(messages, fmt::format("cannot be read: {}", exhausted.what()));
-    }
+    reading::read_text(text, read.problem, messages);
     reading::conclude(read, std::move(messages));
     return read;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <new>
 
 #include "synthesis/program/assess.h"
 #include "synthesis/report/document.h"
@@ -238,6 +239,9 @@ StudyRun run_study(const PreparedStudy& prepared, StudyStore& store, const Study
         const std::uint64_t number = options.first_strand + static_cast<std::uint64_t>(i);
         try {
             design ? run_samples(shared, *design, number) : StrandRun(shared, number).run();
+        } catch (const std::bad_alloc&) {
+            shared.stop = true;
+            throw;
         } catch (const std::exception& fault) {
             shared.fail(fault.what());
         }

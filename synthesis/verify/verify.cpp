@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/text.h"
@@ -262,6 +263,8 @@ std::vector<Check> verify(const nlohmann::ordered_json& document) {
         std::vector<Check> checks = checks_of(claim);
         add_front_checks(document, checks);
         return checks;
+    } catch (const std::bad_alloc&) {
+        throw;  // says nothing about the document
     } catch (const std::exception& error) {
         return not_understood(std::string("verification stopped: ") + error.what());
     }

@@ -79,6 +79,10 @@ std::array<int, 2> open_input(const Start& how) {
         const rlimit limit{*how.largest_file, *how.largest_file};
         ::setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (how.most_memory) {
+        const rlimit limit{*how.most_memory, *how.most_memory};
+        ::setrlimit(RLIMIT_AS, &limit);
+    }
     if (!how.folder.empty() && ::chdir(how.folder.c_str()) != 0) ::_exit(98);
     ::setenv("TERM", "xterm", 1);
     ::unsetenv("NO_COLOR");

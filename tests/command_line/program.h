@@ -26,6 +26,7 @@ struct Start {
     bool err_on_terminal = false;             ///< so is standard error
     std::optional<std::size_t> out_read;      ///< the test closes standard output after this many bytes
     std::optional<std::size_t> largest_file;  ///< no file can be longer, as on a full disk
+    std::optional<std::size_t> most_memory;   ///< bytes of address space that it gets
 };
 
 struct Outcome {

@@ -56,13 +56,6 @@ inline std::vector<Row> table(const std::string& file) {
     return rows;
 }
 
-/// Checks one answer of a row: fourteen digits of `scale`, or ten times what it moves when the inputs move by their
-/// rounding, whichever is more.
-inline void expect_answer(const Row& row, const std::string& column, double value, double scale) {
-    const double error = static_cast<double>(abs(Precise(value) - row.exact(column)));
-    EXPECT_LE(error, std::max(1e-14 * scale, 10 * row.number(column + "_moves"))) << column << ": " << row.label();
-}
-
 /// Fourteen digits of the answer itself, and no error at all where it is zero.
 inline void expect_all_digits(const Row& row, const std::string& column, double value) {
     EXPECT_LE(abs(Precise(value) - row.exact(column)), 1e-14 * abs(row.exact(column))) << column << ": " << row.label();

@@ -63,8 +63,11 @@ struct Entry {
     std::string_view text;
 };
 
-constexpr std::array<Entry, 2> environment{
-    {{"NO_COLOR", "If it is set and not empty, nothing is coloured."},
+constexpr std::array<Entry, 3> environment{
+    {{"MECHWRIGHT_INSTRUCTIONS",
+      "baseline, avx2 or avx512: the widest instructions that are used, of those the processor has. The results are "
+      "the same, digit for digit."},
+     {"NO_COLOR", "If it is set and not empty, nothing is coloured."},
      {"TERM", "On a terminal of the kind dumb, or of none, there are neither colours nor a progress line."}}};
 
 constexpr std::array<Entry, 4> kinds_of_files{

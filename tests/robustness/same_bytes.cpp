@@ -1,0 +1,110 @@
+// Results are the same to the last byte for any number of threads and any instructions.
+
+#include "analysis/numbers/instruction_set.h"
+#include "tests/robustness/problems.h"
+
+namespace mechwright::testing {
+namespace {
+
+/// Of each family one that is solved quickly.
+const std::vector<std::string> of_each_family{"four-bar/crank-rocker",
+                                              "four-bar/drag-link-velocity-ratio",
+                                              "path/case-1",
+                                              "path/case-2",
+                                              "function/power",
+                                              "exact/problem-3",
+                                              "exact/five-timed-points",
+                                              "exact/three-poses-four-points",
+                                              "poses/tipper",
+                                              "poses/five-poses",
+                                              "quick-return/shaper-stroke-100",
+                                              "quick-return/uniform-speed-whitworth",
+                                              "quick-return/drag-link-compact",
+                                              "cam/roller-uneven",
+                                              "cam/oscillating-roller",
+                                              "cam/choice-of-law",
+                                              "line/lambda-120",
+                                              "trade-off/case-4-margin"};
+
+/// Those that screen candidates or follow paths in lanes.
+const std::vector<std::string> in_lanes{"path/case-1",      "path/case-2",
+                                        "path/yu1-compact", "poses/tipper",
+                                        "exact/problem-3",  "exact/three-poses-four-points",
+                                        "poses/five-poses", "trade-off/case-4-margin"};
+
+/// The documents of problems, solved with a number of threads and up to an instruction set (empty: any).
+std::string documents(const std::vector<std::string>& names, const std::string& jobs, const std::string& set = "") {
+    Start how;
+    how.arguments = with({"solve", "--json", "--quiet", "--time-limit", "1000", "--jobs", jobs}, problem_files(names));
+    how.environment = {{"MECHWRIGHT_INSTRUCTIONS", set}};
+    const Outcome outcome = run(how);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(parsed(outcome.out).size(), names.size());
+    return without_seconds(outcome.out);
+}
+
+TEST(SameBytes, WithAnyNumberOfThreads) {
+    const std::string one = documents(of_each_family, "1");
+    EXPECT_EQ(documents(of_each_family, "2"), one);
+    EXPECT_EQ(documents(of_each_family, "7"), one);
+}
+
+class WithInstructions : public ::testing::TestWithParam<std::pair<const char*, InstructionSet>> {};
+
+TEST_P(WithInstructions, AreThoseOfTheBaseline) {
+    const auto [name, set] = GetParam();
+    if (!is_available(set)) GTEST_SKIP() << "this processor does not have " << name;
+    static const std::string baseline = documents(in_lanes, "2", "baseline");
+    EXPECT_EQ(documents(in_lanes, "2", name), baseline);
+}
+
+INSTANTIATE_TEST_SUITE_P(SameBytes, WithInstructions,
+                         ::testing::Values(std::pair("avx2", InstructionSet::avx2),
+                                           std::pair("avx512", InstructionSet::avx512)));
+
+/// All points of a study, run with a number of threads and up to an instruction set.
+std::string points_of_study(const std::string& jobs, const std::string& set) {
+    const TemporaryFolder folder;
+    Start how;
+    how.arguments = {"study", folder.write("a.toml", small_study()), "--out", folder / "out", "--quiet", "--jobs",
+                     jobs};
+    how.environment = {{"MECHWRIGHT_INSTRUCTIONS", set}};
+    EXPECT_EQ(run(how).exit_code, 0);
+    const Outcome exported = run({"study", "export", folder / "out", "--csv"});
+    EXPECT_EQ(exported.exit_code, 0) << exported.err;
+    expect_has(exported.out, "solved");
+    return exported.out;
+}
+
+TEST(SameBytes, OfAStudyToo) {
+    const std::string one = points_of_study("1", "");
+    EXPECT_EQ(points_of_study("2", "baseline"), one);
+    EXPECT_EQ(points_of_study("7", ""), one);
+}
+
+TEST(Instructions, ThatAreNoneAreRefused) {
+    for (const char* wrong : {"sse", "AVX2", "avx2 ", "4"}) {
+        Start how;
+        how.arguments = {"quantities"};
+        how.environment = {{"MECHWRIGHT_INSTRUCTIONS", wrong}};
+        const Outcome outcome = run(how);
+        EXPECT_EQ(outcome.exit_code, 2) << wrong;
+        expect_has(outcome.err, "MECHWRIGHT_INSTRUCTIONS must be baseline, avx2 or avx512");
+        expect_has(outcome.err, wrong);
+        EXPECT_EQ(outcome.out, "");
+    }
+}
+
+TEST(Instructions, AreNeverWiderThanAllowed) {
+    const InstructionSet widest = widest_instruction_set();
+    EXPECT_TRUE(is_available(widest));
+    for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+        allow_instruction_sets_up_to(set);
+        EXPECT_LE(widest_instruction_set(), set);
+        EXPECT_TRUE(is_available(widest_instruction_set()));
+    }
+    EXPECT_EQ(widest_instruction_set(), widest);
+}
+
+}  // namespace
+}  // namespace mechwright::testing
