@@ -189,13 +189,13 @@ Doubled<T> doubled(const T& half) {
     return {s, T(R(2)) * s * c, (c - s) * (c + s)};
 }
 
-/// x - sin(x), for x from 0 to 1 by its series, in which nothing cancels. sine = sin(x).
+/// x - sin(x), for x from 0 to 1.5 by its series, in which nothing cancels. sine = sin(x).
 template <class T>
 T less_its_sine(const T& x, const T& sine) {
     using R = Constant<T>;
-    if (x > T(R(1))) return x - sine;
-    // x^3/6 (1 - x^2/(4 5) (1 - x^2/(6 7) (...))): at x = 1 term number n is less than 1/(2 n + 3)!.
-    constexpr int terms = std::numeric_limits<R>::digits <= 53 ? 9 : 22;
+    if (x > T(R(1.5))) return x - sine;
+    // x^3/6 (1 - x^2/(4 5) (1 - x^2/(6 7) (...))): term number n is less than 1.5^(2 n + 3) / (2 n + 3)!.
+    constexpr int terms = std::numeric_limits<R>::digits <= 53 ? 10 : 23;
     const T square = x * x;
     T sum = T(R(1));
     for (int n = terms; n > 0; --n)
