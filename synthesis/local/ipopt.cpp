@@ -35,6 +35,7 @@ struct IpoptProgram final : Ipopt::TNLP {
     LocalOutcome best;
     VectorXd x;
     ProgramValues values;
+    LagrangianHessian second;
 
     IpoptProgram(const Program& p, const VectorXd& s, const LocalLimits& l) : program(p), limits(l), start(s) {}
 
@@ -124,10 +125,10 @@ struct IpoptProgram final : Ipopt::TNLP {
             return true;
         }
         if (!at(point)) return false;
-        const Eigen::MatrixXd full = lagrangian_hessian(program, x, weight, Eigen::Map<const VectorXd>(multipliers, m));
+        lagrangian_hessian(program, x, weight, Eigen::Map<const VectorXd>(multipliers, m), second);
         for (Ipopt::Index i = 0, k = 0; i < n; ++i)
             for (Ipopt::Index j = 0; j <= i; ++j, ++k)
-                hessian[k] = full(i, j);
+                hessian[k] = second.value(i, j);
         return true;
     }
 

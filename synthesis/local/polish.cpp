@@ -137,6 +137,8 @@ LocalOutcome polish(const Program& program, const LocalOutcome& from, const Loca
     LocalOutcome best = from;
     if (from.x.size() == 0 || !std::isfinite(from.violation) || from.violation > 1e-2) return best;
     ProgramValues values;
+    ProgramValues there;
+    LagrangianHessian hessian;
     for (int k = 0; k < most_steps && !limits.reached(); ++k) {
         evaluate(program, best.x, true, values);
         ++best.evaluations;
@@ -146,14 +148,13 @@ LocalOutcome polish(const Program& program, const LocalOutcome& from, const Loca
         VectorXd on_rows = VectorXd::Zero(static_cast<Index>(program.rows.size()));
         for (std::size_t i = 0; i < active.size(); ++i)
             if (active[i].row >= 0) on_rows[active[i].row] += lambda[static_cast<Index>(i)];
-        const MatrixXd hessian = lagrangian_hessian(program, best.x, 1, on_rows);
-        if (!hessian.allFinite()) break;
-        const NewtonStep step = newton_step(hessian, values.gradient, l);
+        lagrangian_hessian(program, best.x, 1, on_rows, hessian);
+        if (!hessian.value.allFinite()) break;
+        const NewtonStep step = newton_step(hessian.value, values.gradient, l);
         bool moved = false;
         for (const double length : {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0}) {
             if (moved) break;
             const VectorXd x = within_bounds(program, best.x + step.back + length * step.along);
-            ProgramValues there;
             evaluate(program, x, false, there);
             ++best.evaluations;
             const double worst = violation(program, x, there);

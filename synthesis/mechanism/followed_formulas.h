@@ -123,10 +123,20 @@ auto shape_of(const Dimensions& x) {
     return shape;
 }
 
+/// The dimensions that the guided point, the input range and the shape are made of.
+template <class Path, class Shape, std::size_t input, std::size_t place>
+constexpr auto used_by_shape() {
+    std::array<std::size_t, Path::reads + 2 + Shape::parameters> used{};
+    for (std::size_t i = 0; i < used.size(); ++i)
+        used[i] = i < Path::reads ? i : i < Path::reads + 2 ? input + i - Path::reads : place + i - Path::reads - 2;
+    return used;
+}
+
 /// The generator: the distance from the shape. `input` is the first of the two dimensions of the input range.
 template <class Path, class Shape, std::size_t input, std::size_t place>
 struct ShapeDistance {
     static constexpr std::size_t reads = place + Shape::parameters;
+    static constexpr auto uses = used_by_shape<Path, Shape, input, place>();
     template <class T>
     static T error(const std::array<T, reads>& x, std::size_t assembly, const T& share, const T&) {
         return Shape::distance(shape_of<Shape, place>(x),
@@ -138,6 +148,7 @@ struct ShapeDistance {
 template <class Path, class Shape, std::size_t input, std::size_t place>
 struct ShapeExtent {
     static constexpr std::size_t reads = place + Shape::parameters;
+    static constexpr auto uses = used_by_shape<Path, Shape, input, place>();
     static constexpr std::size_t most = 1;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {

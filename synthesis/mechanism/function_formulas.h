@@ -1,9 +1,9 @@
 #pragma once
 /// \file
 /// The quantities of a function generator as smooth components (measured.h), for any mechanism. `Generator` has
-/// `static constexpr std::size_t reads`, how many of the first dimensions it needs, and `template <class T> static T
-/// error(const std::array<T, reads>&, std::size_t assembly, const T& share, const T& part)`: the structural error, its
-/// output at a share of the input's range less what the part of the output's range asks for.
+/// `static constexpr std::size_t reads`, how many of the first dimensions it needs, `uses` (measured.h), and `template
+/// <class T> static T error(const std::array<T, reads>&, std::size_t assembly, const T& share, const T& part)`: the
+/// structural error, its output at a share of the input's range less what the part of the output's range asks for.
 
 #include <algorithm>
 #include <array>
@@ -28,15 +28,14 @@ T part_of(const FunctionTarget* f, const T& share) {
     return f != nullptr ? part_at(*f, share) : T(0.0);
 }
 
-/// All extremes of the error in their order along the range: its ends, and where its slope vanishes.
-template <class Generator>
-std::vector<ErrorExtreme> error_extremes(const FunctionTarget* f, const std::array<double, Generator::reads>& x,
-                                         std::size_t assembly) {
-    std::vector<ErrorExtreme> found;
+/// Reports to `found` all extremes of the error in their order along the range: its ends, and where its slope vanishes.
+template <class Generator, class Found>
+void for_each_extreme(const FunctionTarget* f, const std::array<double, Generator::reads>& x, std::size_t assembly,
+                      const Found& found) {
     if (has_samples(f)) {
         for (const Vector<double>& s : f->parts)
-            found.push_back({s.x, s.y, Generator::error(x, assembly, s.x, s.y), false});
-        return found;
+            found(ErrorExtreme{s.x, s.y, Generator::error(x, assembly, s.x, s.y), false});
+        return;
     }
     using D = Dual<double, 1>;
     const auto error = [&](double share) { return Generator::error(x, assembly, share, part_of(f, share)); };
@@ -47,49 +46,63 @@ std::vector<ErrorExtreme> error_extremes(const FunctionTarget* f, const std::arr
         return Generator::error(constant, assembly, at, part_of(f, at)).partial[0];
     };
     constexpr int steps = 128;
-    found.push_back({0, 0, error(0), false});
+    found(ErrorExtreme{0, 0, error(0), false});
     double left = 0, at_left = slope(0);
     for (int i = 1; i <= steps; ++i) {
         const double right = static_cast<double>(i) / steps, at_right = slope(right);
         if ((at_left > 0) != (at_right > 0)) {
             const double share = zero_between(slope, left, right, at_left, at_right);
-            found.push_back({share, 0, error(share), true});
+            found(ErrorExtreme{share, 0, error(share), true});
         }
         left = right;
         at_left = at_right;
     }
-    found.push_back({1, 1, error(1), false});
-    return found;
+    found(ErrorExtreme{1, 1, error(1), false});
 }
 
-/// The greatest of so many, by size, in their order along the range; fewer are filled up with the last.
-inline void keep_greatest(std::vector<ErrorExtreme>& found, std::size_t count) {
-    while (found.size() > count)
-        found.erase(std::min_element(found.begin(), found.end(), [](const ErrorExtreme& a, const ErrorExtreme& b) {
+/// The greatest of them, by size, in their order along the range; fewer are filled up with the last.
+template <class Generator, std::size_t count>
+std::array<ErrorExtreme, count> greatest_extremes(const FunctionTarget* f,
+                                                  const std::array<double, Generator::reads>& x, std::size_t assembly) {
+    std::array<ErrorExtreme, count + 1> kept{};
+    std::size_t known = 0;
+    for_each_extreme<Generator>(f, x, assembly, [&](const ErrorExtreme& extreme) {
+        kept[known++] = extreme;
+        if (known <= count) return;
+        const auto least = std::min_element(kept.begin(), kept.end(), [](const ErrorExtreme& a, const ErrorExtreme& b) {
             return std::abs(a.error) < std::abs(b.error);
-        }));
-    while (found.size() < count)
-        found.push_back(found.back());
+        });
+        std::copy(least + 1, kept.end(), least);
+        --known;
+    });
+    std::array<ErrorExtreme, count> greatest;
+    for (std::size_t k = 0; k < count; ++k)
+        greatest[k] = kept[std::min(k, known - 1)];
+    return greatest;
 }
 
 /// The greatest size of the structural error over the range: every extreme of it with the sign that makes it positive.
 template <class Generator>
 struct FunctionMax {
     static constexpr std::size_t reads = Generator::reads;
+    static constexpr auto uses = used_by<Generator>();
     static constexpr std::size_t most = 16;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
         std::array<double, reads> plain;
         std::transform(x.begin(), x.end(), plain.begin(), [](const T& v) { return value_of(v); });
         const FunctionTarget* f = motion.function;
-        auto extremes = error_extremes<Generator>(f, plain, motion.assembly);
-        keep_greatest(extremes, most);
+        const auto extremes = greatest_extremes<Generator, most>(f, plain, motion.assembly);
         for (std::size_t k = 0; k < most; ++k) {
             const ErrorExtreme& e = extremes[k];
             const auto along = [&]<class U>(const std::array<U, reads>& d, const U& share) {
-                return Generator::error(d, motion.assembly, share, has_samples(f) ? U(e.part) : part_of(f, share));
+                return Generator::error(d, motion.assembly, share, part_of(f, share));
             };
-            const T error = e.stationary ? at_stationary(x, e.share, along) : along(x, T(e.share));
+            // To first derivatives the place is a constant, and what is asked for there too.
+            const bool moves = e.stationary && std::is_same_v<T, SecondDual<double, uses.size()>>;
+            const T error = moves ? at_stationary(x, e.share, along)
+                                  : Generator::error(x, motion.assembly, T(e.share),
+                                                     T(has_samples(f) ? e.part : part_of(f, e.share)));
             out[k] = e.error < 0 ? T(-error) : error;
         }
         return most;
@@ -101,6 +114,7 @@ struct FunctionMax {
 template <class Generator>
 struct FunctionErrors {
     static constexpr std::size_t reads = Generator::reads;
+    static constexpr auto uses = used_by<Generator>();
     static constexpr std::size_t most = 25;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
@@ -162,6 +176,7 @@ void for_each_node(const FunctionTarget& f, const Use& use) {
 template <class Generator>
 struct FunctionRms {
     static constexpr std::size_t reads = Generator::reads;
+    static constexpr auto uses = used_by<Generator>();
     static constexpr std::size_t most = 1;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
@@ -175,6 +190,15 @@ struct FunctionRms {
         return 1;
     }
 };
+
+/// All extremes of the error, for reports.
+template <class Generator>
+std::vector<ErrorExtreme> error_extremes(const FunctionTarget* f, const std::array<double, Generator::reads>& x,
+                                         std::size_t assembly) {
+    std::vector<ErrorExtreme> all;
+    for_each_extreme<Generator>(f, x, assembly, [&](const ErrorExtreme& extreme) { all.push_back(extreme); });
+    return all;
+}
 
 /// The registry's function_extremes.
 template <class Generator>
@@ -236,6 +260,7 @@ enum class TransmissionExtreme { least, greatest, worst };
 template <class Transmission, TransmissionExtreme extreme>
 struct InputTransmission {
     static constexpr std::size_t reads = Transmission::reads;
+    static constexpr auto uses = used_by<Transmission>();
     static constexpr std::size_t most = extreme == TransmissionExtreme::worst ? 8 : 4;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 
 #include "synthesis/mechanism/measured.h"
@@ -18,6 +20,48 @@ struct MissAndMargin {
     Vector<T> miss;
     double margin;
 };
+
+/// A miss with its first derivatives from a guided point in the mechanism's own frame: `reached`, with its derivatives
+/// by the first dimensions and, last, by the crank angle, argument number `angle`. After the former stand the origin in
+/// the drawing, x and y, and the tilt. Other derivatives are left alone.
+template <std::size_t N>
+void place_with_gradient(const Vector<double>& reached, const std::array<Vector<double>, N>& gradient,
+                         std::span<const double> x, std::size_t angle, const Vector<double>& target, PathMiss& out) {
+    constexpr std::size_t origin = N - 1, tilt = origin + 2;
+    const Vector<double> axis{std::cos(x[tilt]), std::sin(x[tilt])};
+    const Vector<double> from_origin = turned(reached, axis);
+    out.miss = (target - Vector<double>{x[origin], x[origin + 1]}) - from_origin;
+    const auto set = [&](std::size_t argument, const Vector<double>& of_point) {
+        out.gradient_x[argument] = -of_point.x;
+        out.gradient_y[argument] = -of_point.y;
+    };
+    for (std::size_t i = 0; i < origin; ++i)
+        set(i, turned(gradient[i], axis));
+    set(origin, {1, 0});
+    set(origin + 1, {0, 1});
+    set(tilt, left_of(from_origin));
+    set(angle, turned(gradient[origin], axis));
+}
+
+/// What a guided body misses of a direction, with first derivatives: those of the angle in which it faces by the first
+/// arguments and by the crank angle, argument number `angle`, and 1 by the angles that are added to it.
+template <std::size_t N>
+void face_with_gradient(const Vector<double>& faces, const std::array<double, N>& turn, double by_crank_angle,
+                        std::initializer_list<std::size_t> added, std::size_t angle, const Vector<double>& facing,
+                        PathMiss& out) {
+    out.miss = facing - faces;
+    std::fill(out.gradient_x.begin(), out.gradient_x.begin() + static_cast<std::ptrdiff_t>(angle), 0.0);
+    std::fill(out.gradient_y.begin(), out.gradient_y.begin() + static_cast<std::ptrdiff_t>(angle), 0.0);
+    const auto set = [&](std::size_t argument, double by) {
+        out.gradient_x[argument] = by * faces.y;
+        out.gradient_y[argument] = -by * faces.x;
+    };
+    for (std::size_t i = 0; i < N; ++i)
+        set(i, turn[i]);
+    for (const std::size_t i : added)
+        set(i, 1);
+    set(angle, by_crank_angle);
+}
 
 /// The path_miss of a formula with `static constexpr std::size_t reads` and
 /// `template <class T> static MissAndMargin<T> miss(std::size_t assembly, const std::array<T, reads + 1>& x,
@@ -62,7 +106,8 @@ struct PoseMissAndMargin {
 };
 
 /// The pose_miss of a formula with `reads` and `template <class T> static PoseMissAndMargin<T> miss(assembly, const
-/// std::array<T, reads + 1>& x, const Vector<double>& target, const Vector<double>& facing)`.
+/// std::array<T, reads + 1>& x, const Vector<double>& target, const Vector<double>& facing)`; it too can have a
+/// miss_and_gradient.
 template <class Formula>
 void pose_miss_by(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
                   const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) {
@@ -88,6 +133,8 @@ void pose_miss_by(std::size_t assembly, std::span<const double> dimensions, doub
         copy(r.place.miss, out.place);
         copy(r.turn, out.turn);
     } else if (!out.place.gradient_x.empty()) {
+        if constexpr (requires { Formula::miss_and_gradient(assembly, at, target, facing, out); })
+            if (Formula::miss_and_gradient(assembly, at, target, facing, out)) return;
         const auto r = evaluate(seeded<Dual<double, n>, n>(at));
         const auto copy = [](const auto& v, PathMiss& to) {
             std::copy(v.x.partial.begin(), v.x.partial.end(), to.gradient_x.begin());

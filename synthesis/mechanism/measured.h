@@ -14,17 +14,41 @@
 
 namespace mechwright {
 
-/// The first N dimensions as numbers of type T: independent variables where T is a dual number.
+/// The first N dimensions as numbers of type T; where T is a dual number, those whose indices `used` holds are its
+/// variables, in that order.
+template <class T, std::size_t N, std::size_t count>
+std::array<T, N> seeded(std::span<const double> dimensions, const std::array<std::size_t, count>& used) {
+    std::array<T, N> x;
+    for (std::size_t i = 0; i < N; ++i)
+        x[i] = T(dimensions[i]);
+    if constexpr (requires { T::variable(0.0, std::size_t(0)); })
+        for (std::size_t k = 0; k < count; ++k)
+            x[used[k]] = T::variable(dimensions[used[k]], k);
+    return x;
+}
+
+template <std::size_t N>
+constexpr std::array<std::size_t, N> first_indices() {
+    std::array<std::size_t, N> all{};
+    for (std::size_t i = 0; i < N; ++i)
+        all[i] = i;
+    return all;
+}
+
+/// The same with every one of them a variable.
 template <class T, std::size_t N>
 std::array<T, N> seeded(std::span<const double> dimensions) {
-    std::array<T, N> x;
-    for (std::size_t i = 0; i < N; ++i) {
-        if constexpr (requires { T::variable(0.0, i); })
-            x[i] = T::variable(dimensions[i], i);
-        else
-            x[i] = T(dimensions[i]);
-    }
-    return x;
+    return seeded<T, N>(dimensions, first_indices<N>());
+}
+
+/// The indices of the dimensions that a formula depends on: `uses`, in increasing order, where it says so, else all
+/// that it reads.
+template <class Formula>
+constexpr auto used_by() {
+    if constexpr (requires { Formula::uses; })
+        return Formula::uses;
+    else
+        return first_indices<Formula::reads>();
 }
 
 /// The value of f(x, z) at a z where f is stationary in it, as a function of x: up to first derivatives that z is a
@@ -34,16 +58,16 @@ T at_stationary(const std::array<T, N>& x, double z, const Function& f) {
     return f(x, T(z));
 }
 
-template <std::size_t N, class Function>
-SecondDual<double, N> at_stationary(const std::array<SecondDual<double, N>, N>& x, double z, const Function& f) {
-    using Wide = SecondDual<double, N + 1>;
+template <std::size_t M, std::size_t N, class Function>
+SecondDual<double, M> at_stationary(const std::array<SecondDual<double, M>, N>& x, double z, const Function& f) {
+    using Wide = SecondDual<double, M + 1>;
     std::array<Wide, N> wide;
     for (std::size_t i = 0; i < N; ++i) {
         wide[i] = Wide(x[i].value);
         std::copy(x[i].first.begin(), x[i].first.end(), wide[i].first.begin());
         std::copy(x[i].second.begin(), x[i].second.end(), wide[i].second.begin());
     }
-    return stationary_value(f(wide, Wide::variable(z, N)));
+    return stationary_value(f(wide, Wide::variable(z, M)));
 }
 
 /// Where a formula writes the components of its quantity: room for `Formula::most` of them.
@@ -51,29 +75,41 @@ template <class T>
 using Components = std::span<T>;
 
 /// The measure of a formula with `static constexpr std::size_t reads`, `static constexpr std::size_t most` and
-/// `template <class T> static std::size_t components(const Motion&, const std::array<T, reads>&, Components<T> out)`.
+/// `template <class T> static std::size_t components(const Motion&, const std::array<T, reads>&, Components<T> out)`;
+/// where it depends on few of the dimensions it reads, `static constexpr std::array<std::size_t, ...> uses` names them.
 template <class Formula>
 void measure_by(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
     constexpr std::size_t n = Formula::reads;
     constexpr std::size_t pairs = n * (n + 1) / 2;
+    constexpr auto used = used_by<Formula>();
     static_assert(Formula::most <= Quantity::most_components);
     const auto evaluate = [&]<class T>(std::array<T, Formula::most>& at) {
-        return Formula::template components<T>(motion, seeded<T, n>(dimensions), at);
+        return Formula::template components<T>(motion, seeded<T, n>(dimensions, used), at);
+    };
+    const auto set_gradient = [&](std::size_t k, const std::array<double, used.size()>& partial) {
+        const auto gradient = out.gradient.subspan(k * n, n);
+        if (used.size() < n) std::fill(gradient.begin(), gradient.end(), 0.0);
+        for (std::size_t i = 0; i < used.size(); ++i)
+            gradient[used[i]] = partial[i];
     };
     if (!out.hessian.empty()) {
-        std::array<SecondDual<double, n>, Formula::most> c;
+        std::array<SecondDual<double, used.size()>, Formula::most> c;
         const std::size_t count = evaluate(c);
         for (std::size_t k = 0; k < count; ++k) {
             out.value[k] = c[k].value;
-            if (!out.gradient.empty()) std::copy_n(c[k].first.begin(), n, out.gradient.begin() + k * n);
-            std::copy_n(c[k].second.begin(), pairs, out.hessian.begin() + k * pairs);
+            if (!out.gradient.empty()) set_gradient(k, c[k].first);
+            const auto hessian = out.hessian.subspan(k * pairs, pairs);
+            if (used.size() < n) std::fill(hessian.begin(), hessian.end(), 0.0);
+            for (std::size_t i = 0, at = 0; i < used.size(); ++i)
+                for (std::size_t j = 0; j <= i; ++j, ++at)
+                    hessian[used[i] * (used[i] + 1) / 2 + used[j]] = c[k].second[at];
         }
     } else if (!out.gradient.empty()) {
-        std::array<Dual<double, n>, Formula::most> c;
+        std::array<Dual<double, used.size()>, Formula::most> c;
         const std::size_t count = evaluate(c);
         for (std::size_t k = 0; k < count; ++k) {
             out.value[k] = c[k].value;
-            std::copy_n(c[k].partial.begin(), n, out.gradient.begin() + k * n);
+            set_gradient(k, c[k].partial);
         }
     } else {
         std::array<double, Formula::most> c;

@@ -16,15 +16,14 @@ using Eigen::VectorXd;
 
 constexpr std::size_t most_reads = 64;  ///< dimensions a quantity can depend on
 constexpr std::size_t most_pairs = most_reads * (most_reads + 1) / 2;
-void evaluate_block(const Program& program, const QuantityBlock& block, std::span<const double> dimensions,
-                    bool derivatives, Outputs& out) {
+void evaluate_block(const Program& program, const QuantityBlock& block, bool derivatives, Outputs& out) {
     const std::size_t reads = block.quantity->reads;
     assert(reads <= most_reads);
     std::array<double, Quantity::most_components> value;
     std::array<double, Quantity::most_components * most_reads> gradient;
     Measurement measurement{value, {}, {}};
     if (derivatives) measurement.gradient = gradient;
-    block.quantity->measure(block.motion, dimensions, measurement);
+    block.quantity->measure(block.motion, out.dimensions, measurement);
     for (std::size_t k = 0; k < block.count; ++k) {
         const auto row = static_cast<Index>(block.first + k);
         out.value[row] = value[k];
@@ -36,13 +35,13 @@ void evaluate_block(const Program& program, const QuantityBlock& block, std::spa
 }
 
 void evaluate_outputs(const Program& program, const VectorXd& x, bool derivatives, Outputs& out) {
-    const std::vector<double> dimensions = dimensions_at(program, x);
+    set_dimensions(program, x, out.dimensions);
     out.assembled = true;
     out.value.setZero(static_cast<Index>(program.outputs));
     if (derivatives) out.jacobian.setZero(static_cast<Index>(program.outputs), static_cast<Index>(program.size()));
     for (const QuantityBlock& block : program.blocks)
-        evaluate_block(program, block, dimensions, derivatives, out);
-    if (program.path) evaluate_path(program, dimensions, x, derivatives, out);
+        evaluate_block(program, block, derivatives, out);
+    if (program.path) evaluate_path(program, x, derivatives, out);
 }
 
 double value_of(const LinearForm& form, const VectorXd& outputs, const VectorXd& x) {
@@ -76,7 +75,7 @@ bool is_dimension(const Program& program, std::size_t variable) {
 }  // namespace
 
 void evaluate(const Program& program, const VectorXd& x, bool derivatives, ProgramValues& out) {
-    Outputs outputs;
+    Outputs& outputs = out.outputs;
     evaluate_outputs(program, x, derivatives, outputs);
     const auto n = static_cast<Index>(program.size());
     const auto m = static_cast<Index>(program.rows.size());
@@ -106,16 +105,15 @@ void evaluate(const Program& program, const VectorXd& x, bool derivatives, Progr
 namespace {
 
 /// The second derivatives of weighted outputs of one block, added to the full matrix.
-void add_block_hessian(const Program& program, const QuantityBlock& block, std::span<const double> dimensions,
-                       const VectorXd& weights, MatrixXd& hessian) {
+void add_block_hessian(const Program& program, const QuantityBlock& block, LagrangianHessian& out) {
     const std::size_t reads = block.quantity->reads;
     const std::size_t pairs = reads * (reads + 1) / 2;
     std::array<double, Quantity::most_components> value;
     std::array<double, Quantity::most_components * most_reads> gradient;
     std::array<double, Quantity::most_components * most_pairs> second;
-    block.quantity->measure(block.motion, dimensions, {value, gradient, second});
+    block.quantity->measure(block.motion, out.dimensions, {value, gradient, second});
     for (std::size_t k = 0; k < block.count; ++k) {
-        const double w = weights[static_cast<Index>(block.first + k)];
+        const double w = out.weights[static_cast<Index>(block.first + k)];
         if (w == 0) continue;
         for (std::size_t i = 0, at = k * pairs; i < reads; ++i)
             for (std::size_t j = 0; j <= i; ++j, ++at) {
@@ -123,16 +121,18 @@ void add_block_hessian(const Program& program, const QuantityBlock& block, std::
                 const std::ptrdiff_t b = program.variable_of[j];
                 if (a < 0 || b < 0) continue;
                 const double part = w * program.times[i] * program.times[j] * second[at];
-                hessian(a, b) += part;
-                if (i != j) hessian(b, a) += part;
+                out.value(a, b) += part;
+                if (i != j) out.value(b, a) += part;
             }
     }
 }
 
 }  // namespace
 
-MatrixXd lagrangian_hessian(const Program& program, const VectorXd& x, double weight, const VectorXd& multipliers) {
-    VectorXd on_output = VectorXd::Zero(static_cast<Index>(program.outputs));
+void lagrangian_hessian(const Program& program, const VectorXd& x, double weight, const VectorXd& multipliers,
+                        LagrangianHessian& out) {
+    VectorXd& on_output = out.weights;
+    on_output.setZero(static_cast<Index>(program.outputs));
     const auto add = [&](const LinearForm& form, double factor) {
         for (const LinearTerm& t : form.outputs)
             on_output[static_cast<Index>(t.index)] += factor * t.factor;
@@ -142,19 +142,18 @@ MatrixXd lagrangian_hessian(const Program& program, const VectorXd& x, double we
         add(program.rows[r].form, multipliers[static_cast<Index>(r)]);
 
     const auto n = static_cast<Index>(program.size());
-    MatrixXd hessian = MatrixXd::Zero(n, n);
-    const std::vector<double> dimensions = dimensions_at(program, x);
+    out.value.setZero(n, n);
+    set_dimensions(program, x, out.dimensions);
     for (const QuantityBlock& block : program.blocks) {
         const auto part = on_output.segment(static_cast<Index>(block.first), static_cast<Index>(block.count));
-        if ((part.array() != 0).any()) add_block_hessian(program, block, dimensions, on_output, hessian);
+        if ((part.array() != 0).any()) add_block_hessian(program, block, out);
     }
-    if (program.path) add_path_hessian(program, dimensions, x, on_output, hessian);
+    if (program.path) add_path_hessian(program, x, out);
     if (program.closest_to_reference)
         for (std::size_t i = 0; i < program.size(); ++i)
             if (is_dimension(program, i))
-                hessian(static_cast<Index>(i), static_cast<Index>(i)) +=
+                out.value(static_cast<Index>(i), static_cast<Index>(i)) +=
                     2 * weight * reference_weight(program.variables[i]);
-    return hessian;
 }
 
 double violation(const Program& program, const VectorXd& x, const ProgramValues& values) {

@@ -108,10 +108,15 @@ double weight_sum(const Program& program) {
 
 }  // namespace
 
-std::vector<double> dimensions_at(const Program& program, const VectorXd& x) {
-    std::vector<double> dimensions = program.dimensions;
+void set_dimensions(const Program& program, const VectorXd& x, std::vector<double>& dimensions) {
+    dimensions = program.dimensions;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
         if (program.variable_of[i] >= 0) dimensions[i] = program.times[i] * x[program.variable_of[i]];
+}
+
+std::vector<double> dimensions_at(const Program& program, const VectorXd& x) {
+    std::vector<double> dimensions;
+    set_dimensions(program, x, dimensions);
     return dimensions;
 }
 
@@ -124,16 +129,15 @@ PathAngle path_angle(const Program& program, std::span<const double> dimensions,
     return {dimensions[start] + program.problem->path->crank_angles[point], program.variable_of[start]};
 }
 
-void evaluate_path(const Program& program, std::span<const double> dimensions, const VectorXd& x, bool derivatives,
-                   Outputs& out) {
+void evaluate_path(const Program& program, const VectorXd& x, bool derivatives, Outputs& out) {
     const PathBlock& path = *program.path;
     const PathTarget& target = *program.problem->path;
     PointTerms t;
     double sum = 0;
-    VectorXd sum_gradient;
-    if (derivatives) sum_gradient = VectorXd::Zero(static_cast<Index>(program.size()));
+    VectorXd& sum_gradient = out.path_gradient;
+    if (derivatives) sum_gradient.setZero(static_cast<Index>(program.size()));
     for (std::size_t i = 0; i < program.targets.size(); ++i) {
-        evaluate_point(program, dimensions, x, i, derivatives ? 1 : 0, t);
+        evaluate_point(program, out.dimensions, x, i, derivatives ? 1 : 0, t);
         if (!(t.margin >= 0)) {
             out.assembled = false;
             return;
@@ -167,12 +171,11 @@ void evaluate_path(const Program& program, std::span<const double> dimensions, c
     }
 }
 
-void add_path_hessian(const Program& program, std::span<const double> dimensions, const VectorXd& x,
-                      const VectorXd& weights, MatrixXd& hessian) {
+void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessian& out) {
     const PathBlock& path = *program.path;
     const PathTarget& target = *program.problem->path;
     const auto weight_at = [&](const std::optional<std::size_t>& output, std::size_t offset) {
-        return output ? weights[static_cast<Index>(*output + offset)] : 0.0;
+        return output ? out.weights[static_cast<Index>(*output + offset)] : 0.0;
     };
     const double on_sum = weight_at(path.sum, 0);
     const double on_rms = weight_at(path.rms, 0);
@@ -181,18 +184,20 @@ void add_path_hessian(const Program& program, std::span<const double> dimensions
     double rms = 0;
     if (on_rms != 0) {
         for (std::size_t i = 0; i < program.targets.size(); ++i) {
-            evaluate_point(program, dimensions, x, i, 0, t);
+            evaluate_point(program, out.dimensions, x, i, 0, t);
             rms += target.weights[i] * t.square;
         }
         rms = std::sqrt(rms / total);
     }
-    VectorXd sum_gradient = VectorXd::Zero(static_cast<Index>(program.size()));
+    MatrixXd& hessian = out.value;
+    VectorXd& sum_gradient = out.path_gradient;
+    sum_gradient.setZero(static_cast<Index>(program.size()));
     for (std::size_t i = 0; i < program.targets.size(); ++i) {
         const double w = target.weights[i];
         const double on_square = weight_at(path.squares, i);
         const double on_distance = weight_at(path.distances, i);
         if (on_sum == 0 && on_rms == 0 && on_square == 0 && on_distance == 0) continue;
-        evaluate_point(program, dimensions, x, i, 2, t);
+        evaluate_point(program, out.dimensions, x, i, 2, t);
         const double distance = std::sqrt(t.square);
         const double on_q = on_sum * w + on_square + (rms > 0 ? on_rms * w / (2 * total * rms) : 0) +
                             (distance > 0 ? on_distance / (2 * distance) : 0);
@@ -215,11 +220,13 @@ void add_path_hessian(const Program& program, std::span<const double> dimensions
                 if (k != l) hessian(b, a) += h;
             }
     }
-    if (rms > 0) hessian -= on_rms / (4 * total * total * rms * rms * rms) * sum_gradient * sum_gradient.transpose();
+    if (rms > 0)
+        hessian.noalias() -=
+            (on_rms / (4 * total * total * rms * rms * rms) * sum_gradient).lazyProduct(sum_gradient.transpose());
 }
 
 bool path_residuals(const Program& program, const VectorXd& x, bool derivatives, PathResiduals& out) {
-    const std::vector<double> dimensions = dimensions_at(program, x);
+    set_dimensions(program, x, out.dimensions);
     const std::size_t each = residuals_per_point(program);
     const auto rows = static_cast<Index>(each * program.targets.size());
     const auto columns = static_cast<Index>(program.dimension_variables);
@@ -230,7 +237,7 @@ bool path_residuals(const Program& program, const VectorXd& x, bool derivatives,
     }
     PointTerms t;
     for (std::size_t i = 0; i < program.targets.size(); ++i) {
-        evaluate_point(program, dimensions, x, i, derivatives ? 1 : 0, t);
+        evaluate_point(program, out.dimensions, x, i, derivatives ? 1 : 0, t);
         if (!(t.margin >= 0)) return false;
         const double w = std::sqrt(program.problem->path->weights[i]);
         for (std::size_t c = 0; c < each; ++c) {

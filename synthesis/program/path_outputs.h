@@ -10,14 +10,8 @@
 
 namespace mechwright {
 
-/// All outputs at a point.
-struct Outputs {
-    bool assembled = true;
-    Eigen::VectorXd value;
-    Eigen::MatrixXd jacobian;  ///< [output][variable]; empty unless asked for
-};
-
 /// The dimensions of the program at x, those that are variables taken from there.
+void set_dimensions(const Program& program, const Eigen::VectorXd& x, std::vector<double>& dimensions);
 std::vector<double> dimensions_at(const Program& program, const Eigen::VectorXd& x);
 
 /// The crank angle at a point of the path, and the variable it depends on (-1: none).
@@ -30,13 +24,11 @@ PathAngle path_angle(const Program& program, std::span<const double> dimensions,
                      std::size_t point);
 
 /// Writes the outputs of the path, which have their places already.
-void evaluate_path(const Program& program, std::span<const double> dimensions, const Eigen::VectorXd& x,
-                   bool derivatives, Outputs& out);
+void evaluate_path(const Program& program, const Eigen::VectorXd& x, bool derivatives, Outputs& out);
 
-/// Adds the second derivatives of the path's outputs, weighted, to the full matrix. With q the squared distance of a
-/// point, a sum takes q, the root of the mean q / (2 W rms) less the square of its gradient, a distance q / (2 d) less
-/// the square of its gradient.
-void add_path_hessian(const Program& program, std::span<const double> dimensions, const Eigen::VectorXd& x,
-                      const Eigen::VectorXd& weights, Eigen::MatrixXd& hessian);
+/// Adds the second derivatives of the path's outputs, by the weights and dimensions of `out`, to its value. With q the
+/// squared distance of a point, a sum takes q, the root of the mean q / (2 W rms) less the square of its gradient, a
+/// distance q / (2 d) less the square of its gradient.
+void add_path_hessian(const Program& program, const Eigen::VectorXd& x, LagrangianHessian& out);
 
 }  // namespace mechwright

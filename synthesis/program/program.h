@@ -111,6 +111,16 @@ Program relaxed(Program program);
 /// that is small against what the program was scaled for.
 Program magnified(Program program, double size);
 
+/// The outputs at a point, and what they are computed from. Kept with the values, so that the next evaluation of the
+/// same program finds its memory and allocates none.
+struct Outputs {
+    bool assembled = true;
+    std::vector<double> dimensions;  ///< those that are variables taken from the point
+    Eigen::VectorXd value;
+    Eigen::MatrixXd jacobian;       ///< [output][variable]; only where asked for
+    Eigen::VectorXd path_gradient;  ///< of the weighted sum of squared distances; only where asked for
+};
+
 /// Objective and rows at a point.
 struct ProgramValues {
     bool assembled = false;  ///< false: the mechanism does not close where it is needed; nothing else is then valid
@@ -118,10 +128,11 @@ struct ProgramValues {
     Eigen::VectorXd rows;
     Eigen::VectorXd gradient;  ///< of the objective; only where asked for
     Eigen::MatrixXd jacobian;  ///< [row][variable]; only where asked for
+    Outputs outputs;           ///< what objective and rows are linear in
 };
 
-/// Evaluates the program at x. Derivatives cost several times the values and are computed only if asked for; values are
-/// the same bits either way.
+/// Evaluates the program at x. Derivatives cost a few times the values and are computed only if asked for; values are
+/// the same bits either way. Where `out` has held values of the same program before, nothing is allocated.
 void evaluate(const Program& program, const Eigen::VectorXd& x, bool derivatives, ProgramValues& out);
 
 /// How many residuals a point of the path has: two, the weighted miss in x and y; for a guided body four, those of the
@@ -131,17 +142,27 @@ std::size_t residuals_per_point(const Program& program);
 /// The path as a least-squares problem. The residuals of a point follow each other; they depend on the dimensions,
 /// which are the first variables of the program, and in an untimed path on the point's own crank angle.
 struct PathResiduals {
-    Eigen::VectorXd value;     ///< [residual]
-    Eigen::MatrixXd jacobian;  ///< [residual][dimension variable]
-    Eigen::VectorXd by_angle;  ///< derivative by the point's own crank angle; only in an untimed path
+    Eigen::VectorXd value;           ///< [residual]
+    Eigen::MatrixXd jacobian;        ///< [residual][dimension variable]
+    Eigen::VectorXd by_angle;        ///< derivative by the point's own crank angle; only in an untimed path
+    std::vector<double> dimensions;  ///< what they are computed from
 };
 
-/// The residuals at x; derivatives only where asked for. False where the mechanism does not assemble.
+/// The residuals at x; derivatives only where asked for. False where the mechanism does not assemble. Allocates as
+/// `evaluate` does.
 bool path_residuals(const Program& program, const Eigen::VectorXd& x, bool derivatives, PathResiduals& out);
 
-/// The Hessian of weight f(x) + sum multipliers[i] c_i(x), full symmetric.
-Eigen::MatrixXd lagrangian_hessian(const Program& program, const Eigen::VectorXd& x, double weight,
-                                   const Eigen::VectorXd& multipliers);
+/// A Hessian, and what it is computed from.
+struct LagrangianHessian {
+    Eigen::MatrixXd value;  ///< [variable][variable], full symmetric
+    std::vector<double> dimensions;
+    Eigen::VectorXd weights;        ///< [output]
+    Eigen::VectorXd path_gradient;  ///< of the weighted sum of squared distances
+};
+
+/// The Hessian of weight f(x) + sum multipliers[i] c_i(x). Allocates as `evaluate` does.
+void lagrangian_hessian(const Program& program, const Eigen::VectorXd& x, double weight,
+                        const Eigen::VectorXd& multipliers, LagrangianHessian& out);
 
 /// The greatest violation of rows and bounds; infinite where the mechanism does not assemble.
 double violation(const Program& program, const Eigen::VectorXd& x, const ProgramValues& values);

@@ -52,8 +52,7 @@ double linear_violation(const Program& program, const VectorXd& x) {
 }
 
 /// What screening ranks candidates by; both parts are of order one.
-double merit(const Program& program, const VectorXd& x) {
-    ProgramValues values;
+double merit(const Program& program, const VectorXd& x, ProgramValues& values) {
     evaluate(program, x, false, values);
     if (!values.assembled) return unlimited;
     const double worst = violation(program, x, values);
@@ -200,12 +199,13 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
     VectorXd best = VectorXd::Zero(n);
     double least = unlimited;
     bool found = false;
+    ProgramValues values;
     const auto consider = [&](VectorXd x) {
         if (program.path) fit_placement(program, x);
         if (program.problem->function) fit_function(program, x);
         if (program.problem->followed) fit_followed(program, x);
         settle_epigraphs(program, x);
-        const double m = merit(program, x);
+        const double m = merit(program, x, values);
         if (found && !(m < least)) return;
         best = std::move(x);
         least = m;

@@ -52,7 +52,9 @@ inline void expect_exact_derivatives(const Problem& problem) {
         const auto n = static_cast<Eigen::Index>(program.size());
         const Eigen::VectorXd multipliers =
             Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(program.rows.size()), -1.0, 1.3);
-        const Eigen::MatrixXd hessian = lagrangian_hessian(program, x, 0.7, multipliers);
+        LagrangianHessian second;
+        lagrangian_hessian(program, x, 0.7, multipliers, second);
+        const Eigen::MatrixXd& hessian = second.value;
         const double slope = 1 + at.gradient.cwiseAbs().maxCoeff();
         const double curvature = 1 + hessian.cwiseAbs().maxCoeff();
         for (Eigen::Index i = 0; i < n; ++i) {

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "synthesis/mechanism/cam/places.h"
 #include "synthesis/mechanism/measured.h"
@@ -25,24 +24,35 @@ struct Share {
     double factor;
 };
 
-/// Which dimensions the local parameters of a segment come from.
+/// The local parameters of a segment with the dimensions that they come from.
+class Shares {
+public:
+    void add(const Share& share) { all_[count_++] = share; }
+    const Share* begin() const { return all_.data(); }
+    const Share* end() const { return all_.data() + count_; }
+
+private:
+    std::array<Share, local_count + MotionProgram::most_segments> all_;
+    std::size_t count_ = 0;
+};
+
 template <template <class> class Follower>
-std::vector<Share> shares_of(const MotionProgram& program, std::size_t index) {
+Shares shares_of(const MotionProgram& program, std::size_t index) {
     constexpr ProgramSlots at = slots<Follower>;
-    std::vector<Share> shares;
+    Shares shares;
     for (std::size_t i = 0; i < Layout<Follower>::geometry; ++i)
-        shares.push_back({i, i, 1});
+        shares.add({i, i, 1});
     constexpr std::size_t start_lift = most_geometry, lift = start_lift + 1, angle = lift + 1, ends = angle + 1;
     for (std::size_t i = 0; i < index; ++i)
         if (const int sign = lift_sign(program.segments[i].kind); sign != 0)
-            shares.push_back({start_lift, at.lift(i), static_cast<double>(sign)});
-    shares.push_back({lift, at.lift(index), 1});
-    shares.push_back({angle, at.angle(index), 1});
+            shares.add({start_lift, at.lift(i), static_cast<double>(sign)});
+    shares.add({lift, at.lift(index), 1});
+    shares.add({angle, at.angle(index), 1});
     const SegmentPlan& plan = program.segments[index];
     std::size_t c = plan.first_coefficient;
     const auto add = [&](std::size_t first, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i)
-            shares.push_back({first + i, at.coefficient(c++), 1});
+            shares.add({first + i, at.coefficient(c++), 1});
     };
     add(ends, plan.start_count);
     add(ends + MotionProgram::most_ends, plan.end_count);
@@ -78,8 +88,7 @@ Local<Follower, T> local_of(const Motion& motion, std::size_t index, const std::
 }
 
 /// The values of the local parameters.
-template <template <class> class Follower>
-std::array<double, local_count> local_values(const std::vector<Share>& shares, std::span<const double> dimensions) {
+inline std::array<double, local_count> local_values(const Shares& shares, std::span<const double> dimensions) {
     std::array<double, local_count> x{};
     for (const Share& share : shares)
         x[share.local] += share.factor * dimensions[share.dimension];
@@ -99,7 +108,7 @@ void add_term(const Motion& motion, std::span<const double> dimensions, const Te
               std::size_t component, const Measurement& out) {
     const Place& place = term.place;
     const auto shares = shares_of<Follower>(*motion.program, place.segment);
-    const auto plain = local_values<Follower>(shares, dimensions);
+    const auto plain = local_values(shares, dimensions);
     const auto at = [&]<class T>(const std::array<T, local_count>& x, const T& u) {
         const auto local = local_of<Follower, T>(motion, place.segment, x);
         const auto lift = lift_at(local.segment, place.piece, u, local.start_lift);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "synthesis/mechanism/cam/formulas.h"
 
@@ -131,20 +130,27 @@ struct FaceLength {
 
 private:
     /// One place in each segment, the farthest first.
-    static std::vector<Place> ends(const Motion& motion, std::span<const double> dimensions, double sign) {
-        std::vector<std::pair<double, Place>> all;
-        for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+    static std::array<Place, most> ends(const Motion& motion, std::span<const double> dimensions, double sign) {
+        struct Found {
+            Place place;
+            double along;
+        };
+        std::array<Found, MotionProgram::most_segments> all;
+        const std::size_t count = motion.program->segments.size();
+        for (std::size_t i = 0; i < count; ++i) {
             const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
             const auto along = [&]<class T>(const Lift<T>& lift) {
                 return T(sign) * ContactAlongFace::value(follower_of<Follower, T>(dimensions, motion.assembly), lift);
             };
             const Place place = greatest_places<1>(placed.segment, i, placed.start_lift, along)[0];
-            all.emplace_back(along(lift_at(placed.segment, place.piece, place.u, placed.start_lift)), place);
+            all[i] = {place, along(lift_at(placed.segment, place.piece, place.u, placed.start_lift))};
         }
-        std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-        std::vector<Place> places;
-        for (const auto& [value, place] : all)
-            places.push_back(place);
+        std::sort(all.begin(), all.begin() + count, [](const Found& a, const Found& b) {
+            return a.along != b.along ? a.along > b.along : a.place.segment < b.place.segment;
+        });
+        std::array<Place, most> places{};
+        for (std::size_t i = 0; i < std::min(most, count); ++i)
+            places[i] = all[i].place;
         return places;
     }
 };
@@ -192,14 +198,11 @@ void measure_contour(const Motion& motion, std::span<const double> dimensions, c
     add_term<Follower>(motion, dimensions, {{0, 0, 0, false}, 1}, value, 0, out);
 }
 
-/// The sum of some dimensions, each with a factor of its own.
-inline void measure_linear(std::span<const double> dimensions, std::span<const std::pair<std::size_t, double>> terms,
-                           std::size_t count, const Measurement& out) {
-    clear(out, 1, count);
-    for (const auto& [index, factor] : terms) {
-        out.value[0] += factor * dimensions[index];
-        if (!out.gradient.empty()) out.gradient[index] += factor;
-    }
+/// Adds a dimension, times a factor, to a component that is a sum of such.
+inline void add_dimension(std::size_t index, double factor, std::span<const double> dimensions,
+                          const Measurement& out) {
+    out.value[0] += factor * dimensions[index];
+    if (!out.gradient.empty()) out.gradient[index] += factor;
 }
 
 inline std::size_t one_component(const Motion&) { return 1; }
@@ -207,27 +210,25 @@ inline std::size_t one_component(const Motion&) { return 1; }
 /// A dimension as a quantity of its own.
 template <template <class> class Follower, std::size_t index>
 void measure_dimension(const Motion&, std::span<const double> dimensions, const Measurement& out) {
-    const std::pair<std::size_t, double> term{index, 1};
-    measure_linear(dimensions, {&term, 1}, dimension_count<Follower>, out);
+    clear(out, 1, dimension_count<Follower>);
+    add_dimension(index, 1, dimensions, out);
 }
 
 /// All segment angles together.
 template <template <class> class Follower>
 void measure_turn(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
-    std::vector<std::pair<std::size_t, double>> terms;
+    clear(out, 1, dimension_count<Follower>);
     for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
-        terms.emplace_back(slots<Follower>.angle(i), 1);
-    measure_linear(dimensions, terms, dimension_count<Follower>, out);
+        add_dimension(slots<Follower>.angle(i), 1, dimensions, out);
 }
 
 /// All rises less all returns.
 template <template <class> class Follower>
 void measure_lift_balance(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
-    std::vector<std::pair<std::size_t, double>> terms;
+    clear(out, 1, dimension_count<Follower>);
     for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
         if (const int sign = lift_sign(motion.program->segments[i].kind); sign != 0)
-            terms.emplace_back(slots<Follower>.lift(i), sign);
-    measure_linear(dimensions, terms, dimension_count<Follower>, out);
+            add_dimension(slots<Follower>.lift(i), sign, dimensions, out);
 }
 
 /// What must be >= 0 for a cam to exist: the follower is held, and the cam is not undercut. Both as lengths.

@@ -2,12 +2,15 @@
 /// \file
 /// The coupler point of the four-bar as a path-guiding point (guided_point.h).
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/four_bar.h"
 #include "synthesis/mechanism/guided_point.h"
 
 namespace mechwright::four_bar {
+
+inline Assembly assembly_of(std::size_t assembly) { return assembly == 0 ? Assembly::open : Assembly::crossed; }
 
 struct CouplerPath {
     static constexpr std::size_t reads = 9;
@@ -17,7 +20,7 @@ struct CouplerPath {
     static MissAndMargin<T> miss(std::size_t assembly, const std::array<T, reads + 1>& x,
                                  const Vector<double>& target) {
         const FourBar<T> links{x[0], x[1], x[2], x[3]};
-        const auto p = pose(links, x[9], assembly == 0 ? Assembly::open : Assembly::crossed);
+        const auto p = pose(links, x[9], assembly_of(assembly));
         const Vector<T> local = position(links, CouplerPoint<T>{x[4], x[5]}, p);
         const Placement<T> placement{{x[6], x[7]}, x[8]};
         return {mechwright::miss(local, placement, Vector<T>{T(target.x), T(target.y)}),
@@ -30,24 +33,10 @@ struct CouplerPath {
                                   const Vector<double>& target, PathMiss& out) {
         const FourBar<double> links{x[0], x[1], x[2], x[3]};
         const CouplerPoint<double> point{x[4], x[5]};
-        const auto p = pose(links, x[9], assembly == 0 ? Assembly::open : Assembly::crossed);
+        const auto p = pose(links, x[9], assembly_of(assembly));
         if (p.transmission_sine == 0) return false;
-        const Vector<double> local = position(links, point, p);
-        const Vector<double> axis{std::cos(x[8]), std::sin(x[8])};
-        const Vector<double> reached = turned(local, axis);
-        out.miss = (target - Vector<double>{x[6], x[7]}) - reached;
         out.margin = std::min(p.margins.stretch, p.margins.fold);
-        const auto gradient = position_gradient(links, point, p);
-        const auto set = [&](std::size_t argument, const Vector<double>& of_point) {
-            out.gradient_x[argument] = -of_point.x;
-            out.gradient_y[argument] = -of_point.y;
-        };
-        for (std::size_t i = 0; i < 6; ++i)
-            set(i, turned(gradient[i], axis));
-        set(6, {1, 0});
-        set(7, {0, 1});
-        set(8, left_of(reached));
-        set(9, turned(gradient[6], axis));
+        place_with_gradient(position(links, point, p), position_gradient(links, point, p), x, 9, target, out);
         return true;
     }
 };
@@ -62,7 +51,7 @@ struct CouplerPose {
                                      const Vector<double>& target, const Vector<double>& facing) {
         using std::cos, std::sin;
         const FourBar<T> links{x[0], x[1], x[2], x[3]};
-        const auto p = pose(links, x[15], assembly == 0 ? Assembly::open : Assembly::crossed);
+        const auto p = pose(links, x[15], assembly_of(assembly));
         const Vector<T> local = position(links, CouplerPoint<T>{x[4], x[5]}, p);
         const Placement<T> placement{{x[6], x[7]}, x[8]};
         const T turn = x[8] + x[14];
@@ -70,6 +59,24 @@ struct CouplerPose {
         return {{mechwright::miss(local, placement, Vector<T>{T(target.x), T(target.y)}),
                  std::min(value_of(p.margins.stretch), value_of(p.margins.fold))},
                 Vector<T>{T(facing.x), T(facing.y)} - faces};
+    }
+
+    /// The same with first derivatives; not at a toggle, where it returns false.
+    static bool miss_and_gradient(std::size_t assembly, const std::array<double, reads + 1>& x,
+                                  const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) {
+        const FourBar<double> links{x[0], x[1], x[2], x[3]};
+        const CouplerPoint<double> point{x[4], x[5]};
+        const auto p = pose(links, x[15], assembly_of(assembly));
+        if (p.transmission_sine == 0) return false;
+        out.place.margin = out.turn.margin = std::min(p.margins.stretch, p.margins.fold);
+        std::fill(out.place.gradient_x.begin() + 9, out.place.gradient_x.begin() + 15, 0.0);
+        std::fill(out.place.gradient_y.begin() + 9, out.place.gradient_y.begin() + 15, 0.0);
+        place_with_gradient(position(links, point, p), position_gradient(links, point, p), x, 15, target, out.place);
+        const double turn = x[8] + x[14];
+        const Vector<double> faces = turned(p.coupler, Vector<double>{std::cos(turn), std::sin(turn)});
+        const LinkTurn<double> coupler = coupler_turn(links, p);
+        face_with_gradient(faces, coupler.links, coupler.crank_angle, {8, 14}, 15, facing, out.turn);
+        return true;
     }
 };
 

@@ -184,8 +184,10 @@ struct VelocityRatioExtreme {
             found[i].value =
                 std::copysign(std::numeric_limits<double>::infinity(), velocity_ratio(plain, inside, assembly));
         }
-        std::stable_sort(found.begin(), found.begin() + extremes.count,
-                         [](const Found& a, const Found& b) { return sense * a.value > sense * b.value; });
+        // The worst first, of equals the one that comes first. A stable sort of the library would allocate.
+        std::sort(found.begin(), found.begin() + extremes.count, [](const Found& a, const Found& b) {
+            return a.value != b.value ? sense * a.value > sense * b.value : a.angle < b.angle;
+        });
         const std::size_t count = places(motion);
         for (std::size_t k = 0; k < count; ++k) {
             if (extremes.count == 0) {  // no stationary point: a parallelogram, whose ratio is constant

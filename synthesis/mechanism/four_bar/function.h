@@ -24,6 +24,7 @@ enum ScaleIndex : std::size_t { input_start = 10, input_range, output_start, out
 /// The generator of function_formulas.h: the rocker angle less the angle that the function asks for, in (-pi, pi].
 struct RockerAngle {
     static constexpr std::size_t reads = function_reads;
+    static constexpr std::array<std::size_t, 8> uses{0, 1, 2, 3, input_start, input_range, output_start, output_range};
     template <class T>
     static T error(const std::array<T, reads>& x, std::size_t assembly, const T& share, const T& part) {
         using std::atan2, std::cos, std::sin;
@@ -34,6 +35,9 @@ struct RockerAngle {
         return atan2(cross(direction, p.rocker), dot(direction, p.rocker));
     }
 };
+
+/// The links and the input range.
+inline constexpr std::array<std::size_t, 6> used_over_input{0, 1, 2, 3, input_start, input_range};
 
 /// The half crank angles at which margins and transmission angle can be extreme: both ends of the input range, and
 /// where the crank passes the ground line.
@@ -48,6 +52,7 @@ std::array<HalfTurn<T>, 4> input_places(const std::array<T, function_reads>& x) 
 /// What must be >= 0 for the linkage to assemble over the whole input range.
 struct InputMargin {
     static constexpr std::size_t reads = function_reads;
+    static constexpr auto uses = used_over_input;
     static constexpr std::size_t most = 8;
     template <class T>
     static std::size_t components(const Motion&, const std::array<T, reads>& x, Components<T> out) {
@@ -64,6 +69,7 @@ struct InputMargin {
 /// The transmission angles of InputTransmission.
 struct RockerTransmission {
     static constexpr std::size_t reads = function_reads;
+    static constexpr auto uses = used_over_input;
     template <class T>
     static std::array<T, 4> angles(std::size_t, const std::array<T, reads>& x) {
         const auto at = input_places(x);

@@ -17,6 +17,7 @@ inline constexpr std::size_t crank_start = 9;
 template <OfLink link, Rate rate>
 struct InstantRate {
     static constexpr std::size_t reads = crank_start + 1;
+    static constexpr std::array<std::size_t, 5> uses{0, 1, 2, 3, crank_start};
     static constexpr std::size_t most = 1;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {

@@ -23,6 +23,7 @@ enum ScaleIndex : std::size_t { input_start = 10, input_range, output_start, out
 /// The generator of function_formulas.h: the position of the ram less the one that the function asks for.
 struct RamPosition {
     static constexpr std::size_t reads = function_reads;
+    static constexpr std::array<std::size_t, 7> uses{0, 1, 2, input_start, input_range, output_start, output_range};
     template <class T>
     static T error(const std::array<T, reads>& x, std::size_t, const T& share, const T& part) {
         const SliderCrank<T> m{x[0], x[1], x[2]};
@@ -30,6 +31,9 @@ struct RamPosition {
                (x[output_start] + x[output_range] * part);
     }
 };
+
+/// The links and the input range.
+inline constexpr std::array<std::size_t, 5> used_over_input{0, 1, 2, input_start, input_range};
 
 /// The crank directions in which margins and transmission angle can be extreme: both ends of the input range, and where
 /// the crank stands square to the slide.
@@ -46,6 +50,7 @@ std::array<Vector<T>, 4> input_places(const std::array<T, function_reads>& x) {
 /// What must be >= 0 for the rod to reach the slide over the whole input range.
 struct RamInputMargin {
     static constexpr std::size_t reads = function_reads;
+    static constexpr auto uses = used_over_input;
     static constexpr std::size_t most = 8;
     template <class T>
     static std::size_t components(const Motion&, const std::array<T, reads>& x, Components<T> out) {
@@ -62,6 +67,7 @@ struct RamInputMargin {
 /// The transmission angles of InputTransmission, wherever they can be least.
 struct RodTransmission {
     static constexpr std::size_t reads = function_reads;
+    static constexpr auto uses = used_over_input;
     template <class T>
     static std::array<T, 4> angles(std::size_t, const std::array<T, reads>& x) {
         const auto at = input_places(x);

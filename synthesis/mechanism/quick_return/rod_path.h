@@ -20,6 +20,19 @@ struct RodPath {
                                  Vector<T>{T(target.x), T(target.y)}),
                 std::min(value_of(p.left), value_of(p.right))};
     }
+
+    /// The same with first derivatives by the implicit function theorem; not where the rod stands square to the slide,
+    /// where it returns false.
+    static bool miss_and_gradient(std::size_t, const std::array<double, reads + 1>& x, const Vector<double>& target,
+                                  PathMiss& out) {
+        const SliderCrank<double> m{x[0], x[1], x[2]};
+        const CouplerPoint<double> point{x[3], x[4]};
+        const auto p = pose(m, x[8]);
+        if (p.rod.x == 0) return false;
+        out.margin = std::min(p.left, p.right);
+        place_with_gradient(position(m, point, p), position_gradient(m, point, p), x, 8, target, out);
+        return true;
+    }
 };
 
 /// A body on the rod as a guided body.
@@ -40,6 +53,24 @@ struct RodPose {
                                   Vector<T>{T(target.x), T(target.y)}),
                  std::min(value_of(p.left), value_of(p.right))},
                 Vector<T>{T(facing.x), T(facing.y)} - faces};
+    }
+
+    /// The same with first derivatives, as above.
+    static bool miss_and_gradient(std::size_t, const std::array<double, reads + 1>& x, const Vector<double>& target,
+                                  const Vector<double>& facing, PoseMiss& out) {
+        const SliderCrank<double> m{x[0], x[1], x[2]};
+        const CouplerPoint<double> point{x[3], x[4]};
+        const auto p = pose(m, x[10]);
+        if (p.rod.x == 0) return false;
+        out.place.margin = out.turn.margin = std::min(p.left, p.right);
+        std::fill(out.place.gradient_x.begin() + 8, out.place.gradient_x.begin() + 10, 0.0);
+        std::fill(out.place.gradient_y.begin() + 8, out.place.gradient_y.begin() + 10, 0.0);
+        place_with_gradient(position(m, point, p), position_gradient(m, point, p), x, 10, target, out.place);
+        const double turn = x[7] + x[9];
+        const Vector<double> faces = turned(p.rod, Vector<double>{std::cos(turn), std::sin(turn)});
+        const RodTurn<double> rod = rod_turn(m, p);
+        face_with_gradient(faces, rod.dimensions, rod.crank_angle, {7, 9}, 10, facing, out.turn);
+        return true;
     }
 };
 
