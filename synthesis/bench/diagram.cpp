@@ -19,6 +19,11 @@ constexpr std::array<std::string_view, 8> colours{"#0072b2", "#d55e00", "#009e73
 
 std::string_view colour_of(std::size_t curve) { return colours[curve % colours.size()]; }
 
+std::string_view style_of(const Diagram& diagram) {
+    if (diagram.scattered) return "points";
+    return diagram.steps ? "steps" : "linespoints";
+}
+
 bool drawable(const Diagram& diagram, const std::pair<double, double>& point) {
     return std::isfinite(point.first) && std::isfinite(point.second) && (!diagram.log_x || point.first > 0) &&
            (!diagram.log_y || point.second > 0);
@@ -37,8 +42,8 @@ std::string gnuplot_script(const Diagram& diagram) {
         if (points.empty()) continue;
         script += fmt::format("$curve{} << EOD\n{}EOD\n", i, points);
         plots += fmt::format("{} $curve{} using 1:2 with {} lw 1.6 pt {} ps 0.6 lc rgb '{}' title {}",
-                             plots.empty() ? "plot" : ",", i, diagram.steps ? "steps" : "linespoints", i % 15 + 1,
-                             colour_of(i), gnuplot_text(diagram.curves[i].title));
+                             plots.empty() ? "plot" : ",", i, style_of(diagram), i % 15 + 1, colour_of(i),
+                             gnuplot_text(diagram.curves[i].title));
     }
     script += fmt::format("set title {} font ',12'\nset xlabel {}\nset ylabel {}\n", gnuplot_text(diagram.title),
                           gnuplot_text(diagram.x), gnuplot_text(diagram.y));

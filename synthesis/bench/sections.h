@@ -7,5 +7,10 @@
 namespace mechwright::bench {
 
 Section kernels();
+Section derivatives();
+Section gradients();
+Section extremes();
+Section exact();
+Section scaling();
 
 }  // namespace mechwright::bench
