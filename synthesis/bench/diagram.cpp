@@ -20,8 +20,11 @@ constexpr std::array<std::string_view, 8> colours{"#0072b2", "#d55e00", "#009e73
 std::string_view colour_of(std::size_t curve) { return colours[curve % colours.size()]; }
 
 std::string_view style_of(const Diagram& diagram) {
-    if (diagram.scattered) return "points";
-    return diagram.steps ? "steps" : "linespoints";
+    switch (diagram.joined) {
+        case Diagram::Joined::by_steps: return "steps";
+        case Diagram::Joined::not_at_all: return "points";
+        default: return "linespoints";
+    }
 }
 
 bool drawable(const Diagram& diagram, const std::pair<double, double>& point) {
@@ -41,9 +44,11 @@ std::string gnuplot_script(const Diagram& diagram) {
                 points += fmt::format("{} {}\n", csv_number(point.first), csv_number(point.second));
         if (points.empty()) continue;
         script += fmt::format("$curve{} << EOD\n{}EOD\n", i, points);
-        plots += fmt::format("{} $curve{} using 1:2 with {} lw 1.6 pt {} ps 0.6 lc rgb '{}' title {}",
-                             plots.empty() ? "plot" : ",", i, style_of(diagram), i % 15 + 1, colour_of(i),
-                             gnuplot_text(diagram.curves[i].title));
+        const bool points_wanted = diagram.joined != Diagram::Joined::by_steps;
+        plots +=
+            fmt::format("{} $curve{} using 1:2 with {} lw 1.6 {} lc rgb '{}' title {}", plots.empty() ? "plot" : ",", i,
+                        style_of(diagram), points_wanted ? fmt::format("pt {} ps 0.6", i % 15 + 1) : "",
+                        colour_of(diagram.curves[i].colour.value_or(i)), gnuplot_text(diagram.curves[i].title));
     }
     script += fmt::format("set title {} font ',12'\nset xlabel {}\nset ylabel {}\n", gnuplot_text(diagram.title),
                           gnuplot_text(diagram.x), gnuplot_text(diagram.y));

@@ -22,8 +22,8 @@ struct Diagram {
     std::string y;
     bool log_x = false;
     bool log_y = false;
-    bool steps = false;      ///< curves that jump, as those of profiles; else points joined by lines
-    bool scattered = false;  ///< points that nothing joins
+    /// How points are joined: by lines, by steps (profiles), or not at all.
+    enum class Joined { by_lines, by_steps, not_at_all } joined = Joined::by_lines;
     std::vector<Curve> curves;
 };
 

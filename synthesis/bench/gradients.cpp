@@ -135,7 +135,8 @@ std::vector<Diagram> drawn(const Sheet& sheet) {
     d.title = "Value with derivatives over the value alone";
     d.x = "variables";
     d.y = "times the value alone";
-    d.log_x = d.log_y = d.scattered = true;
+    d.log_x = d.log_y = true;
+    d.joined = Diagram::Joined::not_at_all;
     d.curves = {{"exact gradient", {}}, {"forward differences", {}}, {"Hessian", {}}};
     for (const Cost& c : costs(sheet)) {
         d.curves[0].points.emplace_back(c.variables, c.ratio());

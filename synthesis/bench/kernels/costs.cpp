@@ -1,0 +1,141 @@
+#include "synthesis/bench/kernels/costs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "synthesis/bench/timing.h"
+
+namespace mechwright::bench {
+
+namespace {
+
+constexpr int repetitions = 9;
+constexpr double least_time = 0.05;
+constexpr long rounds = 64;
+constexpr std::size_t chains = 14;
+
+// One number or one register of them; the compiler calculates with it as with a double.
+using One = double;
+using Two = double __attribute__((vector_size(16)));
+using Four = double __attribute__((vector_size(32)));
+using Eight = double __attribute__((vector_size(64)));
+
+/// Keeps the compiler from merging, dropping or moving what was computed, at no cost.
+template <class Register>
+[[gnu::always_inline]] inline void keep(Register& r) {
+#if defined(__x86_64__)
+    asm volatile("" : "+v"(r));
+#else
+    benchmark::DoNotOptimize(r);
+#endif
+}
+
+[[gnu::always_inline]] inline void take_root(One& x) { x = std::sqrt(x); }
+template <class Register>
+[[gnu::always_inline]] inline void take_root(Register& x) {
+    for (std::size_t i = 0; i < sizeof(Register) / sizeof(double); ++i)
+        x[i] = std::sqrt(x[i]);
+}
+
+enum class Operation { sums_and_products, quotients, roots };
+
+/// Chains side by side that stay in registers: as many as hide the latency of a sum, of a product.
+template <class Register, Operation operation>
+[[gnu::always_inline]] inline void steps(double* out) {
+    Register a = Register{} + 1.5, b = a, c = a, d = a, e = a, f = a, g = a, h = a, i = a, j = a, l = a, m = a, n = a,
+             o = a;
+    Register y = Register{} + 1.25;
+    keep(y);
+    const auto step = [&](Register & r, bool sum) __attribute__((always_inline)) {
+        if constexpr (operation == Operation::sums_and_products)
+            r = sum ? r + y : r * y;
+        else if constexpr (operation == Operation::quotients)
+            r = r / y;
+        else
+            take_root(r);
+        keep(r);
+    };
+    for (long k = 0; k < rounds; ++k) {
+        step(a, true), step(b, false), step(c, true), step(d, false);
+        step(e, true), step(f, false), step(g, true), step(h, false);
+        step(i, true), step(j, false), step(l, true), step(m, false);
+        step(n, true), step(o, false);
+    }
+    const Register all = ((a + b) + (c + d)) + ((e + f) + (g + h)) + ((i + j) + (l + m)) + (n + o);
+    *out = reinterpret_cast<const double*>(&all)[0];
+}
+
+template <Operation operation>
+void one(double* out) {
+    steps<One, operation>(out);
+}
+template <Operation operation>
+void baseline(double* out) {
+    steps<Two, operation>(out);
+}
+#if defined(__x86_64__)
+template <Operation operation>
+[[gnu::target("avx2")]] void avx2(double* out) {
+    steps<Four, operation>(out);
+}
+template <Operation operation>
+[[gnu::target("avx512f")]] void avx512(double* out) {
+    steps<Eight, operation>(out);
+}
+#endif
+
+double seconds_each(void (*of)(double*), std::size_t lanes) {
+    const Piece calls = [of](benchmark::State& state) {
+        double out = 0;
+        for (auto _ : state) {
+            of(&out);
+            benchmark::DoNotOptimize(out);
+        }
+    };
+    return timed({calls}, repetitions, least_time).front().median / static_cast<double>(rounds * chains * lanes);
+}
+
+double seconds_of_call(double (*call)(double)) {
+    const Piece calls = [call](benchmark::State& state) {
+        double x = 0;
+        for (auto _ : state) {
+            x += 2.399963229728653;  // the golden angle
+            if (x > 2 * std::numbers::pi) x -= 2 * std::numbers::pi;
+            benchmark::DoNotOptimize(call(x));
+        }
+    };
+    return timed({calls}, repetitions, least_time).front().median;
+}
+
+}  // namespace
+
+OperationCosts scalar_costs() {
+    return {seconds_each(one<Operation::sums_and_products>, 1), seconds_each(one<Operation::quotients>, 1),
+            seconds_each(one<Operation::roots>, 1), seconds_of_call([](double x) { return std::sin(x) + std::cos(x); }),
+            seconds_of_call([](double x) { return std::atan2(x - 3, 1.5); })};
+}
+
+OperationCosts lane_costs(InstructionSet set) {
+    using enum Operation;
+#if defined(__x86_64__)
+    if (set == InstructionSet::avx512)
+        return {seconds_each(avx512<sums_and_products>, 8), seconds_each(avx512<quotients>, 8),
+                seconds_each(avx512<roots>, 8), 0, 0};
+    if (set == InstructionSet::avx2)
+        return {seconds_each(avx2<sums_and_products>, 4), seconds_each(avx2<quotients>, 4),
+                seconds_each(avx2<roots>, 4), 0, 0};
+#endif
+    static_cast<void>(set);
+    return {seconds_each(baseline<sums_and_products>, 2), seconds_each(baseline<quotients>, 2),
+            seconds_each(baseline<roots>, 2), 0, 0};
+}
+
+double least_seconds(const OperationMix& mix, const OperationCosts& costs) {
+    const double sums = mix.sums_and_products * costs.sum_or_product;
+    const double quotients = mix.quotients * costs.quotient + mix.roots * costs.root;
+    // A sine and the cosine of the same angle come from one call.
+    return std::max(sums, quotients) + 0.5 * mix.sines * costs.sine_and_cosine + mix.angles * costs.angle;
+}
+
+}  // namespace mechwright::bench

@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// What this processor takes for each kind of operation, and the least time that a mix of them can take.
+
+#include <array>
+#include <cstddef>
+
+#include "analysis/numbers/instruction_set.h"
+#include "synthesis/bench/kernels/counted.h"
+
+namespace mechwright::bench {
+
+/// Seconds per operation and number where many independent ones follow each other (throughput, not latency).
+struct OperationCosts {
+    double sum_or_product = 0;
+    double quotient = 0;
+    double root = 0;
+    double sine_and_cosine = 0;  ///< of one angle, from the C library; 0 in lanes, which have none
+    double angle = 0;            ///< atan2
+};
+
+/// Of single numbers.
+OperationCosts scalar_costs();
+
+/// Of lanes, per lane.
+OperationCosts lane_costs(InstructionSet set);
+
+/// Sums and products go through other units of the processor than quotients and roots, so that the greater of the two
+/// sums is a bound; calls of the C library come on top.
+double least_seconds(const OperationMix& mix, const OperationCosts& costs);
+
+}  // namespace mechwright::bench

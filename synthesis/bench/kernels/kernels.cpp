@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include "synthesis/bench/kernels/lanes.h"
+#include "synthesis/bench/kernels/measured_kernel.h"
+#include "synthesis/bench/kernels/told.h"
+#include "synthesis/bench/sections.h"
+
+namespace mechwright::bench {
+
+Row kernel_row(std::string_view order, std::string_view form, const KernelNumbers& n) {
+    using kernel_detail::cell_of;
+    constexpr double ns = 1e9;
+    return {std::string(order),
+            std::string(form),
+            ns * n.timing.median,
+            ns * n.timing.lower,
+            ns * n.timing.upper,
+            n.instructions ? Cell(*n.instructions) : Cell(),
+            n.mix.sums_and_products,
+            n.mix.quotients,
+            n.mix.roots,
+            n.mix.sines,
+            n.mix.angles,
+            cell_of(ns * n.least),
+            cell_of(n.usual_median),
+            cell_of(n.usual_least),
+            cell_of(n.hard_median),
+            cell_of(n.hard_least)};
+}
+
+namespace {
+
+template <class Kernel>
+Measurement measurement() {
+    return {std::string(Kernel::name), measured_kernel<Kernel>};
+}
+
+std::vector<Measurement> measurements(const Effort&) {
+    return {measurement<CouplerPointKernel>(),
+            measurement<SliderCrankKernel>(),
+            measurement<CrankShaperKernel>(),
+            measurement<RollerKernel>(),
+            {std::string(lanes_name), measured_lanes}};
+}
+
+}  // namespace
+
+Section kernels() {
+    return {"kernels",
+            "Kernels: what each order of motion costs, and how many digits it keeps",
+            {"kernel", "order", "form", "ns", "ns lower quartile", "ns upper quartile", "instructions",
+             "sums and products", "quotients", "roots", "sines and cosines", "angles", "least ns",
+             "digits usual median", "digits usual least", "digits hard median", "digits hard least"},
+            measurements,
+            kernels_told,
+            kernels_drawn};
+}
+
+}  // namespace mechwright::bench

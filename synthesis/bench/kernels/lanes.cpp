@@ -1,0 +1,151 @@
+#include "synthesis/bench/kernels/lanes.h"
+
+#include "analysis/numbers/lanes.h"
+#include "synthesis/bench/kernels/measured_kernel.h"
+
+namespace mechwright::bench {
+
+namespace {
+
+constexpr std::size_t widest = 8;
+using Kernel = CouplerPointKernel;
+
+/// The usual four-bars, eight side by side: [dimension][linkage].
+struct Group {
+    alignas(64) std::array<std::array<double, widest>, Kernel::size> x;
+};
+struct Points {
+    alignas(64) std::array<double, widest> x, y;
+};
+
+std::vector<Group> groups_of(const std::vector<Kernel::Input>& inputs) {
+    std::vector<Group> groups(inputs.size() / widest);
+    for (std::size_t k = 0; k < groups.size() * widest; ++k)
+        for (std::size_t i = 0; i < Kernel::size; ++i)
+            groups[k / widest].x[i][k % widest] = inputs[k].x[i];
+    return groups;
+}
+
+template <int order, std::size_t N>
+[[gnu::always_inline]] inline void in_lanes(const std::vector<Group>& groups, const HalfTurn<double>& half,
+                                            std::vector<Points>& out) {
+    using T = Lanes<N>;
+    const HalfTurn<T> at{T(half.cosine), T(half.sine)};
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        for (std::size_t first = 0; first < widest; first += N) {
+            std::array<T, Kernel::size> x;
+            for (std::size_t i = 0; i < Kernel::size; ++i)
+                x[i].read(groups[g].x[i].data() + first);
+            const Vector<T> reached = Kernel::ours<order>(x, at);
+            reached.x.write(out[g].x.data() + first);
+            reached.y.write(out[g].y.data() + first);
+        }
+}
+
+template <int order>
+void one_by_one(const std::vector<Group>& groups, const HalfTurn<double>& half, std::vector<Points>& out) {
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        for (std::size_t lane = 0; lane < widest; ++lane) {
+            std::array<double, Kernel::size> x;
+            for (std::size_t i = 0; i < Kernel::size; ++i)
+                x[i] = groups[g].x[i][lane];
+            const Vector<double> reached = Kernel::ours<order>(x, half);
+            out[g].x[lane] = reached.x;
+            out[g].y[lane] = reached.y;
+        }
+}
+
+template <int order>
+[[gnu::flatten]] void baseline(const std::vector<Group>& g, const HalfTurn<double>& half, std::vector<Points>& out) {
+    in_lanes<order, 2>(g, half, out);
+}
+#if defined(__x86_64__)
+template <int order>
+[[gnu::flatten, gnu::target("avx2")]] void avx2(const std::vector<Group>& g, const HalfTurn<double>& half,
+                                                std::vector<Points>& out) {
+    in_lanes<order, 4>(g, half, out);
+}
+template <int order>
+[[gnu::flatten, gnu::target("avx512f")]] void avx512(const std::vector<Group>& g, const HalfTurn<double>& half,
+                                                     std::vector<Points>& out) {
+    in_lanes<order, 8>(g, half, out);
+}
+#endif
+
+using Body = void (*)(const std::vector<Group>&, const HalfTurn<double>&, std::vector<Points>&);
+
+struct LaneForm {
+    std::string_view order;
+    std::string_view name;
+    Body body;
+    OperationMix mix;
+    OperationCosts costs;
+};
+
+template <int order>
+OperationMix mix_at_angle() {
+    return mix_of([] {
+        const auto in = Kernel::usual()[1];
+        const HalfTurn<double> half = half_turn(in.at);
+        return Kernel::ours<order>(kernel_detail::counted(in.x), HalfTurn<Counted>{half.cosine, half.sine});
+    });
+}
+
+template <int order>
+void add_forms(std::vector<LaneForm>& all) {
+    const OperationMix mix = mix_at_angle<order>();
+    const std::string_view name = Kernel::orders[order];
+    all.push_back({name, one_by_one_name, one_by_one<order>, mix, scalar_costs()});
+    all.push_back({name, "lanes, baseline x86-64", baseline<order>, mix, lane_costs(InstructionSet::baseline)});
+#if defined(__x86_64__)
+    if (is_available(InstructionSet::avx2))
+        all.push_back({name, "lanes, AVX2", avx2<order>, mix, lane_costs(InstructionSet::avx2)});
+    if (is_available(InstructionSet::avx512))
+        all.push_back({name, "lanes, AVX-512", avx512<order>, mix, lane_costs(InstructionSet::avx512)});
+#endif
+}
+
+/// Whether a body gives the same digits as `one_by_one`.
+bool same_digits(const std::vector<Points>& a, const std::vector<Points>& b) {
+    for (std::size_t g = 0; g < a.size(); ++g)
+        if (a[g].x != b[g].x || a[g].y != b[g].y) return false;
+    return true;
+}
+
+}  // namespace
+
+std::vector<Row> measured_lanes(const Effort& effort) {
+    const std::vector<Group> groups = groups_of(Kernel::usual());
+    std::vector<LaneForm> forms;
+    add_forms<0>(forms);
+    add_forms<1>(forms);
+    add_forms<2>(forms);
+    std::vector<Points> out(groups.size()), first;
+    std::vector<Piece> pieces;
+    for (const LaneForm& f : forms)
+        pieces.push_back([&groups, &out, body = f.body](benchmark::State& state) {
+            double angle = 0;
+            for (auto _ : state) {
+                body(groups, half_turn(angle += 0.1), out);
+                benchmark::DoNotOptimize(out.data());
+                benchmark::ClobberMemory();
+            }
+        });
+    const std::vector<Timing> timings = timed(pieces, effort.pick(5, 21), effort.pick(0.1, 1.0));
+    const double each = 1 / static_cast<double>(groups.size() * widest);
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+        const LaneForm& f = forms[i];
+        KernelNumbers n{{timings[i].median * each, timings[i].lower * each, timings[i].upper * each}, {}, f.mix};
+        if (const auto all = instructions_of([&] { f.body(groups, half_turn(1.0), out); }))
+            n.instructions = static_cast<long>(static_cast<double>(*all) * each + 0.5);
+        n.least = least_seconds(f.mix, f.costs);
+        f.body(groups, half_turn(1.0), out);
+        if (f.name == one_by_one_name) first = out;
+        if (!same_digits(out, first)) throw std::logic_error("lanes have other digits than single numbers");
+        rows.push_back(kernel_row(f.order, f.name, n));
+    }
+    return rows;
+}
+
+}  // namespace mechwright::bench

@@ -1,0 +1,183 @@
+#include "synthesis/bench/kernels/told.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/bench/kernels/lanes.h"
+#include "synthesis/bench/kernels/measured_kernel.h"
+#include "synthesis/bench/markdown.h"
+
+namespace mechwright::bench {
+
+namespace {
+
+const Row* find(const Sheet& sheet, const std::string& kernel, std::string_view order, std::string_view form) {
+    for (const Row& row : sheet.rows)
+        if (sheet.text(row, "kernel") == kernel && sheet.text(row, "order") == order && sheet.text(row, "form") == form)
+            return &row;
+    return nullptr;
+}
+
+std::string digits_text(const Sheet& sheet, const Row* row, std::string_view of) {
+    if (row == nullptr) return {};
+    const double median = sheet.number(*row, fmt::format("digits {} median", of));
+    if (std::isnan(median)) return {};
+    return fmt::format("{:.1f} ({:.1f})", median, sheet.number(*row, fmt::format("digits {} least", of)));
+}
+
+std::vector<std::string> single_kernels(const Sheet& sheet) {
+    std::vector<std::string> names = sheet.distinct("kernel");
+    std::erase(names, lanes_name);
+    return names;
+}
+
+std::string instructions_text(const Sheet& sheet, const Row& row) {
+    const double count = sheet.number(row, "instructions");
+    return std::isnan(count) ? "" : fmt::format("{:.0f}", count);
+}
+
+/// The textbook's formulas against ours, in time and digits.
+std::string against_textbook(const Sheet& sheet) {
+    MarkdownTable table{{"kernel", "order", "textbook", "ours", "ratio", "instructions", "digits: textbook, usual",
+                         "ours, usual", "textbook, hard", "ours, hard"},
+                        {}};
+    double least_ours = 17, least_textbook = 17;
+    for (const std::string& kernel : single_kernels(sheet))
+        for (const Row& ours : sheet.where("kernel", kernel)) {
+            if (sheet.text(ours, "form") != form::ours) continue;
+            const std::string order = sheet.text(ours, "order");
+            const Row* textbook = find(sheet, kernel, order, form::textbook);
+            if (textbook == nullptr) continue;
+            const double old_ns = sheet.number(*textbook, "ns"), ns = sheet.number(ours, "ns");
+            least_ours = std::min(least_ours, sheet.number(ours, "digits hard least"));
+            least_textbook = std::min(least_textbook, sheet.number(*textbook, "digits hard least"));
+            table.rows.push_back(
+                {kernel, order, time_text(1e-9 * old_ns), time_text(1e-9 * ns), ratio_text(old_ns / ns),
+                 fmt::format("{} : {}", instructions_text(sheet, *textbook), instructions_text(sheet, ours)),
+                 digits_text(sheet, textbook, "usual"), digits_text(sheet, &ours, "usual"),
+                 digits_text(sheet, textbook, "hard"), digits_text(sheet, &ours, "hard")});
+        }
+    return fmt::format(
+               "Textbook formulas (arc cosines, differences of squares, angles handed on) against ours, one call after "
+               "another\non 256 usual mechanisms; gradients of the textbook are central differences. Digits are "
+               "correct "
+               "decimal digits\nagainst the same formulas in fifty digits, which `tests/hard_cases` checks against "
+               "another program's: the median,\nand in brackets the least. Where it is hard, the textbook comes down "
+               "to "
+               "{:.1f} digits, ours to {:.1f}.\n\n",
+               least_textbook, least_ours) +
+           to_markdown(table);
+}
+
+std::string hard_sets() {
+    std::string text = "\nHard are, for k from 10 to 40:\n\n";
+    const auto add = [&](std::string_view name, std::string_view hard) {
+        text += fmt::format("- {}: {}\n", name, hard);
+    };
+    add(CouplerPointKernel::name, CouplerPointKernel::hard);
+    add(SliderCrankKernel::name, SliderCrankKernel::hard);
+    add(CrankShaperKernel::name, CrankShaperKernel::hard);
+    add(RollerKernel::name, RollerKernel::hard);
+    return text;
+}
+
+/// What is paid for each order, and saved by not asking for it.
+std::string what_orders_cost(const Sheet& sheet) {
+    MarkdownTable table{{"kernel", "order 0", "order 1", "order 2", "gradient", "Hessian", "fifty digits, order 0"},
+                        {}};
+    for (const std::string& kernel : single_kernels(sheet)) {
+        const std::vector<Row> rows = sheet.where("kernel", kernel);
+        std::vector<double> ours;
+        double fifty = std::nan("");
+        for (const Row& row : rows) {
+            if (sheet.text(row, "form") == form::ours) ours.push_back(sheet.number(row, "ns"));
+            if (sheet.text(row, "form") == form::fifty && std::isnan(fifty)) fifty = sheet.number(row, "ns");
+        }
+        std::vector<std::string> cells{kernel};
+        for (std::size_t i = 0; i < ours.size(); ++i)
+            cells.push_back(i == 0 ? time_text(1e-9 * ours[0])
+                                   : fmt::format("{} ({})", time_text(1e-9 * ours[i]), ratio_text(ours[i] / ours[0])));
+        cells.push_back(fmt::format("{} ({})", time_text(1e-9 * fifty), ratio_text(fifty / ours[0])));
+        table.rows.push_back(std::move(cells));
+    }
+    return "\nWhat each order costs, in times of order 0; what is not asked for is not computed. Derivatives are by "
+           "all "
+           "dimensions\n(four-bar 6, slider-crank 3, crank shaper 5, cam 4).\n\n" +
+           to_markdown(table);
+}
+
+/// The bound by the mix of operations and the distance from it.
+std::string against_bound(const Sheet& sheet) {
+    MarkdownTable table{{"kernel", "order", "sums and products", "quotients", "roots", "sines and cosines", "angles",
+                         "instructions", "bound", "time", "distance"},
+                        {}};
+    double farthest = 0;
+    int rows = 0, within = 0;
+    for (const Row& row : sheet.rows) {
+        const double least = sheet.number(row, "least ns"), ns = sheet.number(row, "ns");
+        if (std::isnan(least)) continue;
+        const bool lanes = sheet.text(row, "kernel") == lanes_name;
+        farthest = std::max(farthest, ns / least);
+        ++rows;
+        within += ns / least <= 2;
+        table.rows.push_back(
+            {lanes ? "four-bar, " + sheet.text(row, "form") : sheet.text(row, "kernel"), sheet.text(row, "order"),
+             significant(sheet.number(row, "sums and products")), significant(sheet.number(row, "quotients"), 1),
+             significant(sheet.number(row, "roots"), 1), significant(sheet.number(row, "sines and cosines"), 1),
+             significant(sheet.number(row, "angles"), 1), instructions_text(sheet, row), time_text(1e-9 * least),
+             time_text(1e-9 * ns), ratio_text(ns / least)});
+    }
+    return fmt::format(
+               "\nWhat the mix of operations allows on this processor: the operations of one call are counted by "
+               "a number type that\ncounts; sums and products, and quotients and roots, at the rate at which "
+               "independent ones follow each other here\n(measured in the same run); sines and arc tangents as "
+               "the C library takes. The bound is the greater of the two sums\nplus the calls. Within a factor "
+               "of two are {} of {}; the farthest is at {}.\n\n",
+               within, rows, ratio_text(farthest)) +
+           to_markdown(table);
+}
+
+std::string lanes_told(const Sheet& sheet) {
+    const std::vector<Row> rows = sheet.where("kernel", std::string(lanes_name));
+    if (rows.empty()) return {};
+    MarkdownTable table{{"order", "how", "per linkage", "linkages a second", "ratio to one by one"}, {}};
+    for (const Row& row : rows) {
+        const Row* single = find(sheet, std::string(lanes_name), sheet.text(row, "order"), one_by_one_name);
+        const double ns = sheet.number(row, "ns");
+        table.rows.push_back({sheet.text(row, "order"), sheet.text(row, "form"), time_text(1e-9 * ns),
+                              significant(1e9 / ns), ratio_text(sheet.number(*single, "ns") / ns)});
+    }
+    return "\nMany four-bars at one crank angle, as searches screen them. All ways give the same bits; the run ends "
+           "with "
+           "an error\nwhere they do not.\n\n" +
+           to_markdown(table);
+}
+
+}  // namespace
+
+std::string kernels_told(const Sheet& sheet) {
+    return against_textbook(sheet) + hard_sets() + what_orders_cost(sheet) + lanes_told(sheet) + against_bound(sheet);
+}
+
+std::vector<Diagram> kernels_drawn(const Sheet& sheet) {
+    Diagram diagram{"kernels",
+                    "Digits kept in the hardest case against time",
+                    "ns per call",
+                    "correct digits",
+                    true,
+                    false,
+                    Diagram::Joined::not_at_all,
+                    {}};
+    for (const std::string_view form : {form::textbook, form::ours}) {
+        Curve curve{std::string(form), {}};
+        for (const Row& row : sheet.rows)
+            if (sheet.text(row, "form") == form)
+                curve.points.emplace_back(sheet.number(row, "ns"), sheet.number(row, "digits hard least"));
+        diagram.curves.push_back(std::move(curve));
+    }
+    return {diagram};
+}
+
+}  // namespace mechwright::bench
