@@ -47,8 +47,8 @@ std::string gnuplot_script(const Diagram& diagram) {
         const bool points_wanted = diagram.joined != Diagram::Joined::by_steps;
         plots +=
             fmt::format("{} $curve{} using 1:2 with {} lw 1.6 {} lc rgb '{}' title {}", plots.empty() ? "plot" : ",", i,
-                        style_of(diagram), points_wanted ? fmt::format("pt {} ps 0.6", i % 15 + 1) : "", colour_of(i),
-                        gnuplot_text(diagram.curves[i].title));
+                        style_of(diagram), points_wanted ? fmt::format("pt {} ps 0.6", i % 15 + 1) : "",
+                        colour_of(diagram.curves[i].colour.value_or(i)), gnuplot_text(diagram.curves[i].title));
     }
     script += fmt::format("set title {} font ',12'\nset xlabel {}\nset ylabel {}\n", gnuplot_text(diagram.title),
                           gnuplot_text(diagram.x), gnuplot_text(diagram.y));

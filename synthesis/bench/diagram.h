@@ -2,6 +2,7 @@
 /// \file
 /// Diagrams of a few curves, drawn by gnuplot.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@ namespace mechwright::bench {
 struct Curve {
     std::string title;
     std::vector<std::pair<double, double>> points;  ///< those that are not finite are left out
+    std::optional<std::size_t> colour{};            ///< that of curve number so and so; else one of its own
 };
 
 struct Diagram {

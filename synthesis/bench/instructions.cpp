@@ -25,8 +25,7 @@ bool stopped_by(pid_t child, int signal) {
 }
 
 /// Steps from the first stop to the second, the way out of one `raise` and into the other included.
-std::optional<long> steps_between_stops(pid_t child) {
-    constexpr long most = 2'000'000;
+std::optional<long> steps_between_stops(pid_t child, long most) {
     if (!stopped_by(child, SIGSTOP)) return std::nullopt;
     for (long steps = 0; steps < most; ++steps) {
         if (::ptrace(PTRACE_SINGLESTEP, child, nullptr, nullptr) != 0) return std::nullopt;
@@ -35,11 +34,11 @@ std::optional<long> steps_between_stops(pid_t child) {
     return std::nullopt;
 }
 
-std::optional<long> steps_of(const std::function<void()>& call) {
+std::optional<long> steps_of(const std::function<void()>& call, long most) {
     const pid_t child = ::fork();
     if (child < 0) return std::nullopt;
     if (child == 0) traced_child(call);
-    const std::optional<long> steps = steps_between_stops(child);
+    const std::optional<long> steps = steps_between_stops(child, most);
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     return steps;
@@ -47,9 +46,9 @@ std::optional<long> steps_of(const std::function<void()>& call) {
 
 }  // namespace
 
-std::optional<long> instructions_of(const std::function<void()>& call) {
-    const auto all = steps_of(call);
-    const auto nothing = steps_of([] {});
+std::optional<long> instructions_of(const std::function<void()>& call, long most) {
+    const auto all = steps_of(call, most);
+    const auto nothing = steps_of([] {}, most);
     if (!all || !nothing) return std::nullopt;
     return *all - *nothing;
 }

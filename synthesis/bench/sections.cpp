@@ -5,7 +5,7 @@
 namespace mechwright::bench {
 
 std::span<const Section> sections() {
-    static const std::array all{kernels(), start_up()};
+    static const std::array all{kernels(), start_up(), derivatives(), gradients(), extremes(), exact(), scaling()};
     return all;
 }
 

@@ -8,5 +8,10 @@ namespace mechwright::bench {
 
 Section kernels();
 Section start_up();
+Section derivatives();
+Section gradients();
+Section extremes();
+Section exact();
+Section scaling();
 
 }  // namespace mechwright::bench

@@ -25,7 +25,7 @@ using Piece = std::function<void(benchmark::State&)>;
 /// A piece that calls f(k) with k = 0, 1, ... and keeps what it gives from being optimised away.
 template <class F>
 Piece piece(F f) {
-    return [f](benchmark::State& state) {
+    return [f](benchmark::State& state) mutable {
         std::size_t k = 0;
         for (auto _ : state)
             benchmark::DoNotOptimize(f(k++));
