@@ -2,6 +2,7 @@
 
 #include "synthesis/bench/kernels/lanes.h"
 #include "synthesis/bench/kernels/measured_kernel.h"
+#include "synthesis/bench/kernels/screening.h"
 #include "synthesis/bench/kernels/told.h"
 #include "synthesis/bench/sections.h"
 
@@ -36,11 +37,9 @@ Measurement measurement() {
 }
 
 std::vector<Measurement> measurements(const Effort&) {
-    return {measurement<CouplerPointKernel>(),
-            measurement<SliderCrankKernel>(),
-            measurement<CrankShaperKernel>(),
-            measurement<RollerKernel>(),
-            {std::string(lanes_name), measured_lanes}};
+    return {measurement<CouplerPointKernel>(),         measurement<SliderCrankKernel>(),
+            measurement<CrankShaperKernel>(),          measurement<RollerKernel>(),
+            {std::string(lanes_name), measured_lanes}, {std::string(screening_name), measured_screening}};
 }
 
 }  // namespace

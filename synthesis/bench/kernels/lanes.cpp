@@ -83,6 +83,16 @@ struct LaneForm {
 };
 
 template <int order>
+Body body_of(InstructionSet set) {
+#if defined(__x86_64__)
+    if (set == InstructionSet::avx512) return avx512<order>;
+    if (set == InstructionSet::avx2) return avx2<order>;
+#endif
+    static_cast<void>(set);
+    return baseline<order>;
+}
+
+template <int order>
 OperationMix mix_at_angle() {
     return mix_of([] {
         const auto in = Kernel::usual()[1];
@@ -96,13 +106,8 @@ void add_forms(std::vector<LaneForm>& all) {
     const OperationMix mix = mix_at_angle<order>();
     const std::string_view name = Kernel::orders[order];
     all.push_back({name, one_by_one_name, one_by_one<order>, mix, scalar_costs()});
-    all.push_back({name, "lanes, baseline x86-64", baseline<order>, mix, lane_costs(InstructionSet::baseline)});
-#if defined(__x86_64__)
-    if (is_available(InstructionSet::avx2))
-        all.push_back({name, "lanes, AVX2", avx2<order>, mix, lane_costs(InstructionSet::avx2)});
-    if (is_available(InstructionSet::avx512))
-        all.push_back({name, "lanes, AVX-512", avx512<order>, mix, lane_costs(InstructionSet::avx512)});
-#endif
+    for (const auto& [set, lanes] : lane_names)
+        if (is_available(set)) all.push_back({name, lanes, body_of<order>(set), mix, lane_costs(set)});
 }
 
 /// Whether a body gives the same digits as `one_by_one`.

@@ -7,6 +7,7 @@
 
 #include "synthesis/bench/kernels/lanes.h"
 #include "synthesis/bench/kernels/measured_kernel.h"
+#include "synthesis/bench/kernels/screening.h"
 #include "synthesis/bench/markdown.h"
 
 namespace mechwright::bench {
@@ -30,6 +31,7 @@ std::string digits_text(const Sheet& sheet, const Row* row, std::string_view of)
 std::vector<std::string> single_kernels(const Sheet& sheet) {
     std::vector<std::string> names = sheet.distinct("kernel");
     std::erase(names, lanes_name);
+    std::erase(names, screening_name);
     return names;
 }
 
@@ -140,7 +142,7 @@ std::string against_bound(const Sheet& sheet) {
 }
 
 std::string lanes_told(const Sheet& sheet) {
-    const std::vector<Row> rows = sheet.where("kernel", std::string(lanes_name));
+    const std::vector<Row> rows = sheet.where("kernel", lanes_name);
     if (rows.empty()) return {};
     MarkdownTable table{{"order", "how", "per linkage", "linkages a second", "ratio to one by one"}, {}};
     for (const Row& row : rows) {
@@ -155,10 +157,25 @@ std::string lanes_told(const Sheet& sheet) {
            to_markdown(table);
 }
 
+std::string screening_told(const Sheet& sheet) {
+    const std::vector<Row> rows = sheet.where("kernel", screening_name);
+    if (rows.empty()) return {};
+    const double narrowest = sheet.number(rows.front(), "ns");
+    MarkdownTable table{{"how", "per candidate", "candidates a second", "ratio to the narrowest"}, {}};
+    for (const Row& row : rows) {
+        const double ns = sheet.number(row, "ns");
+        table.rows.push_back(
+            {sheet.text(row, "form"), time_text(1e-9 * ns), significant(1e9 / ns), ratio_text(narrowest / ns)});
+    }
+    return fmt::format("\nScreening: {}, each with its best placement, size and coupler point.\n\n", screening_name) +
+           to_markdown(table);
+}
+
 }  // namespace
 
 std::string kernels_told(const Sheet& sheet) {
-    return against_textbook(sheet) + hard_sets() + what_orders_cost(sheet) + lanes_told(sheet) + against_bound(sheet);
+    return against_textbook(sheet) + hard_sets() + what_orders_cost(sheet) + lanes_told(sheet) + screening_told(sheet) +
+           against_bound(sheet);
 }
 
 std::vector<Diagram> kernels_drawn(const Sheet& sheet) {
