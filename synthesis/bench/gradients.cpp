@@ -75,7 +75,7 @@ double median_of(const std::vector<Cost>& all, const Function& number) {
 
 /// "3", or "3 to 10".
 std::string range_text(double least, double greatest) {
-    return least == greatest ? significant(least, 2) : significant(least, 2) + " to " + significant(greatest, 2);
+    return least == greatest ? whole_number(least) : whole_number(least) + " to " + whole_number(greatest);
 }
 
 MarkdownTable by_kind(const Sheet& sheet, const std::vector<Cost>& all) {
@@ -102,9 +102,8 @@ MarkdownTable dearest(const std::vector<Cost>& all) {
     MarkdownTable table{{"problem", "variables", "value", "instructions", "with gradient", "ratio", "by differences"},
                         {}};
     for (const Cost& c : std::span(all).first(std::min(most, all.size())))
-        table.rows.push_back({c.problem, significant(c.variables, 2), time_text(c.value),
-                              significant(c.instructions, 7), time_text(c.gradient), ratio_text(c.ratio()),
-                              ratio_text(c.differences / c.value)});
+        table.rows.push_back({c.problem, whole_number(c.variables), time_text(c.value), whole_number(c.instructions),
+                              time_text(c.gradient), ratio_text(c.ratio()), ratio_text(c.differences / c.value)});
     return table;
 }
 

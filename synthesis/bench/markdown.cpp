@@ -33,6 +33,8 @@ std::string significant(double number, int digits) {
     return text;
 }
 
+std::string whole_number(double number) { return significant(number, 1); }
+
 std::string time_text(double seconds) {
     if (std::isnan(seconds)) return {};
     struct Scale {

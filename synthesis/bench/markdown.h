@@ -17,6 +17,9 @@ std::string to_markdown(const MarkdownTable& table);
 /// A number with so many significant digits; "" for NaN. Thousands are set apart by thin spaces.
 std::string significant(double number, int digits = 3);
 
+/// A count, or a size that is a whole number.
+std::string whole_number(double number);
+
 /// A time in ns, us, ms or s, whichever reads best; "" for NaN.
 std::string time_text(double seconds);
 

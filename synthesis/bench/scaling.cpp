@@ -6,7 +6,6 @@
 #include <fstream>
 #include <numbers>
 #include <sstream>
-#include <thread>
 
 #include "synthesis/bench/fitted_power.h"
 #include "synthesis/bench/markdown.h"
@@ -131,9 +130,9 @@ std::vector<Row> study(const Effort& effort, int count) {
     return {row_of(study_points, count, t)};
 }
 
-std::vector<int> thread_counts() {
+std::vector<int> thread_counts(int most) {
     std::vector<int> counts;
-    for (int n = 1; n <= static_cast<int>(std::thread::hardware_concurrency()); n *= 2)
+    for (int n = 1; n <= most; n *= 2)
         counts.push_back(n);
     return counts;
 }
@@ -158,7 +157,7 @@ std::vector<Measurement> measurements(const Effort& effort) {
     };
     for (const int starts : {8, 16, 32, 64, 128})
         shipped("quick-return/uniform-speed-drag-link", solve_starts, starts, starts, 1);
-    for (const int jobs : thread_counts())
+    for (const int jobs : thread_counts(effort.jobs))
         shipped("path/yu1", solve_threads, jobs, 0, jobs);
     for (const int count : effort.pick(std::vector{100, 1000, 4000}, std::vector{100, 1000, 10'000, 100'000}))
         all.push_back(
@@ -194,7 +193,7 @@ MarkdownTable table(const Sheet& sheet) {
         const auto points = points_of(sheet, series.name);
         if (points.size() < 2) continue;
         const auto at = [](const std::pair<double, double>& p) {
-            return fmt::format("{}: {}", significant(p.first, 6), time_text(p.second));
+            return fmt::format("{}: {}", whole_number(p.first), time_text(p.second));
         };
         table.rows.push_back({series.name, series.over, at(points.front()), at(points.back()),
                               ratio_text(points.back().first / points.front().first),
@@ -210,7 +209,7 @@ std::string threads_text(const Sheet& sheet) {
     const auto points = points_of(sheet, solve_threads);
     for (std::size_t i = 1; i < points.size(); ++i)
         text += fmt::format(" {} threads solve a path in {} of the time of one, {} of what they could at best.",
-                            points[i].first, significant(points[i].second / points[0].second, 2),
+                            whole_number(points[i].first), significant(points[i].second / points[0].second, 2),
                             significant(points[0].second / points[i].second / points[i].first, 2));
     return text;
 }

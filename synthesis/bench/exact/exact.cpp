@@ -135,7 +135,7 @@ std::string by_tolerance(const Sheet& sheet, const Paths& paths) {
     for (const Row& row : paths.by_tolerance)
         table.rows.push_back({fmt::format("{:g}", sheet.number(row, "tolerance")), significant(1 / each(sheet, row)),
                               ratio_text(each(sheet, paths.usual) / each(sheet, row)),
-                              significant(sheet.number(row, "steps")), fmt::format("{}", missing(sheet, row))});
+                              significant(sheet.number(row, "steps")), whole_number(missing(sheet, row))});
     return to_markdown(table);
 }
 
@@ -144,7 +144,7 @@ std::string by_way(const Sheet& sheet, const Paths& paths) {
     for (const Row& row : paths.by_way)
         table.rows.push_back({sheet.text(row, "way"), significant(1 / each(sheet, row)),
                               ratio_text(each(sheet, paths.by_way.front()) / each(sheet, row)),
-                              fmt::format("{}", missing(sheet, row))});
+                              whole_number(missing(sheet, row))});
     return to_markdown(table);
 }
 
@@ -183,8 +183,8 @@ std::string told(const Sheet& sheet) {
         text += fmt::format(
             " The whole solution, which follows paths that jumped or stopped again, finds {} in {}: {} times the paths "
             "alone, which miss {}.\n",
-            sheet.number(row, "distinct"), time_text(sheet.number(row, "seconds")),
-            significant(each(sheet, row) / each(sheet, paths->usual), 2), missing(sheet, paths->usual));
+            whole_number(sheet.number(row, "distinct")), time_text(sheet.number(row, "seconds")),
+            significant(each(sheet, row) / each(sheet, paths->usual), 2), whole_number(missing(sheet, paths->usual)));
     return text;
 }
 

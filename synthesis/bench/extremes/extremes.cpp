@@ -144,7 +144,8 @@ std::string told(const Sheet& sheet) {
                "\nA sampled extreme is never beyond the true one, so that its error always is to the unsafe side. It "
                "falls "
                "with the number of samples to the power {} (fitted). Sampled for as long as the exact extreme takes, "
-               "it is off by {}; to come as close as {}, the tolerance of a problem, sampling takes {} times as long. "
+               "it would be off by {}; to come as close as {}, the tolerance of a problem, sampling would take {} "
+               "times as long. "
                "{} of {} exact extremes take less time than {} samples. The smallest cam stands with the proof that "
                "it is the smallest, and with all its requirements evaluated.\n",
                span_of(all, [](const Found& f) { return f.error_by_samples().exponent; }),
