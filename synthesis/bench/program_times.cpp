@@ -28,7 +28,9 @@ Eigen::VectorXd ones(const ProgramPoint& at) {
 bool is_regular(const ProgramPoint& at) {
     Evaluation evaluation{&at};
     evaluation(true);
-    return evaluation.values.assembled && lagrangian_hessian(at.program, at.x, 1, ones(at)).allFinite();
+    LagrangianHessian hessian;
+    lagrangian_hessian(at.program, at.x, 1, ones(at), hessian);
+    return evaluation.values.assembled && hessian.value.allFinite();
 }
 
 }  // namespace
@@ -69,8 +71,9 @@ Piece differences(const ProgramPoint& at) {
 }
 
 Piece hessians(const ProgramPoint& at) {
-    return piece([&at, multipliers = ones(at)](std::size_t) {
-        return lagrangian_hessian(at.program, at.x, 1, multipliers).sum();
+    return piece([&at, multipliers = ones(at), hessian = LagrangianHessian{}](std::size_t) mutable {
+        lagrangian_hessian(at.program, at.x, 1, multipliers, hessian);
+        return hessian.value.sum();
     });
 }
 
