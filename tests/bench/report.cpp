@@ -59,7 +59,8 @@ TEST(BenchSheet, HasTheRowsInTheOrderOfTheMeasurements) {
 }
 
 TEST(BenchMarkdown, NumbersReadWell) {
-    EXPECT_EQ(significant(0), "0.00");
+    EXPECT_EQ(significant(0), "0");
+    EXPECT_EQ(significant(0.01234), "0.0123");
     EXPECT_EQ(significant(1.2345), "1.23");
     EXPECT_EQ(significant(-12.345), "-12.3");
     EXPECT_EQ(significant(123.45), "123");

@@ -110,6 +110,18 @@ double seconds_of_call(double (*call)(double)) {
 
 }  // namespace
 
+double instruction_cost() {
+    constexpr int each = 16;
+    const Piece nothing = [](benchmark::State& state) {
+        for (auto _ : state)
+            for (long k = 0; k < rounds; ++k)
+                asm volatile(
+                    "nop\n nop\n nop\n nop\n nop\n nop\n nop\n nop\n"
+                    "nop\n nop\n nop\n nop\n nop\n nop\n nop\n nop");
+    };
+    return timed({nothing}, repetitions, least_time).front().median / static_cast<double>(rounds * each);
+}
+
 OperationCosts scalar_costs() {
     return {seconds_each(one<Operation::sums_and_products>, 1), seconds_each(one<Operation::quotients>, 1),
             seconds_each(one<Operation::roots>, 1), seconds_of_call([](double x) { return std::sin(x) + std::cos(x); }),

@@ -19,6 +19,9 @@ struct OperationCosts {
     double angle = 0;            ///< atan2
 };
 
+/// Of an instruction of any kind, at the greatest rate at which the processor takes them in.
+double instruction_cost();
+
 /// Of single numbers.
 OperationCosts scalar_costs();
 

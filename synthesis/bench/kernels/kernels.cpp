@@ -23,6 +23,7 @@ Row kernel_row(std::string_view order, std::string_view form, const KernelNumber
             n.mix.sines,
             n.mix.angles,
             cell_of(ns * n.least),
+            n.instructions ? Cell(ns * n.instruction * static_cast<double>(*n.instructions)) : Cell(),
             cell_of(n.usual_median),
             cell_of(n.usual_least),
             cell_of(n.hard_median),
@@ -45,14 +46,15 @@ std::vector<Measurement> measurements(const Effort&) {
 }  // namespace
 
 Section kernels() {
-    return {"kernels",
-            "Kernels: what each order of motion costs, and how many digits it keeps",
-            {"kernel", "order", "form", "ns", "ns lower quartile", "ns upper quartile", "instructions",
-             "sums and products", "quotients", "roots", "sines and cosines", "angles", "least ns",
-             "digits usual median", "digits usual least", "digits hard median", "digits hard least"},
-            measurements,
-            kernels_told,
-            kernels_drawn};
+    return {
+        "kernels",
+        "Kernels: what each order of motion costs, and how many digits it keeps",
+        {"kernel", "order", "form", "ns", "ns lower quartile", "ns upper quartile", "instructions", "sums and products",
+         "quotients", "roots", "sines and cosines", "angles", "ns by operations", "ns by instructions",
+         "digits usual median", "digits usual least", "digits hard median", "digits hard least"},
+        measurements,
+        kernels_told,
+        kernels_drawn};
 }
 
 }  // namespace mechwright::bench

@@ -138,6 +138,7 @@ std::vector<Row> measured_lanes(const Effort& effort) {
         });
     const std::vector<Timing> timings = timed(pieces, effort.pick(5, 21), effort.pick(0.1, 1.0));
     const double each = 1 / static_cast<double>(groups.size() * widest);
+    const double instruction = instruction_cost();
     std::vector<Row> rows;
     for (std::size_t i = 0; i < forms.size(); ++i) {
         const LaneForm& f = forms[i];
@@ -145,6 +146,7 @@ std::vector<Row> measured_lanes(const Effort& effort) {
         if (const auto all = instructions_of([&] { f.body(groups, half_turn(1.0), out); }))
             n.instructions = static_cast<long>(static_cast<double>(*all) * each + 0.5);
         n.least = least_seconds(f.mix, f.costs);
+        n.instruction = instruction;
         f.body(groups, half_turn(1.0), out);
         if (f.name == one_by_one_name) first = out;
         if (!same_digits(out, first)) throw std::logic_error("lanes have other digits than single numbers");

@@ -213,6 +213,7 @@ struct KernelNumbers {
     std::optional<long> instructions;
     OperationMix mix;
     double least = std::numeric_limits<double>::quiet_NaN();  ///< seconds; NaN where there is no bound
+    double instruction = 0;                                   ///< seconds that one takes at least
     double usual_median = std::numeric_limits<double>::quiet_NaN(), usual_least = usual_median;
     double hard_median = usual_median, hard_least = usual_median;
 };
@@ -232,11 +233,13 @@ std::vector<Row> measured_kernel(const Effort& effort) {
         pieces.push_back(f.piece);
     const std::vector<Timing> timings = timed(pieces, effort.pick(5, 21), effort.pick(0.1, 1.0));
     const OperationCosts costs = scalar_costs();
+    const double instruction = instruction_cost();
     std::vector<Row> rows;
     for (std::size_t i = 0; i < forms.size() && !effort.stopped(); ++i) {
         const auto& f = forms[i];
         KernelNumbers n{timings[i], f.once ? instructions_of(f.once) : std::nullopt, f.mix};
         if (f.mix.sums_and_products > 0) n.least = least_seconds(f.mix, costs);
+        n.instruction = instruction;
         const Kept usual = kept(f, Kernel::usual()), hard = kept(f, Kernel::hard_ones());
         n.usual_median = usual.median;
         n.usual_least = usual.least;
