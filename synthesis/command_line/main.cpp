@@ -1,11 +1,61 @@
 #include <signal.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <new>
+#include <string_view>
 
+#include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/run.h"
 
+namespace {
+
+/// Says so without needing any.
+[[noreturn]] void end_without_memory() {
+    constexpr std::string_view message = "mechwright: out of memory\n";
+    const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+    static_cast<void>(written);
+    ::_exit(mechwright::exit_code::internal_error);
+}
+
+/// What no handler can catch: the JSON library needs memory to give memory back, in destructors.
+[[noreturn]] void on_terminate() {
+    try {
+        if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        end_without_memory();
+    } catch (...) {
+    }
+    std::abort();
+}
+
+/// Several times what the main thread needs of its stack.
+constexpr std::size_t stack_needed = 2 << 20;
+
+[[gnu::noinline]] void touch_stack() {
+    [[maybe_unused]] volatile char block[stack_needed];
+    constexpr std::size_t page = 4096;
+    for (std::size_t i = stack_needed; i >= page; i -= page)
+        block[i - page] = 0;
+}
+
+/// The system lets the stack grow as it is used, and where memory is limited ends the program by a signal then. It is
+/// made to grow now, once it is known that there is room.
+void take_stack() {
+    void* room = ::mmap(nullptr, stack_needed, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (room == MAP_FAILED) end_without_memory();
+    ::munmap(room, stack_needed);
+    touch_stack();
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+    std::set_terminate(on_terminate);
+    take_stack();
     // A closed pipe and a full file are errors of writing, not the end of the program.
     ::signal(SIGPIPE, SIG_IGN);
     ::signal(SIGXFSZ, SIG_IGN);

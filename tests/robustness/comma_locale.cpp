@@ -22,7 +22,7 @@ Lines commands() {
             {"new", "--mechanism", "slider-crank", "--task", "stroke", "--set", "stroke=80.5"},
             {"solve", "--out", "out", "--csv", "--quiet", problem_file("four-bar/crank-rocker")},
             {"solve", "--out", "out", "--quiet", cam},
-            {"solve", "--json", "--quiet", problem_file("function/samples"), problem_file("path/case-3")},
+            {"solve", "--json", "--quiet", problem_file("path/case-3")},
             {"compare", "--csv", "--quiet", problem_file("four-bar/crank-rocker"),
              problem_file("four-bar/drag-link-velocity-ratio")},
             {"compare", "--quiet", problem_file("four-bar/crank-rocker")},
@@ -53,13 +53,12 @@ std::string study_with_a_chart() {
            "value = \"transmission-angle-worst\"\n";
 }
 
-/// Lines of text without those that tell seconds.
+/// Lines of text without those that end in how long something took.
 std::string timeless(const std::string& text) {
     std::istringstream lines(text);
     std::string kept;
     for (std::string line; std::getline(lines, line);)
-        if (line.find("\"seconds\"") == std::string::npos && line.find(" evaluation") == std::string::npos)
-            kept += line + "\n";
+        if (line.find("\"seconds\"") == std::string::npos && !line.ends_with(" s.")) kept += line + "\n";
     return kept;
 }
 
@@ -112,7 +111,7 @@ TEST(CommaLocale, ChangesNoByteOfTheProgram) {
     };
     const std::string plain = program("C");
     expect_has(plain, "-1234.5");
-    expect_has(plain, "45.00821878");
+    expect_has(plain, "45.008219");
     expect_same_text(program(comma_name), plain);
 }
 

@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
         Writer{{"export", problem_file("quick-return/drag-link-given"), "--out", "DISK/a.dxf"}, "a.dxf"},
         Writer{{"export", problem_file("quick-return/drag-link-given"), "--out", "DISK/a.csv"}, "a.csv"},
         Writer{{"export", problem_file("quick-return/drag-link-given"), "--out", "DISK/a.slvs"}, "a.slvs"}),
-    [](const auto& info) { return "N" + std::to_string(info.index); });
+    [](const auto& test) { return "N" + std::to_string(test.index); });
 
 std::string points_in(const std::string& folder) {
     const Outcome exported = run({"study", "export", folder, "--csv"});
@@ -100,12 +100,13 @@ std::string points_in(const std::string& folder) {
 TEST(FullDiskUnderAStudy, KeepsWhatWasDoneAndGoesOnWithRoom) {
     SmallDisk disk(disk_kilobytes);
     if (!disk.mounted()) GTEST_SKIP() << "a disk cannot be mounted here";
+    constexpr int points = 1500;
     const TemporaryFolder elsewhere;
-    const std::string problem = elsewhere.write("a.toml", small_study(60));
+    const std::string problem = elsewhere.write("a.toml", closed_form_study(points));
     ASSERT_EQ(run({"study", problem, "--out", elsewhere / "out", "--quiet"}).exit_code, 0);
     const std::string data = elsewhere / "out/study.sqlite";
-    // Room for a part of the data.
-    ASSERT_TRUE(disk.resize(std::filesystem::file_size(data) / 1024 / 2));
+    // Room for a part of the data and of the journal beside them.
+    ASSERT_TRUE(disk.resize(std::filesystem::file_size(data) / 1024 * 2 / 3));
     const Outcome full = run({"study", problem, "--out", disk / "out", "--quiet"});
     EXPECT_EQ(full.killed_by, 0);
     EXPECT_EQ(full.exit_code, 6) << full.err;
@@ -113,7 +114,8 @@ TEST(FullDiskUnderAStudy, KeepsWhatWasDoneAndGoesOnWithRoom) {
     ASSERT_TRUE(disk.resize(disk_kilobytes));
     const Outcome status = run({"study", "status", disk / "out"});
     EXPECT_EQ(status.exit_code, 0) << status.err;
-    expect_has(status.out, "60 points");
+    expect_has(status.out, " of 1500 points: ");
+    expect_has_not(status.out, "\n0 of ");
     EXPECT_EQ(run({"study", problem, "--out", disk / "out", "--quiet"}).exit_code, 0);
     EXPECT_EQ(points_in(disk / "out"), points_in(elsewhere / "out"));
 }

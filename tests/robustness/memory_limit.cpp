@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "roller-uneven.json"),
         std::pair(Arguments{"draw", problem_file("quick-return/drag-link-given"), "--out", "OUT/a.svg"}, "a.svg"),
         std::pair(Arguments{"export", problem_file("quick-return/drag-link-given"), "--out", "OUT/a.dxf"}, "a.dxf")),
-    [](const auto& info) { return "N" + std::to_string(info.index); });
+    [](const auto& test) { return "N" + std::to_string(test.index); });
 
 }  // namespace
 }  // namespace mechwright::testing
