@@ -120,6 +120,7 @@ std::vector<Row> study(const Effort& effort, int count) {
     int run = 0;
     const Timing t = timed(
         [&] {
+            if (effort.stopped()) return;
             const std::string out = folder.path / std::to_string(run++);
             succeeded =
                 succeeded &&

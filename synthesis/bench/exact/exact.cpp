@@ -21,6 +21,16 @@ constexpr const char* whole = "whole solution";
 constexpr const char* dyads = "dyads of five poses";
 constexpr const char* certificate = "certificate";
 
+/// The time of what takes a second or so; a stop ends it soon.
+template <class Call>
+Timing timed_until_stopped(const Effort& effort, const Call& call) {
+    return timed(
+        [&] {
+            if (!effort.stopped()) call();
+        },
+        effort.pick(2, 9));
+}
+
 /// The row of a piece that has solutions and takes time, for so many of them.
 Row timed_row(const char* piece, std::string_view way, Cell tolerance, double solutions, const Timing& t, Cell steps,
               Cell distinct) {
@@ -32,7 +42,7 @@ std::vector<Row> follow(const PathsBy& way, double tolerance, const Effort& effo
     const NinePoints points = nine_points();
     const TrackingOptions options = with_tolerance(tolerance);
     std::vector<homotopy::GuidancePath> paths;
-    const Timing t = timed([&] { paths = way.follow(points, options); }, effort.pick(2, 9));
+    const Timing t = timed_until_stopped(effort, [&] { paths = way.follow(points, options); });
     const Ends ends = ends_of(points, paths);
     return {timed_row(all_paths, way.name, tolerance, nine_point_paths, t, ends.steps, ends.distinct)};
 }
@@ -42,7 +52,7 @@ std::vector<Row> solve_all(const Effort& effort) {
     const NinePoints points = nine_points();
     homotopy::GuidanceSolutions found;
     const Timing t =
-        timed([&] { found = solve_guidance(*points.start, points.target.parameters, 1); }, effort.pick(2, 9));
+        timed_until_stopped(effort, [&] { found = solve_guidance(*points.start, points.target.parameters, 1); });
     return {timed_row(whole, "", nullptr, nine_point_paths, t, nullptr, found.solutions.size())};
 }
 
