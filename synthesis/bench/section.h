@@ -33,7 +33,7 @@ struct Effort {
 };
 
 /// Numbers, texts, or null for what there is not.
-using Cell = nlohmann::json;
+using Cell = nlohmann::ordered_json;
 using Row = std::vector<Cell>;
 
 /// What is measured in one go, and not again by a run that goes on.
