@@ -5,7 +5,7 @@
 namespace mechwright::bench {
 
 std::span<const Section> sections() {
-    static const std::array all{kernels()};
+    static const std::array all{kernels(), work_precision(), data_profiles(), recovery(), agreement()};
     return all;
 }
 

@@ -7,5 +7,9 @@
 namespace mechwright::bench {
 
 Section kernels();
+Section work_precision();
+Section data_profiles();
+Section recovery();
+Section agreement();
 
 }  // namespace mechwright::bench
