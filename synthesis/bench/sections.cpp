@@ -5,7 +5,8 @@
 namespace mechwright::bench {
 
 std::span<const Section> sections() {
-    static const std::array all{kernels(), start_up(), derivatives(), gradients(), extremes(), exact(), scaling()};
+    static const std::array all{kernels(),       start_up(), derivatives(), gradients(), extremes(), work_precision(),
+                                data_profiles(), recovery(), agreement(),   exact(),     scaling()};
     return all;
 }
 

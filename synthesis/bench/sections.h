@@ -13,5 +13,9 @@ Section gradients();
 Section extremes();
 Section exact();
 Section scaling();
+Section work_precision();
+Section data_profiles();
+Section recovery();
+Section agreement();
 
 }  // namespace mechwright::bench

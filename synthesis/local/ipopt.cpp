@@ -125,6 +125,7 @@ struct IpoptProgram final : Ipopt::TNLP {
             return true;
         }
         if (!at(point)) return false;
+        ++best.hessians;
         lagrangian_hessian(program, x, weight, Eigen::Map<const VectorXd>(multipliers, m), second);
         for (Ipopt::Index i = 0, k = 0; i < n; ++i)
             for (Ipopt::Index j = 0; j <= i; ++j, ++k)
@@ -157,7 +158,8 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
     const auto options = application->Options();
     const bool accepted = options->SetStringValue("linear_solver", "mumps") && options->SetStringValue("sb", "yes") &&
                           options->SetIntegerValue("print_level", 0) && options->SetIntegerValue("max_iter", 500) &&
-                          options->SetNumericValue("tol", 1e-10) && options->SetNumericValue("bound_relax_factor", 0) &&
+                          options->SetNumericValue("tol", std::max(limits.tolerance, 1e-10)) &&
+                          options->SetNumericValue("bound_relax_factor", 0) &&
                           options->SetStringValue("honor_original_bounds", "yes");
     // An empty name keeps a stray ipopt.opt in the working directory from changing results.
     Ipopt::ApplicationReturnStatus verdict = Ipopt::Internal_Error;

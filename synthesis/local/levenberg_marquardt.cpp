@@ -179,6 +179,7 @@ LocalOutcome levenberg_marquardt(const Program& program, const VectorXd& start, 
     outcome.evaluations = 1;
     if (known) at.sum = at.residuals.value.squaredNorm();
     const double negligible = known ? rounding * at.sum : 0;
+    const double enough = std::max(limits.tolerance, least_gain);
     while (known && !limits.reached() && outcome.evaluations < limits.most_evaluations && at.sum > negligible &&
            small_gains < most_small_gains && damping < 1e20) {
         fit.update_scales(at.residuals);
@@ -201,7 +202,7 @@ LocalOutcome levenberg_marquardt(const Program& program, const VectorXd& start, 
         damping *= std::clamp(1 - std::pow(2 * gain - 1, 3), 1.0 / 9, 2.0);
         damping = std::max(damping, 1e-14);
         growth = 2;
-        small_gains = at.sum - next.sum <= least_gain * at.sum ? small_gains + 1 : 0;
+        small_gains = at.sum - next.sum <= enough * at.sum ? small_gains + 1 : 0;
         std::swap(at, next);
     }
     if (!(at.sum < unlimited)) return outcome;

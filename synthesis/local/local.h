@@ -13,6 +13,8 @@ namespace mechwright {
 
 struct LocalLimits {
     int most_evaluations = 600;
+    /// A method ends where it expects to gain less than this part; none goes below what its rounding allows.
+    double tolerance = 0;
     std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
     const std::atomic<bool>* stop = nullptr;
 
@@ -27,6 +29,7 @@ struct LocalOutcome {
     double objective = unlimited;  ///< of the program, to be minimised
     double violation = unlimited;  ///< greatest, of rows and bounds; infinite if nothing assembled
     long evaluations = 0;
+    long hessians = 0;  ///< of the Lagrangian, besides
 
     /// Violation below which two points are compared by their objectives.
     static constexpr double feasible_below = 1e-9;

@@ -148,6 +148,7 @@ LocalOutcome polish(const Program& program, const LocalOutcome& from, const Loca
         VectorXd on_rows = VectorXd::Zero(static_cast<Index>(program.rows.size()));
         for (std::size_t i = 0; i < active.size(); ++i)
             if (active[i].row >= 0) on_rows[active[i].row] += lambda[static_cast<Index>(i)];
+        ++best.hessians;
         lagrangian_hessian(program, best.x, 1, on_rows, hessian);
         if (!hessian.value.allFinite()) break;
         const NewtonStep step = newton_step(hessian.value, values.gradient, l);

@@ -149,8 +149,8 @@ LocalOutcome slsqp(const Program& program, const VectorXd& start, const LocalLim
         nlopt_add_inequality_mconstraint(run.optimiser, static_cast<unsigned>(run.inequalities.size()), inequalities,
                                          &run, nullptr);
     // Steps and gains below these are rounding; the polish that follows does better from here.
-    nlopt_set_xtol_rel(run.optimiser, 1e-13);
-    nlopt_set_ftol_rel(run.optimiser, 1e-14);
+    nlopt_set_xtol_rel(run.optimiser, std::max(limits.tolerance, 1e-13));
+    nlopt_set_ftol_rel(run.optimiser, std::max(limits.tolerance, 1e-14));
     nlopt_set_maxeval(run.optimiser, limits.most_evaluations);
     VectorXd x = start;
     double reached = 0;

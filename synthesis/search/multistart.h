@@ -3,15 +3,27 @@
 /// Local searches from many starts over all variants of a problem, shared between threads; the distinct optima they end
 /// at, and an estimate of what they have not seen.
 
+#include <optional>
+#include <vector>
+
 #include "synthesis/local/local.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright {
 
+/// How far a search had come, and with how much work.
+struct Milestone {
+    long screened = 0;     ///< candidates ranked to find starts
+    long evaluations = 0;  ///< of local searches
+    long hessians = 0;
+    std::optional<Solution> best;
+};
+
 struct Multistart {
     std::vector<Solution> optima;  ///< distinct, best first; infeasible ones after all feasible ones
     SearchReport report;
-    bool stopped = false;  ///< by the time limit or from outside, before all starts were done
+    std::vector<Milestone> milestones;  ///< after each start, or each round of starts, in their order
+    bool stopped = false;               ///< by the time limit or from outside, before all starts were done
 };
 
 /// Runs at least `problem.solver.starts` local searches with the method, each polished. The result is the same for any

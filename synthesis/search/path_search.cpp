@@ -89,6 +89,7 @@ struct Search {
     std::vector<Solution> found;
     std::optional<Solution> best;
     SearchReport report;
+    long hessians = 0;
     int hits = 0;                  ///< on the best so far
     double least_sum = unlimited;  ///< of a feasible design, by least squares alone
     int starts_of_round;
@@ -232,15 +233,14 @@ struct Search {
     Solution better(Solution a, Solution b) const { return preferred(problem, b, a) ? std::move(b) : std::move(a); }
 
     /// The solution near what the method of least squares ended at.
-    Solution finished(const Trial& trial, long& evaluations) const {
+    Solution finished(const Trial& trial, LocalOutcome& outcome) const {
         Solution solution = assessed(trial);
         const Program& program = program_of(trial, solution.design);
         if (least_squares && solution.feasible && program.size() > most_polished_variables) return solution;
         const VectorXd x = point_of(program, solution.design);
         LocalLimits some = limits;
         if (program.size() > most_polished_variables) some.most_evaluations = evaluations_of_great_program;
-        const LocalOutcome outcome = polish(program, slsqp(program, x, some), some);
-        evaluations = outcome.evaluations;
+        outcome = polish(program, slsqp(program, x, some), some);
         if (outcome.x.size() == 0) return solution;
         return better(std::move(solution), assess(problem, design_at(program, outcome.x)));
     }
@@ -262,10 +262,11 @@ struct Search {
         std::mutex reporting;
         share_work(static_cast<int>(chosen.size()), options.jobs, [&](int i) {
             const auto k = static_cast<std::size_t>(i);
-            long evaluations = 0;
-            if (!limits.reached() || k == 0) solutions[k] = finished(*chosen[k], evaluations);
+            LocalOutcome outcome;
+            if (!limits.reached() || k == 0) solutions[k] = finished(*chosen[k], outcome);
             const std::lock_guard lock(reporting);
-            report.evaluations += evaluations;
+            report.evaluations += outcome.evaluations;
+            hessians += outcome.hessians;
             if (solutions[k] && (!best || preferred(problem, *solutions[k], *best))) best = solutions[k];
             if (options.progress)
                 options.progress(report.starts, most_rounds * starts_of_round,
@@ -295,6 +296,7 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
         if (search.least_squares) search.run_to_end(trials);
         search.finish(trials);
         search.count_hits(trials);
+        result.milestones.push_back({search.report.screened, search.report.evaluations, search.hessians, search.best});
         if (search.best_is_exact() || (round + 1 >= least_rounds && search.hits >= enough_hits)) break;
     }
     std::vector<const Solution*> all;

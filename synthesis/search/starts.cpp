@@ -189,6 +189,11 @@ void fit_followed(const Program& program, VectorXd& x) {
 
 }  // namespace
 
+int start_candidates(const Problem& problem) {
+    // With a path most of them are worth nothing, and the good ones are rare.
+    return problem.path ? 400 : 16;
+}
+
 Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates) {
     const auto n = static_cast<Index>(program.size());
     const std::size_t sampled_dimensions = program.variable_of.size() + 2;

@@ -10,6 +10,9 @@
 
 namespace mechwright {
 
+/// How many candidates are screened for each start of a search from many.
+int start_candidates(const Problem& problem);
+
 /// Start number `index` of a program, a function of (seed, index) alone: the best of `candidates` screened points.
 /// Index 0 begins with the preferred values (or the middles of the ranges).
 Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates);

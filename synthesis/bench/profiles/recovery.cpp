@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/four_bar.h"
+#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/profiles/success.h"
+#include "synthesis/bench/sections.h"
+#include "synthesis/bench/timing.h"
+#include "synthesis/problem/reader.h"
+#include "synthesis/search/low_discrepancy.h"
+#include "synthesis/search/solve.h"
+
+namespace mechwright::bench {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+/// Points are met if the root of their mean squared distance is below this part of the curve's size.
+constexpr double met_within = 1e-10;
+
+/// A number in (0, 1) of linkage k.
+double drawn(std::uint64_t k, std::uint64_t i) {
+    return std::ldexp(static_cast<double>(mixed(mixed(k) ^ (i * 7919)) >> 11) + 0.5, -53);
+}
+
+/// A random crank-rocker or drag link with at least 0.02 of Grashof margin, links from 0.2 to 1.
+FourBar<double> random_linkage(std::uint64_t k) {
+    for (std::uint64_t tries = 0;; ++tries) {
+        const auto length = [&](std::uint64_t i) { return 0.2 * std::pow(5.0, drawn(k, 10 * tries + i)); };
+        const FourBar<double> m{length(1), length(2), length(3), length(4)};
+        const FourBarClass kind = classify(m).kind;
+        const bool turns = kind == FourBarClass::crank_rocker || kind == FourBarClass::double_crank;
+        if (turns && grashof_margin(m) > 0.02) return m;
+    }
+}
+
+/// Points of one turn of a linkage, and the problem of finding it again.
+struct TracedPath {
+    double size = 0;
+    std::string text;
+};
+
+constexpr const char* beginning = R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = { min = 0, max = 10 }
+crank = { min = 0, max = 10 }
+coupler = { min = 0, max = 10 }
+rocker = { min = 0, max = 10 }
+point-along = { min = -10, max = 10 }
+point-across = { min = -10, max = 10 }
+origin-x = { min = -10, max = 10 }
+origin-y = { min = -10, max = 10 }
+tilt = { min = 0, max = 360 }
+assembly = "either"
+)";
+
+TracedPath traced(std::uint64_t k, int count, bool timed) {
+    const FourBar<double> m = random_linkage(k);
+    const CouplerPoint<double> point{2 * drawn(k, 901) - 1, 2 * drawn(k, 902) - 1};
+    const Placement<double> placement{{2 * drawn(k, 903) - 1, 2 * drawn(k, 904) - 1}, turn * drawn(k, 905)};
+    const double start = turn * drawn(k, 906);
+    TracedPath path;
+    Vector<double> first{};
+    std::string points, angles;
+    for (int i = 0; i < count; ++i) {
+        const double angle = i * turn / count;
+        const auto p = placed(position(m, point, pose(m, start + angle, Assembly::open)), placement);
+        if (i == 0) first = p;
+        path.size = std::max(path.size, std::hypot(p.x - first.x, p.y - first.y));
+        points += fmt::format("[{:.17g}, {:.17g}], ", p.x, p.y);
+        angles += fmt::format("{:.17g}, ", 360.0 * i / count);
+    }
+    path.text = std::string(beginning) + (timed ? "crank-start = { min = 0, max = 360 }\n" : "") +
+                "[path]\nclosed = true\npoints = [" + points + "]\n" +
+                (timed ? "timing = \"prescribed\"\ncrank_angles = [" + angles + "]\n" : "timing = \"free\"\n") +
+                "[objective]\nminimize = \"path-rms\"\n";
+    return path;
+}
+
+std::vector<Row> measured(int count, bool is_timed, const Effort& effort) {
+    const int linkages = effort.pick(10, 200);
+    RunOptions options;
+    options.jobs = effort.jobs;
+    options.stop = effort.stop;
+    int met = 0;
+    std::vector<double> seconds;
+    for (int k = 0; k < linkages && !effort.stopped(); ++k) {
+        const TracedPath path = traced(static_cast<std::uint64_t>(k), count, is_timed);
+        const Problem problem = parse_problem(path.text, "path.toml").problem;
+        const Result result = solve(problem, options);
+        met += result.status == Status::solved && result.best->objective <= met_within * path.size;
+        seconds.push_back(result.search.seconds);
+    }
+    if (seconds.empty()) return {};
+    const double slowest = *std::max_element(seconds.begin(), seconds.end());
+    return {{count, is_timed ? "prescribed" : "free", linkages, met, timing_of(seconds).median, slowest}};
+}
+
+std::vector<Measurement> measurements(const Effort&) {
+    std::vector<Measurement> all;
+    for (const int count : {10, 25, 100})
+        for (const bool is_timed : {true, false})
+            all.push_back({fmt::format("{} points, {}", count, is_timed ? "timed" : "untimed"),
+                           [count, is_timed](const Effort& e) { return measured(count, is_timed, e); }});
+    return all;
+}
+
+std::string told(const Sheet& sheet) {
+    MarkdownTable table{{"path", "linkages", "met", "95 % interval", "median time", "slowest"}, {}};
+    for (const Row& row : sheet.rows) {
+        const double linkages = sheet.number(row, "linkages"), met = sheet.number(row, "met");
+        const Interval95 interval = wilson(met, linkages);
+        table.rows.push_back({sheet.text(row, "path"), significant(linkages),
+                              fmt::format("{:.1f} %", 100 * met / linkages),
+                              fmt::format("{:.1f} to {:.1f} %", 100 * interval.lower, 100 * interval.upper),
+                              time_text(sheet.number(row, "seconds")), time_text(sheet.number(row, "slowest"))});
+    }
+    return "Points of random crank-rockers and drag links, their curves once round, with every dimension to be found: "
+           "a "
+           "design\ncounts that meets all of them to 1e-10 of the curve's size and is verified. Default options, cold, "
+           "all threads.\n\n" +
+           to_markdown(table);
+}
+
+std::vector<Diagram> drawn(const Sheet&) { return {}; }
+
+}  // namespace
+
+Section recovery() {
+    return {"recovery",
+            "Random linkages found again from their paths",
+            {"path", "points", "timing", "linkages", "met", "seconds", "slowest"},
+            measurements,
+            told,
+            drawn};
+}
+
+}  // namespace mechwright::bench

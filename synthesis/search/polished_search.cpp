@@ -1,0 +1,44 @@
+#include "synthesis/search/polished_search.h"
+
+#include <cmath>
+
+namespace mechwright {
+
+namespace {
+
+/// An objective below this is small against what the program was scaled for: tolerances then mean too little.
+constexpr double small_objective = 1e-2;
+/// Times that a search goes on in units of the objective reached, and the part by which that has to pay each time.
+constexpr int most_magnifications = 4;
+constexpr double pays_from = 1e-3;
+
+bool asks_for_one_worst(const Program& program) {
+    return program.epigraphs.size() == 1 && program.epigraphs.front().above && program.objective.outputs.empty();
+}
+
+}  // namespace
+
+LocalOutcome polished_search(const Program& program, const Eigen::VectorXd& start, LocalMethod method,
+                             const LocalLimits& limits) {
+    LocalOutcome outcome = polish(program, method(program, start, limits), limits);
+    for (int pass = 0; pass < most_magnifications && !program.closest_to_reference; ++pass) {
+        const double size = std::abs(outcome.objective);
+        if (outcome.violation > LocalOutcome::feasible_below || !(size > 0 && size < small_objective)) break;
+        const Program great = magnified(program, size);
+        Eigen::VectorXd x = outcome.x;
+        settle_epigraphs(great, x);
+        if (pass == 0 && asks_for_one_worst(great)) x = levelled(great, x, limits);
+        LocalOutcome further = polish(great, method(great, x, limits), limits);
+        outcome.evaluations += further.evaluations;
+        outcome.hessians += further.hessians;
+        if (further.violation > LocalOutcome::feasible_below || !(further.objective * size < outcome.objective)) break;
+        const bool pays = further.objective * size < outcome.objective - pays_from * size;
+        outcome.x = std::move(further.x);
+        outcome.objective = further.objective * size;
+        settle_epigraphs(program, outcome.x);
+        if (!pays) break;
+    }
+    return outcome;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// One local search to full precision.
+
+#include "synthesis/local/local.h"
+
+namespace mechwright {
+
+/// The method, then Newton's polish; where the objective is small against what the program was scaled for, both again
+/// in units of what was reached, as long as that pays.
+LocalOutcome polished_search(const Program& program, const Eigen::VectorXd& start, LocalMethod method,
+                             const LocalLimits& limits);
+
+}  // namespace mechwright
