@@ -284,7 +284,7 @@ std::vector<Diagram> drawn(const Sheet& sheet) {
                         "evaluations",
                         true,
                         true,
-                        false,
+                        Diagram::Joined::by_lines,
                         {}};
         for (const std::string& method : sheet.distinct("method")) {
             Curve curve{method, {}};

@@ -84,14 +84,17 @@ Row costs(const Arena& arena) {
     const Eigen::VectorXd& x = arena.known.x;
     const Eigen::VectorXd multipliers = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(program.rows.size()));
     ProgramValues values;
+    LagrangianHessian hessian;
     const auto evaluated = [&](bool derivatives) {
         return piece([&, derivatives](std::size_t) {
             evaluate(program, x, derivatives, values);
             return values.objective;
         });
     };
-    const auto times = timed({evaluated(false), evaluated(true),
-                              piece([&](std::size_t) { return lagrangian_hessian(program, x, 1, multipliers)(0, 0); })},
+    const auto times = timed({evaluated(false), evaluated(true), piece([&](std::size_t) {
+                                  lagrangian_hessian(program, x, 1, multipliers, hessian);
+                                  return hessian.value(0, 0);
+                              })},
                              5, 0.02);
     return {"",
             Cell(),
@@ -254,7 +257,7 @@ Diagram profile(const std::vector<Runs>& all, const char* name, const char* targ
                     "share of the seeds of all problems",
                     true,
                     false,
-                    true,
+                    Diagram::Joined::by_steps,
                     {}};
     for (const std::string& search : profiled(all)) {
         Curve curve{search, {}};
