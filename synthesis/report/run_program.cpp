@@ -38,6 +38,17 @@ std::FILE* file_of(std::string_view text) {
     return nullptr;
 }
 
+/// The environment of this process but for its locale, so that other programs too write the same everywhere.
+std::vector<char*> environment_without_locale() {
+    static std::string locale = "LC_ALL=C.UTF-8";
+    std::vector<char*> variables;
+    for (char** variable = environ; *variable != nullptr; ++variable)
+        if (!std::string_view(*variable).starts_with("LC_ALL=")) variables.push_back(*variable);
+    variables.push_back(locale.data());
+    variables.push_back(nullptr);
+    return variables;
+}
+
 }  // namespace
 
 ProgramRun run_program(std::vector<std::string> command, std::string_view input) {
@@ -58,7 +69,8 @@ ProgramRun run_program(std::vector<std::string> command, std::string_view input)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);
     pid_t child = -1;
-    run.error = ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+    run.error =
+        ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environment_without_locale().data());
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(pipe[1]);
     if (run.error == 0) {

@@ -14,12 +14,13 @@ namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// Every command that reads or writes numbers. They run in a folder of their own, one after the other.
-Lines commands() {
+/// Every command that reads or writes numbers. They run in a folder of their own, one after the other. Numbers on the
+/// command line itself are read by the C library in the locale of the process, which in the program is always C.
+Lines commands(const std::string& tenths) {
     const std::string given = problem_file("quick-return/drag-link-given"), cam = problem_file("cam/roller-uneven");
     return {{"check", given},
             {"check", "wrong.toml"},
-            {"new", "--mechanism", "slider-crank", "--task", "stroke", "--set", "stroke=80.5"},
+            {"new", "--mechanism", "slider-crank", "--task", "stroke", "--set", "stroke=80" + tenths},
             {"solve", "--out", "out", "--csv", "--quiet", problem_file("four-bar/crank-rocker")},
             {"solve", "--out", "out", "--quiet", cam},
             {"solve", "--json", "--quiet", problem_file("path/case-3")},
@@ -30,12 +31,12 @@ Lines commands() {
             {"analyse", "--csv", "--steps", "8", given},
             {"verify", "out/crank-rocker.json"},
             {"profile", "out/roller-uneven.json"},
-            {"profile", "--dxf", "--cutter", "6.5", "out/roller-uneven.json"},
-            {"draw", given, "--out", "out/a.svg", "--plots", "--at", "30.5"},
-            {"export", given, "--out", "out/a.dxf", "--fineness", "0.001"},
-            {"export", given, "--out", "out/a.csv"},
-            {"export", given, "--out", "out/a.json"},
-            {"export", given, "--out", "out/a.slvs"},
+            {"profile", "--dxf", "--cutter", "6" + tenths, "out/roller-uneven.json"},
+            {"draw", given, "--out", "made/a.svg", "--plots", "--at", "30" + tenths},
+            {"export", given, "--out", "made/a.dxf"},
+            {"export", given, "--out", "made/a.csv"},
+            {"export", given, "--out", "made/a.json"},
+            {"export", given, "--out", "made/a.slvs"},
             {"report", "out"},
             {"study", "study.toml", "--out", "study", "--quiet"},
             {"study", "export", "study", "--csv"},
@@ -64,12 +65,13 @@ std::string timeless(const std::string& text) {
 
 /// Everything the commands say, with their exit codes, and then every file of text that they leave.
 template <class RunOne>
-std::string all_said(const RunOne& run_one) {
+std::string all_said(const RunOne& run_one, const std::string& tenths) {
     const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path / "made");
     folder.write("wrong.toml", "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = -1234.5\ncrank = 1,5\n");
     folder.write("study.toml", study_with_a_chart());
     std::string all;
-    for (const auto& arguments : commands()) {
+    for (const auto& arguments : commands(tenths)) {
         const Outcome outcome = run_one(folder.path.string(), arguments);
         all += "== " + arguments[0] + " " + arguments[1] + ": " + std::to_string(outcome.exit_code) + "\n" +
                timeless(outcome.out) + timeless(outcome.err);
@@ -101,13 +103,15 @@ TEST(CommaLocale, ChangesNoByteOfTheProgram) {
     const CommaLocale comma;
     if (!comma.made()) GTEST_SKIP() << "no locale can be made here: localedef or Debian's package locales is missing";
     const auto program = [&](const std::string& name) {
-        return all_said([&, name](const std::string& folder, const std::vector<std::string>& arguments) {
-            Start how;
-            how.arguments = arguments;
-            how.folder = folder;
-            how.environment = {{"LOCPATH", comma.path()}, {"LC_ALL", name}};
-            return run(how);
-        });
+        return all_said(
+            [&, name](const std::string& folder, const std::vector<std::string>& arguments) {
+                Start how;
+                how.arguments = arguments;
+                how.folder = folder;
+                how.environment = {{"LOCPATH", comma.path()}, {"LC_ALL", name}};
+                return run(how);
+            },
+            ".5");
     };
     const std::string plain = program("C");
     expect_has(plain, "-1234.5");
@@ -130,7 +134,7 @@ Outcome run_here(const std::string& folder, const std::vector<std::string>& argu
 }
 
 TEST(CommaLocale, OfTheWholeProcessChangesNoByteEither) {
-    const std::string plain = all_said(run_here);
+    const std::string plain = all_said(run_here, "");
     const CommaLocale comma;
     const std::string before = std::setlocale(LC_ALL, nullptr);
     ::setenv("LOCPATH", comma.path().c_str(), 1);
@@ -139,7 +143,7 @@ TEST(CommaLocale, OfTheWholeProcessChangesNoByteEither) {
     const std::locale global = std::locale::global(std::locale(std::locale(), new CommaNumbers));
     std::ostringstream number;
     number << 1234.5;
-    const std::string said = all_said(run_here);
+    const std::string said = all_said(run_here, "");
     std::locale::global(global);
     std::setlocale(LC_ALL, before.c_str());
     ::unsetenv("LOCPATH");

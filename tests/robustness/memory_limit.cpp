@@ -62,7 +62,7 @@ TEST_P(LittleMemory, EndsWithAMessage) {
     ASSERT_NE(full.file, before);
     bool enough = false;
     int lacked = 0;
-    for (std::size_t more = 0; !enough && more < 2'000'000; more += std::max<std::size_t>(96, more / 8)) {
+    for (std::size_t more = 0; !enough && more < 2'000'000; more += std::max<std::size_t>(160, more / 4)) {
         const Attempt a = attempt(arguments, name, least + more * kilobyte);
         EXPECT_EQ(a.outcome.killed_by, 0) << more << " kB more: " << a.outcome.err;
         if (a.outcome.exit_code == 0) {
