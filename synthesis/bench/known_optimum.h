@@ -16,8 +16,8 @@ struct KnownOptimum {
     double objective;  ///< of the program
 };
 
-/// A design as a point of the program in which it is worth most, polished. Nothing where it lies in none. `problem` must
-/// outlive it.
+/// A design as a point of the program in which it is worth most, polished. Nothing where it lies in none. `problem`
+/// must outlive it.
 std::optional<KnownOptimum> optimum_at(const Problem& problem, const Design& design);
 
 /// The verified design that the problem's own method finds. Nothing where there is none, or no objective.

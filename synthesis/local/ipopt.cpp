@@ -149,7 +149,8 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
     const auto options = application->Options();
     const bool accepted = options->SetStringValue("linear_solver", "mumps") && options->SetStringValue("sb", "yes") &&
                           options->SetIntegerValue("print_level", 0) && options->SetIntegerValue("max_iter", 500) &&
-                          options->SetNumericValue("tol", std::max(limits.tolerance, 1e-10)) && options->SetNumericValue("bound_relax_factor", 0) &&
+                          options->SetNumericValue("tol", std::max(limits.tolerance, 1e-10)) &&
+                          options->SetNumericValue("bound_relax_factor", 0) &&
                           options->SetStringValue("honor_original_bounds", "yes");
     // An empty name keeps a stray ipopt.opt in the working directory from changing results.
     if (accepted && application->Initialize("") == Ipopt::Solve_Succeeded)

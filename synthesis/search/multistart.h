@@ -23,7 +23,7 @@ struct Multistart {
     std::vector<Solution> optima;  ///< distinct, best first; infeasible ones after all feasible ones
     SearchReport report;
     std::vector<Milestone> milestones;  ///< after each start, or each round of starts, in their order
-    bool stopped = false;  ///< by the time limit or from outside, before all starts were done
+    bool stopped = false;               ///< by the time limit or from outside, before all starts were done
 };
 
 /// Runs at least `problem.solver.starts` local searches with the method, each polished. The result is the same for any

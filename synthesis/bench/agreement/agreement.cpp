@@ -57,8 +57,8 @@ Row row_of_search(const Problem& problem, const Answer& first, const std::string
     return row_of(other, cell(apart), std::move(nearby), "");
 }
 
-/// The method that the file asks for, then the others. In a quick look Ipopt, which takes a thousand times as long for a
-/// start as SLSQP does, only starts nearby.
+/// The method that the file asks for, then the others. In a quick look Ipopt, which takes a thousand times as long for
+/// a start as SLSQP does, only starts nearby.
 std::vector<Row> compared(const Problem& problem, const Effort& effort) {
     RunOptions options;
     options.jobs = effort.jobs;
@@ -78,8 +78,8 @@ std::vector<Row> compared(const Problem& problem, const Effort& effort) {
 std::vector<Measurement> measurements(const Effort& effort) {
     std::vector<Measurement> all;
     for (ShippedProblem& shipped : shipped_problems(effort.problems))
-        all.push_back({shipped.name,
-                       [problem = std::move(shipped.problem)](const Effort& e) { return compared(problem, e); }});
+        all.push_back(
+            {shipped.name, [problem = std::move(shipped.problem)](const Effort& e) { return compared(problem, e); }});
     return all;
 }
 
@@ -166,7 +166,7 @@ std::string elsewhere(const Sheet& sheet, const std::vector<Compared>& all) {
                 if (!sheet.text(row, "answer").empty() || rows == &c.different)
                     table.rows.push_back({c.problem, value_text(sheet, c.first), sheet.text(c.first, "method"),
                                           instead(sheet, c.first, row), sheet.text(row, "method"),
-                                          significant(sheet.number(row, "starts")),
+                                          sheet.cell(row, "starts").is_null() ? "" : sheet.cell(row, "starts").dump(),
                                           significant(sheet.number(row, "nearby"), 2)});
     if (table.rows.empty()) return {};
     return "\nSearches that ended elsewhere, and how far from the optimum above they end when they start near it:\n\n" +
@@ -177,8 +177,8 @@ std::string alone(const Sheet& sheet, const std::vector<Compared>& all) {
     MarkdownTable table{{"problem", "answer", "by", "why no other"}, {}};
     for (const Compared& c : all)
         if (c.same.empty() && c.nearby.empty() && c.different.empty())
-            table.rows.push_back({c.problem, value_text(sheet, c.first), sheet.text(c.first, "method"),
-                                  sheet.text(c.first, "alone")});
+            table.rows.push_back(
+                {c.problem, value_text(sheet, c.first), sheet.text(c.first, "method"), sheet.text(c.first, "alone")});
     if (table.rows.empty()) return {};
     return "\nProblems that one method answers:\n\n" + to_markdown(table);
 }
@@ -194,10 +194,13 @@ std::string told(const Sheet& sheet) {
         count([](const Compared& c) { return c.same.empty() && c.nearby.empty() && !c.different.empty(); });
     return fmt::format(
                "Every problem that comes with mechwright, by the method that its file asks for (auto, if none) and by "
-               "others. Of {}\nproblems {} have the same answer, to 1e-8, by two methods that search for themselves; of "
+               "others. Of {}\nproblems {} have the same answer, to 1e-8, by two methods that search for themselves; "
+               "of "
                "{} more a second method comes\nback to the same optimum from a design a thousandth away in every "
-               "variable; in {} no two methods agree; {} are\nanswered by one method. Differences are relative, of what is zero by "
-               "rounding in the problem's size. A trade-off\nshows the ends of its front, a problem that cannot be solved "
+               "variable; in {} no two methods agree; {} are\nanswered by one method. Differences are relative, of "
+               "what is zero by "
+               "rounding in the problem's size. A trade-off\nshows the ends of its front, a problem that cannot be "
+               "solved "
                "how closely it can.\n\n",
                all.size(), by_search, by_nearby, differ,
                static_cast<std::ptrdiff_t>(all.size()) - by_search - by_nearby - differ) +

@@ -56,8 +56,7 @@ void add_ends(Answer& answer, const Problem& problem) {
         const ObjectiveTerm& term = problem.objective->terms[k];
         const Design& design = (k == 0 ? answer.result.front.front() : answer.result.front.back()).solution.design;
         const auto value = quantity_value(problem, term.quantity, design);
-        answer.numbers.push_back(
-            value ? in_file_unit(*value, unit_of(problem, term), problem.units) : std::nan(""));
+        answer.numbers.push_back(value ? in_file_unit(*value, unit_of(problem, term), problem.units) : std::nan(""));
         answer.scales.push_back(scale_of(problem, design, unit_of(problem, term)));
     }
 }
@@ -141,7 +140,8 @@ double difference_nearby(const Problem& problem, const Design& design, std::stri
 std::string_view why_alone(const Problem& problem, const Answer& answer) {
     if (answer.method == "given") return "every dimension is given";
     if (methods_for(problem).size() > 1) return "";
-    return answer.method == "exact" ? "targets that are met exactly are no requirement of a search" : "no other applies";
+    return answer.method == "exact" ? "targets that are met exactly are no requirement of a search"
+                                    : "no other applies";
 }
 
 std::string_view name_of(AnswerKind kind) {

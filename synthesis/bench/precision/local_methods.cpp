@@ -39,7 +39,8 @@ std::vector<Start> first_starts(const Problem& problem, const std::vector<Progra
     std::vector<Start> starts;
     for (int k = 0; k < count; ++k) {
         const Program& program = programs[static_cast<std::size_t>(k % variants_count)];
-        starts.push_back({&program, start_point(program, problem.solver.seed, k / variants_count, start_candidates(problem))});
+        starts.push_back(
+            {&program, start_point(program, problem.solver.seed, k / variants_count, start_candidates(problem))});
     }
     return starts;
 }

@@ -159,12 +159,11 @@ bool measurable(const ShippedProblem& shipped) {
 std::vector<Measurement> measurements(const Effort& effort) {
     std::vector<Measurement> all;
     for (ShippedProblem& shipped : shipped_problems(effort.problems)) {
-        const bool chosen = std::find(representative.begin(), representative.end(), shipped.name) !=
-                            representative.end();
+        const bool chosen =
+            std::find(representative.begin(), representative.end(), shipped.name) != representative.end();
         if (!measurable(shipped) || (!effort.full && !chosen)) continue;
-        all.push_back({shipped.name, [problem = std::move(shipped.problem)](const Effort& e) {
-                           return measured(problem, e);
-                       }});
+        all.push_back(
+            {shipped.name, [problem = std::move(shipped.problem)](const Effort& e) { return measured(problem, e); }});
     }
     return all;
 }
@@ -205,13 +204,12 @@ double slowest(const Sheet& sheet, const std::string& problem, const char* targe
 
 std::vector<std::string> line_of(const Sheet& sheet, const std::string& problem, const std::string& method) {
     const std::vector<Row> rows = rows_of(sheet, problem, method);
-    std::vector<std::string> line{problem, method,
-                                  fmt::format("{} of {}", sheet.number(rows.back(), "arrived"),
-                                              sheet.number(rows.back(), "starts"))};
+    std::vector<std::string> line{
+        problem, method,
+        fmt::format("{} of {}", sheet.number(rows.back(), "arrived"), sheet.number(rows.back(), "starts"))};
     for (const char* target : target_names) {
         const Cost c = cost(sheet, rows, target);
-        line.push_back(std::isnan(c.seconds) ? "not met"
-                                             : significant(c.evaluations, 3) + ", " + time_text(c.seconds));
+        line.push_back(std::isnan(c.seconds) ? "not met" : significant(c.evaluations, 3) + ", " + time_text(c.seconds));
     }
     line.push_back(ratio_text(slowest(sheet, problem, "1e-6") / cost(sheet, rows, "1e-6").seconds));
     return line;
@@ -222,9 +220,9 @@ bool is_representative(const std::string& problem) {
 }
 
 MarkdownTable table_of(const Sheet& sheet) {
-    MarkdownTable table{{"problem", "method", "starts that lead there", "to 1e-3", "to 1e-6", "to 1e-9",
-                         "against the slowest to 1e-6"},
-                        {}};
+    MarkdownTable table{
+        {"problem", "method", "starts that lead there", "to 1e-3", "to 1e-6", "to 1e-9", "against the slowest to 1e-6"},
+        {}};
     for (const std::string& problem : sheet.distinct("problem"))
         for (const std::string& method : sheet.distinct("method"))
             if (is_representative(problem) && !rows_of(sheet, problem, method).empty())
@@ -261,11 +259,13 @@ std::string told(const Sheet& sheet) {
         "that end elsewhere\nincluded, over the number of those that come there, at the tolerance where this is "
         "least.\n\n";
     text += to_markdown(table_of(sheet));
-    MarkdownTable all{{"method", "problems", "come to 1e-3", "to 1e-6", "to 1e-9", "against the slowest to 1e-6, mean"}, {}};
+    MarkdownTable all{{"method", "problems", "come to 1e-3", "to 1e-6", "to 1e-9", "against the slowest to 1e-6, mean"},
+                      {}};
     for (const std::string& method : sheet.distinct("method"))
         all.rows.push_back(summary_of(sheet, method));
-    return text + fmt::format("\nOver the {} problems that were measured (the mean is the geometric one):\n\n",
-                              sheet.distinct("problem").size()) +
+    return text +
+           fmt::format("\nOver the {} problems that were measured (the mean is the geometric one):\n\n",
+                       sheet.distinct("problem").size()) +
            to_markdown(all);
 }
 
@@ -278,8 +278,14 @@ std::vector<Diagram> drawn(const Sheet& sheet) {
         if (!is_representative(problem)) continue;
         std::string name = "work-precision-" + problem;
         std::replace(name.begin(), name.end(), '/', '-');
-        Diagram diagram{name, "Work against error: " + problem, "error reached (median of the starts that lead there)",
-                        "evaluations", true, true, false, {}};
+        Diagram diagram{name,
+                        "Work against error: " + problem,
+                        "error reached (median of the starts that lead there)",
+                        "evaluations",
+                        true,
+                        true,
+                        false,
+                        {}};
         for (const std::string& method : sheet.distinct("method")) {
             Curve curve{method, {}};
             for (const Row& row : rows_of(sheet, problem, method))

@@ -135,10 +135,9 @@ std::vector<Measurement> measurements(const Effort& effort) {
         if (!problem) continue;
         for (const GlobalSearch& search : global_searches())
             if (search.applies(*problem))
-                all.push_back({fmt::format("{}, {}", name, search.name),
-                               [c = Chosen{std::string(name), *problem, search}](const Effort& e) {
-                                   return measured(c, e);
-                               }});
+                all.push_back(
+                    {fmt::format("{}, {}", name, search.name),
+                     [c = Chosen{std::string(name), *problem, search}](const Effort& e) { return measured(c, e); }});
     }
     return all;
 }
@@ -160,8 +159,8 @@ const Runs& baseline(const std::vector<Runs>& all, const std::string& problem) {
 }
 
 MarkdownTable expected_table(const std::vector<Runs>& all) {
-    MarkdownTable table{{"problem", "search", "to 1 %", "to 1e-3", "to 1e-6", "seeds that come to 1e-6", "ratio at 1e-6"},
-                        {}};
+    MarkdownTable table{
+        {"problem", "search", "to 1 %", "to 1e-3", "to 1e-6", "seeds that come to 1e-6", "ratio at 1e-6"}, {}};
     for (const Runs& runs : all) {
         const double own = baseline(all, runs.problem).expected_evaluations("optimum 1e-6");
         const double expected = runs.expected_evaluations("optimum 1e-6");
@@ -227,23 +226,36 @@ std::string told(const Sheet& sheet) {
     if (all.empty()) return {};
     std::string text = fmt::format(
         "Searches of {} problems from {} seeds each. All see the same program: an objective that violations are added "
-        "to,\nten times the greatest. Counted are evaluations of it, every candidate that was screened included; one with "
-        "its\ngradient and a Hessian count as many as they were measured to cost of the problem. Those of the searches with "
-        "gradients\nare known after each start, or each round of them, only: what they reach within one counts as reached "
-        "at its end.\nDifferential evolution (ten vectors a variable) and NLopt's CRS2 are given the kind of motion and the "
-        "assembly that the\noptimum lies in, the others look for them.\n\nExpected evaluations to come within a part of the "
-        "optimum: those of all seeds over the seeds that come there; with the\nrate of these, Wilson's interval of 95 %. "
+        "to,\nten times the greatest. Counted are evaluations of it, every candidate that was screened included; one "
+        "with "
+        "its\ngradient and a Hessian count as many as they were measured to cost of the problem. Those of the searches "
+        "with "
+        "gradients\nare known after each start, or each round of them, only: what they reach within one counts as "
+        "reached "
+        "at its end.\nDifferential evolution (ten vectors a variable) and NLopt's CRS2 are given the kind of motion "
+        "and the "
+        "assembly that the\noptimum lies in, the others look for them.\n\nExpected evaluations to come within a part "
+        "of the "
+        "optimum: those of all seeds over the seeds that come there; with the\nrate of these, Wilson's interval of 95 "
+        "%. "
         "The ratio is to the search that mechwright chooses for the problem, the first.\n\n",
         sheet.distinct("problem").size(), all.front().runs.size());
     text += to_markdown(expected_table(all));
-    text += "\nSeeds of all problems that come a part 1 - tau of the way from a drawn start to the optimum (More and "
-            "Wild's data\nprofiles), whatever it takes, and within 1000 evaluations for each of n variables and one:\n\n";
+    text +=
+        "\nSeeds of all problems that come a part 1 - tau of the way from a drawn start to the optimum (More and "
+        "Wild's data\nprofiles), whatever it takes, and within 1000 evaluations for each of n variables and one:\n\n";
     return text + to_markdown(profile_table(all));
 }
 
 Diagram profile(const std::vector<Runs>& all, const char* name, const char* target, const char* tau) {
-    Diagram diagram{name, fmt::format("Data profiles, tau = {}", tau), "evaluations / (variables + 1)",
-                    "share of the seeds of all problems", true, false, true, {}};
+    Diagram diagram{name,
+                    fmt::format("Data profiles, tau = {}", tau),
+                    "evaluations / (variables + 1)",
+                    "share of the seeds of all problems",
+                    true,
+                    false,
+                    true,
+                    {}};
     for (const std::string& search : profiled(all)) {
         Curve curve{search, {}};
         const std::vector<double> sorted = efforts(all, search, target);
