@@ -36,7 +36,11 @@ double merit(const Problem& problem, const std::optional<ExactDesign>& design) {
     if (!design || std::isnan(design->solution.violation)) return worst;
     const Solution& s = design->solution;
     if (!design->defect.empty()) return infeasible * (1 + std::min(std::max(s.violation, 1e-12), 1e12));
-    return maximizes(problem) ? -s.objective : s.objective;
+    // What is missed within the tolerance costs more than any objective gains by it: else a member would be the better
+    // the more of the tolerance it uses up.
+    constexpr double per_violation = 1e3;
+    const double missed = per_violation * s.violation * std::abs(s.objective);
+    return (maximizes(problem) ? -s.objective : s.objective) + missed;
 }
 
 struct Search {

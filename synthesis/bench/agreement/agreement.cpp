@@ -166,7 +166,7 @@ std::string elsewhere(const Sheet& sheet, const std::vector<Compared>& all) {
                 if (!sheet.text(row, "answer").empty() || rows == &c.different)
                     table.rows.push_back({c.problem, value_text(sheet, c.first), sheet.text(c.first, "method"),
                                           instead(sheet, c.first, row), sheet.text(row, "method"),
-                                          significant(sheet.number(row, "starts")),
+                                          sheet.cell(row, "starts").is_null() ? "" : sheet.cell(row, "starts").dump(),
                                           significant(sheet.number(row, "nearby"), 2)});
     if (table.rows.empty()) return {};
     return "\nSearches that ended elsewhere, and how far from the optimum above they end when they start near it:\n\n" +

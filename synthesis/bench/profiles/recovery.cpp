@@ -115,7 +115,7 @@ std::string told(const Sheet& sheet) {
     for (const Row& row : sheet.rows) {
         const double linkages = sheet.number(row, "linkages"), met = sheet.number(row, "met");
         const Interval95 interval = wilson(met, linkages);
-        table.rows.push_back({sheet.text(row, "path"), significant(linkages),
+        table.rows.push_back({sheet.text(row, "path"), fmt::format("{:.0f}", linkages),
                               fmt::format("{:.1f} %", 100 * met / linkages),
                               fmt::format("{:.1f} to {:.1f} %", 100 * interval.lower, 100 * interval.upper),
                               time_text(sheet.number(row, "seconds")), time_text(sheet.number(row, "slowest"))});
