@@ -14,6 +14,7 @@
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/progress_line.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/report/table.h"
 
 namespace mechwright {
 
@@ -93,7 +94,7 @@ int measure(const BenchOptions& options, Console& console) {
 
 Command add_bench(CLI::App& program) {
     const auto options = std::make_shared<BenchOptions>();
-    CLI::App* command = program.add_subcommand("bench", "Measure speed against error here: tables, diagrams, report");
+    CLI::App* command = program.add_subcommand("bench", "Measure speed against error: tables, diagrams");
     std::string names;
     for (const bench::Section& section : bench::sections())
         names += fmt::format("{}{}", names.empty() ? "" : ", ", section.name);
@@ -105,7 +106,8 @@ Command add_bench(CLI::App& program) {
     command->add_flag("--anew", options->anew, "Measure again what was measured before");
     add_whole_number(*command, "--jobs", options->jobs, 1, 1024, "Threads (all)");
     command->add_flag("--quiet", options->quiet, "Nothing but errors on standard error");
-    command->footer("Sections: " + names + ".\nA run that was interrupted goes on when the command is repeated.");
+    command->footer(folded("Sections: ", names + ".") +
+                    "A run that was interrupted goes on when the command is repeated.");
     return {command, [options](Console& console) { return measure(*options, console); }};
 }
 

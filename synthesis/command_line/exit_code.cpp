@@ -28,7 +28,7 @@ int worse(int a, int b) {
 std::span<const Meaning> meanings() {
     static constexpr std::array all{
         Meaning{solved, "solved and verified"},
-        Meaning{internal_error, "out of memory; or internal error (a defect: the message says how to report it)"},
+        Meaning{internal_error, "out of memory; or a defect (the message says how to report it)"},
         Meaning{wrong_usage, "wrong usage"},
         Meaning{invalid_file, "invalid problem file, or not a result document"},
         Meaning{infeasible, "no feasible design: proven, or none found by a search that ran to its end"},
