@@ -200,11 +200,10 @@ void settle_epigraphs(const Program& program, VectorXd& x) {
 
 double into_range(double angle, double least, double greatest) {
     constexpr double turn = 2 * std::numbers::pi;
-    while (angle > greatest)
-        angle -= turn;
-    while (angle < least)
-        angle += turn;
-    return std::min(angle, greatest);
+    // In one step: a range may be so far away that single turns would never lead there.
+    if (angle > greatest) angle -= turn * std::ceil((angle - greatest) / turn);
+    if (angle < least) angle += turn * std::ceil((least - angle) / turn);
+    return std::clamp(angle, least, greatest);
 }
 
 Design design_at(const Program& program, const VectorXd& x) {
