@@ -6,7 +6,7 @@ namespace mechwright::bench {
 
 std::span<const Section> sections() {
     static const std::array all{kernels(),       start_up(), derivatives(), gradients(), extremes(), work_precision(),
-                                data_profiles(), recovery(), agreement(),   exact(),     scaling()};
+                                data_profiles(), recovery(), agreement(),   exact(),     scaling(),  peers()};
     return all;
 }
 

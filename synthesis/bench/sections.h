@@ -13,6 +13,7 @@ Section gradients();
 Section extremes();
 Section exact();
 Section scaling();
+Section peers();
 Section work_precision();
 Section data_profiles();
 Section recovery();
