@@ -25,7 +25,7 @@ std::string significant(double number, int digits) {
     if (std::isnan(number)) return {};
     const double size = std::abs(number);
     if (size != 0 && (size < 1e-3 || size >= 1e7)) return fmt::format("{:.{}e}", number, digits - 1);
-    const int before = size >= 1 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+    const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
     std::string text = fmt::format("{:.{}f}", number, std::max(digits - before, 0));
     const std::size_t whole = text.find('.') == std::string::npos ? text.size() : text.find('.');
     for (std::size_t i = whole; i > 3 + (text.front() == '-') && whole > 4; i -= 3)
