@@ -133,7 +133,7 @@ std::vector<Row> study(const Effort& effort, int count) {
                 succeeded &&
                 run_program({effort.program, "study", file, "--out", out, "--quiet", "--jobs", "1"}, "").succeeded();
         },
-        effort.pick(1, 5));
+        effort.pick(1, 3));
     if (!succeeded) return {};
     return {row_of(study_points, count, t)};
 }
@@ -168,7 +168,7 @@ std::vector<Measurement> measurements(const Effort& effort) {
                            if (!problem) return {};
                            return solutions(e, solve_threads, jobs, *problem, jobs);
                        }});
-    for (const int count : effort.pick(std::vector{100, 1000, 4000}, std::vector{100, 1000, 10'000, 100'000}))
+    for (const int count : effort.pick(std::vector{100, 400, 1600}, std::vector{100, 1000, 10'000}))
         all.push_back(
             {fmt::format("{}, {}", study_points, count), [count](const Effort& e) { return study(e, count); }});
     return all;
