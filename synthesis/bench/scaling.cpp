@@ -84,6 +84,13 @@ std::vector<Row> solutions(const Effort& effort, const char* series, double size
     return {row_of(series, size, timed([&] { solve(problem, options); }, effort.pick(1, 5)))};
 }
 
+/// On one core, in time of the processor.
+std::vector<Row> solutions_on_one_core(const Effort& effort, const char* series, double size, const Problem& problem) {
+    RunOptions options;
+    options.stop = effort.stop;
+    return {row_of(series, size, timed_on_this_thread([&] { solve(problem, options); }, effort.pick(1, 5)))};
+}
+
 /// The text of a study with another number of points.
 std::string with_count(std::string text, int count) {
     std::istringstream lines(text);
@@ -126,7 +133,7 @@ std::vector<Row> study(const Effort& effort, int count) {
                 succeeded &&
                 run_program({effort.program, "study", file, "--out", out, "--quiet", "--jobs", "1"}, "").succeeded();
         },
-        effort.pick(1, 5));
+        effort.pick(1, 3));
     if (!succeeded) return {};
     return {row_of(study_points, count, t)};
 }
@@ -146,21 +153,22 @@ std::vector<Measurement> measurements(const Effort& effort) {
     }
     for (const int points : {6, 12, 24, 48, 96})
         all.push_back({fmt::format("{} of {} points", solve_points, points), [points](const Effort& e) {
-                           return solutions(e, solve_points, points, ellipse(points, true), 1);
+                           return solutions_on_one_core(e, solve_points, points, ellipse(points, true));
                        }});
-    const auto shipped = [&](const char* name, const char* series, int size, int starts, int jobs) {
-        all.push_back({fmt::format("{}, {}", series, size), [=](const Effort& e) -> std::vector<Row> {
-                           auto problem = shipped_problem(e.problems, name);
-                           if (!problem) return {};
-                           if (starts > 0) problem->solver.starts = starts;
-                           return solutions(e, series, size, *problem, jobs);
-                       }});
-    };
     for (const int starts : {8, 16, 32, 64, 128})
-        shipped("quick-return/uniform-speed-drag-link", solve_starts, starts, starts, 1);
+        all.push_back({fmt::format("{}, {}", solve_starts, starts), [starts](const Effort& e) -> std::vector<Row> {
+                           auto problem = shipped_problem(e.problems, "quick-return/uniform-speed-drag-link");
+                           if (!problem) return {};
+                           problem->solver.starts = starts;
+                           return solutions_on_one_core(e, solve_starts, starts, *problem);
+                       }});
     for (const int jobs : thread_counts(effort.jobs))
-        shipped("path/yu1", solve_threads, jobs, 0, jobs);
-    for (const int count : effort.pick(std::vector{100, 1000, 4000}, std::vector{100, 1000, 10'000, 100'000}))
+        all.push_back({fmt::format("{}, {}", solve_threads, jobs), [jobs](const Effort& e) -> std::vector<Row> {
+                           const auto problem = shipped_problem(e.problems, "path/yu1");
+                           if (!problem) return {};
+                           return solutions(e, solve_threads, jobs, *problem, jobs);
+                       }});
+    for (const int count : effort.pick(std::vector{100, 400, 1600}, std::vector{100, 1000, 10'000}))
         all.push_back(
             {fmt::format("{}, {}", study_points, count), [count](const Effort& e) { return study(e, count); }});
     return all;

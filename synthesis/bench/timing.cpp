@@ -1,8 +1,9 @@
 #include "synthesis/bench/timing.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <string>
 
 namespace mechwright::bench {
@@ -60,15 +61,33 @@ std::vector<Timing> timed(const std::vector<Piece>& pieces, int repetitions, dou
     return timings;
 }
 
-Timing timed(const std::function<void()>& call, int repetitions) {
-    using Clock = std::chrono::steady_clock;
+namespace {
+
+template <class Now>
+Timing timed_by(const Now& now, const std::function<void()>& call, int repetitions) {
     std::vector<double> seconds;
     for (int i = 0; i < repetitions; ++i) {
-        const auto begin = Clock::now();
+        const double begin = now();
         call();
-        seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+        seconds.push_back(now() - begin);
     }
     return timing_of(std::move(seconds));
+}
+
+double seconds_of(clockid_t clock) {
+    timespec now{};
+    ::clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+Timing timed(const std::function<void()>& call, int repetitions) {
+    return timed_by([] { return seconds_of(CLOCK_MONOTONIC); }, call, repetitions);
+}
+
+Timing timed_on_this_thread(const std::function<void()>& call, int repetitions) {
+    return timed_by([] { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }, call, repetitions);
 }
 
 }  // namespace mechwright::bench

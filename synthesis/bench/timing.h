@@ -39,4 +39,7 @@ std::vector<Timing> timed(const std::vector<Piece>& pieces, int repetitions, dou
 /// The time of `repetitions` calls, for what takes milliseconds or more.
 Timing timed(const std::function<void()>& call, int repetitions);
 
+/// The same in time of the processor, for what runs on the calling thread alone: whatever else the machine does.
+Timing timed_on_this_thread(const std::function<void()>& call, int repetitions);
+
 }  // namespace mechwright::bench

@@ -24,7 +24,7 @@ constexpr const char* certificate = "certificate";
 /// The time of what takes a second or so; a stop ends it soon.
 template <class Call>
 Timing timed_until_stopped(const Effort& effort, const Call& call) {
-    return timed(
+    return timed_on_this_thread(
         [&] {
             if (!effort.stopped()) call();
         },
@@ -185,10 +185,11 @@ std::string told(const Sheet& sheet) {
     for (const Row& row : paths->by_tolerance)
         if (missing(sheet, row) == 0 && (loosest == nullptr || each(sheet, row) < each(sheet, *loosest)))
             loosest = &row;
-    text += loosest == nullptr
-                ? std::string("\nNone of these tolerances finds all solutions by following the paths alone.")
-                : fmt::format("\nThe quickest tolerance that finds all by following the paths alone is {:g}.",
-                              sheet.number(*loosest, "tolerance"));
+    text +=
+        loosest == nullptr
+            ? std::string("\nNone of these tolerances finds all solutions by following the paths alone.")
+            : fmt::format("\nThe quickest of these tolerances with which following the paths alone finds all is {:g}.",
+                          sheet.number(*loosest, "tolerance"));
     for (const Row& row : sheet.where("piece", whole))
         text += fmt::format(
             " The whole solution, which follows paths that jumped or stopped again, finds {} in {}: {} times the paths "

@@ -8,7 +8,8 @@ using namespace homotopy;
 
 namespace {
 
-std::vector<GuidancePath> one_by_one(const NinePoints& points, const TrackingOptions& options) {
+// As the program has it for its lanes: everything it calls made part of it.
+[[gnu::flatten]] std::vector<GuidancePath> one_by_one(const NinePoints& points, const TrackingOptions& options) {
     using Single = Lanes<1>;
     std::vector<GuidancePath> starts;
     for (const GuidanceValues& solution : points.start->solutions)

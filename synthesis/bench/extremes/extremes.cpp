@@ -125,11 +125,18 @@ std::string span_of(const std::vector<Found>& all, const Function& number) {
     return significant(least, 2) + " to " + significant(greatest, 2);
 }
 
+std::string at_equal_time(const std::vector<Found>& slower) {
+    if (slower.empty()) return {};
+    return fmt::format(" Sampled for as long as the others take, these would be off by {}.",
+                       span_of(slower, [](const Found& f) { return f.error_at_equal_time(); }));
+}
+
 std::string told(const Sheet& sheet) {
     constexpr double tolerance = 1e-9;  // that of a problem, unless it says another
     const auto all = all_found(sheet);
-    const auto quicker =
-        std::ranges::count_if(all, [](const Found& f) { return f.exactly.seconds < f.sampled.front().seconds; });
+    std::vector<Found> slower;  // than the coarsest sampling
+    std::ranges::copy_if(all, std::back_inserter(slower),
+                         [](const Found& f) { return f.exactly.seconds >= f.sampled.front().seconds; });
     return "Extremes over a motion as the program finds them, and by so many samples of it (of a cam's whole turn, of "
            "a "
            "limited range). Relative errors, the greatest over the mechanisms of a kind, against fifty digits:\n\n" +
@@ -143,15 +150,14 @@ std::string told(const Sheet& sheet) {
            fmt::format(
                "\nA sampled extreme is never beyond the true one, so that its error always is to the unsafe side. It "
                "falls "
-               "with the number of samples to the power {} (fitted). Sampled for as long as the exact extreme takes, "
-               "it would be off by {}; to come as close as {}, the tolerance of a problem, sampling would take {} "
-               "times as long. "
-               "{} of {} exact extremes take less time than {} samples. The smallest cam stands with the proof that "
-               "it is the smallest, and with all its requirements evaluated.\n",
-               span_of(all, [](const Found& f) { return f.error_by_samples().exponent; }),
-               span_of(all, [](const Found& f) { return f.error_at_equal_time(); }), tolerance,
-               span_of(all, [&](const Found& f) { return f.ratio_at(tolerance); }), quicker, all.size(),
-               sample_counts.front());
+               "with the number of samples to the power {} (fitted). To come as close as {}, the tolerance of a "
+               "problem, sampling would take {} times as long as the exact extreme. {} of {} exact extremes take less "
+               "time than {} samples.{} The deviation from a line is a small difference of great lengths and shows "
+               "their rounding. The smallest cam stands with the proof that it is the smallest, and with all its "
+               "requirements evaluated.\n",
+               span_of(all, [](const Found& f) { return f.error_by_samples().exponent; }), tolerance,
+               span_of(all, [&](const Found& f) { return f.ratio_at(tolerance); }), all.size() - slower.size(),
+               all.size(), sample_counts.front(), at_equal_time(slower));
 }
 
 std::vector<Diagram> drawn(const Sheet& sheet) {
