@@ -12,6 +12,7 @@
 #include "analysis/cam/law.h"
 #include "analysis/geometry/half_angle.h"
 #include "analysis/geometry/vector.h"
+#include "analysis/numbers/scalar.h"
 
 namespace mechwright::cam {
 
@@ -108,16 +109,14 @@ T pressure_angle(const PitchPoint<T>& p) {
 /// Of the pitch curve, > 0 where it is convex.
 template <class T>
 T curvature(const PitchPoint<T>& p) {
-    using std::hypot;
-    const T speed = hypot(p.across, p.along);
+    const T speed = hypotenuse(p.across, p.along);
     return p.bend / (speed * speed * speed);
 }
 
 /// The unit normal of the cam at the contact, from the cam to the roller, in the fixed plane.
 template <class T>
 Vector<T> normal(const PitchPoint<T>& p) {
-    using std::hypot;
-    const T speed = hypot(p.across, p.along);
+    const T speed = hypotenuse(p.across, p.along);
     const T tilt = p.along / speed;
     return turned(Vector<T>{p.sense > 0 ? -tilt : tilt, p.across / speed}, p.frame);
 }

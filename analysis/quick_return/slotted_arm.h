@@ -9,6 +9,7 @@
 /// once, nothing cancels however close the two lengths are (derivation: half-angle form of the law of cosines).
 
 #include "analysis/four_bar/pose.h"
+#include "analysis/numbers/scalar.h"
 
 namespace mechwright {
 
@@ -30,13 +31,12 @@ struct SlottedArmPose {
 
 template <class T>
 SlottedArmPose<T> pose(const SlottedArm<T>& m, const HalfTurn<T>& half) {
-    using std::hypot;
     const T difference = m.centre_distance - m.crank;
     const T cc = half.cosine * half.cosine;
     const T ss = half.sine * half.sine;
     SlottedArmPose<T> p;
     p.crank = {cc - ss, T(2) * half.sine * half.cosine};
-    p.reach = hypot((m.centre_distance + m.crank) * half.cosine, difference * half.sine);
+    p.reach = hypotenuse((m.centre_distance + m.crank) * half.cosine, difference * half.sine);
     p.arm = {(difference + T(2) * m.crank * cc) / p.reach, m.crank * p.crank.y / p.reach};
     return p;
 }

@@ -74,13 +74,12 @@ struct UndercutMargin {
 struct ContactDistance {
     template <template <class> class Follower, class T>
     static T value(const Follower<T>& f, const Lift<T>& lift) {
-        using std::hypot;
         if constexpr (Layout<Follower>::roller) {
             const auto p = contact_point(pitch_point(f, lift), f.roller_radius);
-            return hypot(p.x, p.y);
+            return hypotenuse(p.x, p.y);
         } else {
             const auto p = face_contact(f, lift).position;
-            return hypot(p.x, p.y);
+            return hypotenuse(p.x, p.y);
         }
     }
 };
@@ -137,9 +136,8 @@ struct ContactForce {
     template <template <class> class Follower, class T>
     static T value(const Follower<T>& f, const Lift<T>& lift, const FollowerLoad<T>& load) {
         if constexpr (Layout<Follower>::roller) {
-            using std::hypot;
             const auto p = pitch_point(f, lift);
-            const T speed = hypot(p.across, p.along);
+            const T speed = hypotenuse(p.across, p.along);
             return axial_force(load, lift) / effective_cosine(load, T(p.across / speed), T(p.along / speed));
         } else {
             return axial_force(load, lift);
@@ -153,9 +151,8 @@ struct DriveTorque {
     static T value(const Follower<T>& f, const Lift<T>& lift, const FollowerLoad<T>& load) {
         const T force = ContactForce::value(f, lift, load);
         if constexpr (Layout<Follower>::roller) {
-            using std::hypot;
             const auto p = pitch_point(f, lift);
-            return force * lift.v * p.across / hypot(p.across, p.along);
+            return force * lift.v * p.across / hypotenuse(p.across, p.along);
         } else {
             return force * lift.v;
         }
