@@ -1,34 +1,22 @@
 /// \file
-/// What must hold of the problem reader for any bytes at all. A target for libFuzzer:
-///
-///   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -I. tests/fuzz/problem_fuzzer.cpp
-///     synthesis/problem/*.cpp synthesis/mechanism/mechanism.cpp synthesis/mechanism/four_bar/*.cpp ...
-///     -lfmt -lnettle -o problem_fuzzer
-///   ./problem_fuzzer -max_len=20000 -timeout=10 tests/fuzz/corpus/problem
-///
-/// Without the library of toml++ its parser is compiled in, with the sanitizers. replay.cpp calls the same function
-/// over the corpus and changes of it, with any compiler.
+/// What must hold of the problem reader for any bytes at all, and of one evaluation of what it takes for a problem. The
+/// target of the preset `fuzz`; replay.cpp calls the same function over the corpus and changes of it, with any
+/// compiler.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/problem/points.h"
 #include "synthesis/problem/reader.h"
+#include "tests/fuzz/evaluation.h"
+#include "tests/fuzz/require.h"
 
 namespace mechwright::test {
 
 namespace {
-
-void require(bool condition, const char* what) {
-    if (condition) return;
-    std::fprintf(stderr, "does not hold: %s\n", what);
-    std::abort();
-}
 
 void check_messages(const std::vector<Message>& messages, std::size_t bytes) {
     constexpr std::size_t most = reading::Messages::most_shown + 1;
@@ -137,7 +125,10 @@ void check_reader(std::string_view text) {
     check_order(read.messages);
     require(read.problem.sha256.size() == 64, "the checksum is whole");
     require(!read.ok() || !read.unreadable, "what cannot be read is not valid");
-    if (read.ok()) check_problem(read.problem);
+    if (!read.ok()) return;
+    check_problem(read.problem);
+    check_round_trip(text, read.problem);
+    check_evaluation(read.problem);
 }
 
 void check_point_table(std::string_view text) {

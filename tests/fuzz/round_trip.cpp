@@ -1,0 +1,109 @@
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "synthesis/mechanism/function_target.h"
+#include "synthesis/problem/reader.h"
+#include "synthesis/problem/toml_text.h"
+#include "synthesis/problem/varied_problem.h"
+#include "tests/fuzz/evaluation.h"
+#include "tests/fuzz/require.h"
+
+namespace mechwright::test {
+
+namespace {
+
+/// Numbers that are the same, or none both.
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+bool same(const Vector<double>& a, const Vector<double>& b) { return same(a.x, b.x) && same(a.y, b.y); }
+
+template <class T>
+bool same(const std::optional<T>& a, const std::optional<T>& b);
+
+template <class Range>
+requires requires(const Range& range) { range.begin(); }
+bool same(const Range& a, const Range& b);
+
+bool same(const DimensionRange& a, const DimensionRange& b) {
+    return same(a.min, b.min) && same(a.max, b.max) && same(a.start, b.start) && a.named == b.named &&
+           a.tie.of == b.tie.of && same(a.tie.times, b.tie.times);
+}
+
+bool same(const Requirement& a, const Requirement& b) {
+    return a.quantity == b.quantity && same(a.equal, b.equal) && same(a.min, b.min) && same(a.max, b.max);
+}
+
+bool same(const ObjectiveTerm& a, const ObjectiveTerm& b) {
+    return a.quantity == b.quantity && a.maximize == b.maximize && same(a.weight, b.weight);
+}
+
+bool same(const Objective& a, const Objective& b) { return a.worst == b.worst && same(a.terms, b.terms); }
+
+bool same(const PathTarget& a, const PathTarget& b) {
+    return same(a.points, b.points) && a.prescribed_timing == b.prescribed_timing && a.any_order == b.any_order &&
+           same(a.crank_angles, b.crank_angles) && a.closed == b.closed && same(a.weights, b.weights) &&
+           same(a.directions, b.directions) && same(a.body_length, b.body_length);
+}
+
+bool same(const FollowedTarget& a, const FollowedTarget& b) { return a.shape == b.shape && a.full_turn == b.full_turn; }
+
+bool same_function(const Problem& a, const Problem& b) {
+    if (!a.function || !b.function) return a.function == b.function;
+    return a.function->expression == b.function->expression && same(a.function->samples, b.function->samples) &&
+           same(a.function->from, b.function->from) && same(a.function->to, b.function->to) &&
+           same(a.function->accuracy_points, b.function->accuracy_points);
+}
+
+bool same(const SolverOptions& a, const SolverOptions& b) {
+    return a.method == b.method && a.starts == b.starts && a.seed == b.seed && same(a.time_limit, b.time_limit) &&
+           same(a.tolerance, b.tolerance) && a.pareto == b.pareto;
+}
+
+template <class T>
+bool same(const std::optional<T>& a, const std::optional<T>& b) {
+    return a.has_value() == b.has_value() && (!a || same(*a, *b));
+}
+
+template <class Range>
+requires requires(const Range& range) { range.begin(); }
+bool same(const Range& a, const Range& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return same(x, y); });
+}
+
+void check_same(const Problem& a, const Problem& b) {
+    require(a.title == b.title && a.mechanism == b.mechanism && a.units.degrees == b.units.degrees &&
+                a.units.length == b.units.length,
+            "the head survives a round trip");
+    require(same(a.dimensions, b.dimensions) && a.assemblies == b.assemblies, "dimensions survive a round trip");
+    require(same(a.requirements, b.requirements), "requirements survive a round trip");
+    require(same(a.objective, b.objective), "an objective survives a round trip");
+    require(same(a.path, b.path), "a path survives a round trip");
+    require(same(a.crank_range, b.crank_range) && same(a.settings, b.settings), "motion and settings survive");
+    require(same_function(a, b) && same(a.followed, b.followed), "a function or line survives a round trip");
+    require(a.has_instant == b.has_instant && a.cam_rotation == b.cam_rotation &&
+                (a.program == nullptr) == (b.program == nullptr) && a.wanted == b.wanted,
+            "the rest survives a round trip");
+    require(same(a.solver, b.solver), "solver options survive a round trip");
+}
+
+void check_read_again(const ReadProblem& again, const Problem& problem) {
+    require(again.ok(), "a valid problem is valid when it is read again");
+    check_same(problem, again.problem);
+}
+
+}  // namespace
+
+void check_round_trip(std::string_view text, const Problem& problem) {
+    check_read_again(VariedProblem(text, problem.file).read(), problem);
+    reading::Messages messages{.file = problem.file};
+    const std::optional<toml::table> table = reading::parse_toml(text, messages);
+    require(table.has_value(), "a valid problem is TOML");
+    std::ostringstream printed;
+    printed << toml::toml_formatter(*table);
+    check_read_again(parse_problem(printed.str(), problem.file), problem);
+}
+
+}  // namespace mechwright::test
