@@ -1,0 +1,12 @@
+#!/bin/sh
+# Runs all tests with a build that counts the lines they run, and writes results/coverage.md. Fails where a function is
+# never called and tests/coverage_reasons.txt does not say why. Needs gcovr (Debian: gcovr).
+set -eu
+cd "$(dirname "$0")/.."
+cmake --preset coverage >/dev/null
+cmake --build --preset coverage
+find build/coverage -name '*.gcda' -delete
+ctest --preset coverage -j "$(nproc)"
+gcovr --root . --filter analysis/ --filter synthesis/ --exclude-throw-branches --exclude-unreachable-branches \
+    --json build/coverage/coverage.json build/coverage
+python3 tests/coverage_table.py build/coverage/coverage.json tests/coverage_reasons.txt results/coverage.md

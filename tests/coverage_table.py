@@ -1,0 +1,121 @@
+"""Line and branch coverage by folder, and what is not covered with the reason why, from gcovr's JSON.
+
+    coverage_table.py COVERAGE.json REASONS.txt REPORT.md
+
+Exit code 1 where a function is never called and no reason is given."""
+
+import collections
+import fnmatch
+import json
+import pathlib
+import sys
+
+
+def reasons_of(text):
+    """(file pattern, function pattern or None, reason) for each line."""
+    reasons = []
+    for line in text.splitlines():
+        if not line.strip() or line.startswith("#"):
+            continue
+        what, _, reason = line.partition(" = ")
+        file, _, function = what.strip().partition(":")
+        reasons.append((file, function or None, reason.strip()))
+    return reasons
+
+
+def reason_for(reasons, file, function=None):
+    for file_pattern, function_pattern, reason in reasons:
+        if (function is None) != (function_pattern is None) or not fnmatch.fnmatch(file, file_pattern):
+            continue
+        if function is None or fnmatch.fnmatchcase(function, function_pattern):
+            return reason
+    return None
+
+
+def folder_of(file):
+    parts = pathlib.PurePath(file).parts
+    return "/".join(parts[:2]) if parts[0] == "synthesis" else parts[0]
+
+
+def code_lines(file):
+    return [line for line in file["lines"] if not line["gcovr/noncode"] and not line["gcovr/excluded"]]
+
+
+def count(files):
+    """(lines run, lines, branches taken, branches)."""
+    lines = [line for file in files for line in code_lines(file)]
+    branches = [branch for line in lines for branch in line["branches"]]
+    return (sum(line["count"] > 0 for line in lines), len(lines),
+            sum(branch["count"] > 0 for branch in branches), len(branches))
+
+
+def percent(part, whole):
+    return f"{100 * part / whole:.1f} %" if whole else "-"
+
+
+def table(files):
+    by_folder = collections.defaultdict(list)
+    for file in files:
+        by_folder[folder_of(file["file"])].append(file)
+    rows = sorted(by_folder.items()) + [("total", files)]
+    text = ["| folder | lines | run | branches | taken |", "| --- | ---: | ---: | ---: | ---: |"]
+    for name, of_folder in rows:
+        run, lines, taken, branches = count(of_folder)
+        text.append(f"| {name} | {lines} | {percent(run, lines)} | {branches} | {percent(taken, branches)} |")
+    return text
+
+
+def uncalled(file):
+    """Functions, by the place where they stand, none of whose instances is called."""
+    by_line = collections.defaultdict(list)
+    for function in file["functions"]:
+        by_line[function["lineno"]].append(function)
+    for line, instances in sorted(by_line.items()):
+        if all(function["execution_count"] == 0 for function in instances):
+            yield line, min((function["name"] for function in instances), key=len)
+
+
+def by_reason(entries):
+    """Lists under their reasons. `entries`: (reason, line of the list)."""
+    groups = collections.defaultdict(list)
+    for reason, entry in entries:
+        groups[reason].append(entry)
+    text = []
+    for reason, of_group in sorted(groups.items()):
+        text += [f"{reason}:", ""] + [f"* {entry}" for entry in of_group] + [""]
+    return text
+
+
+def uncalled_functions(files, reasons):
+    for file in files:
+        for line, name in uncalled(file):
+            yield reason_for(reasons, file["file"], name), f"`{file['file']}:{line}` `{name}`"
+
+
+def uncovered_lines(files, reasons):
+    for file in files:
+        missed = sum(line["count"] == 0 for line in code_lines(file))
+        if missed:
+            reason = reason_for(reasons, file["file"]) or "No reason written down"
+            yield reason, f"`{file['file']}`: {missed} of {len(code_lines(file))}"
+
+
+def main(coverage, reasons, report):
+    files = [file for file in json.loads(pathlib.Path(coverage).read_text())["files"] if file["lines"]]
+    reasons = reasons_of(pathlib.Path(reasons).read_text())
+    functions = list(uncalled_functions(files, reasons))
+    text = ["# What the tests run", "",
+            "Made by `tests/coverage.sh`: the lines that all tests together run, and the branches that they take, but for",
+            "those that the compiler adds for exceptions.", "", *table(files), "",
+            "## Functions that no test calls", "",
+            *by_reason((reason or "No reason written down", entry) for reason, entry in functions),
+            "## Lines that no test runs", "", *by_reason(uncovered_lines(files, reasons))]
+    pathlib.Path(report).write_text("\n".join(text).rstrip() + "\n")
+    unexplained = [entry for reason, entry in functions if reason is None]
+    for entry in unexplained:
+        print(f"no test calls {entry}, and no reason is given", file=sys.stderr)
+    return 1 if unexplained else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
