@@ -106,17 +106,19 @@ double sampled_deviation(const GivenDesign& design, std::size_t, int samples) {
     const double along = design.dimensions[design.problem->mechanism->path_roles.along];
     const Vector<double> direction{std::cos(design.dimensions[line.place]), std::sin(design.dimensions[line.place])};
     const double offset = design.dimensions[line.place + 1];
-    const double step = (design.motion.to - design.motion.from) / samples;
+    const std::size_t input = design.problem->mechanism->function_scales;
+    const double start = design.dimensions[input], step = design.dimensions[input + 1] / samples;
     double greatest = 0;
     for (int i = 0; i <= samples; ++i) {
-        const auto p = pose(m, design.motion.from + step * i, Assembly::open);
+        const auto p = pose(m, start + step * i, Assembly::open);
         const double distance = cross(direction, position(m, CouplerPoint<double>{along, 0.0}, p)) - offset;
         greatest = std::max(greatest, std::abs(distance));
     }
     return greatest;
 }
 
-/// Lambda linkages that are more or less straight, each against a line close to it.
+/// Lambda linkages that are more or less straight, each against a line close to it. Neither their stretch nor their
+/// band is symmetric: else samples would hit an extreme in the middle, or one as great as another that they miss.
 ExtremeCase straightness() {
     const auto problem = problem_of(line_text);
     std::vector<GivenDesign> designs;
@@ -125,7 +127,9 @@ ExtremeCase straightness() {
         dimensions[0] += 0.3 * drawn(k, 0);
         dimensions[2] = dimensions[3] = 2.5 + 0.3 * drawn(k, 1);
         dimensions[problem->mechanism->path_roles.along] = 2 * dimensions[2];
+        dimensions[problem->mechanism->function_scales] += 0.3 * drawn(k, 2);
         problem->mechanism->line.fit(0, dimensions, {true, true, false});
+        dimensions[problem->mechanism->line.place + 1] += 0.004 * (drawn(k, 3) - 0.5);
         designs.emplace_back(problem, std::move(dimensions));
     }
     return case_of("deviation from a line", std::move(designs), "line-deviation", sampled_deviation);
