@@ -58,7 +58,9 @@ Cell known(double number) { return std::isnan(number) ? Cell() : Cell(number); }
 std::vector<Row> path_row(const PublishedPath& peer, const Effort& effort) {
     const auto problem = shipped_problem(effort.problems, peer.problem);
     if (!problem) return {};
-    const Result result = solve(*problem, {.jobs = 1, .stop = effort.stop});
+    RunOptions options;
+    options.stop = effort.stop;
+    const Result result = solve(*problem, options);
     if (!result.best) return {};
     const auto& search = result.search;
     return {{std::string(peer.problem), std::string(peer.peer), peer.error, known(peer.evaluations),

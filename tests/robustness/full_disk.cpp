@@ -111,7 +111,7 @@ TEST(FullDiskUnderAStudy, KeepsWhatWasDoneAndGoesOnWithRoom) {
     EXPECT_EQ(full.killed_by, 0);
     EXPECT_EQ(full.exit_code, 6) << full.err;
     expect_has(full.err, "study.sqlite");
-    ASSERT_TRUE(disk.resize(disk_kilobytes));
+    ASSERT_TRUE(disk.resize(16 * disk_kilobytes));
     const Outcome status = run({"study", "status", disk / "out"});
     EXPECT_EQ(status.exit_code, 0) << status.err;
     expect_has(status.out, " of 1500 points: ");
