@@ -120,7 +120,14 @@ void read_following(Following& node, Study& study, Messages& messages) {
                       fmt::format("{} is not the path of numbers that this study varies", reading::quoted(*path)));
         if (!axis) continue;
         value.variables.emplace_back(std::string(key.str()), *axis);
-        parser.DefineVar(value.variables.back().first, &probe);
+        try {
+            parser.DefineVar(value.variables.back().first, &probe);
+        } catch (const mu::Parser::exception_type&) {
+            add_error(messages, place_of(of),
+                      fmt::format("{} cannot be a variable of an expression: letters, then letters and digits",
+                                  reading::quoted(value.variables.back().first)));
+            return;
+        }
     }
     try {
         parser.SetExpr(value.expression);
