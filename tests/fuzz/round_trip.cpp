@@ -90,10 +90,14 @@ void check_same(const Problem& a, const Problem& b) {
 }
 
 void check_read_again(const ReadProblem& again, const Problem& problem) {
-    // Open: some strange tokens do not survive being printed.
-    if (!(again.ok())) return;
+    require(again.ok(), "a valid problem that is printed is valid");
     check_same(problem, again.problem);
 }
+
+/// toml++ prints a string that holds three quotation marks as a literal one, and cannot read that again.
+constexpr toml::format_flags no_literal_strings =
+    toml::toml_formatter::default_flags &
+    ~(toml::format_flags::allow_literal_strings | toml::format_flags::allow_multi_line_strings);
 
 }  // namespace
 
@@ -103,7 +107,7 @@ void check_round_trip(std::string_view text, const Problem& problem) {
     const std::optional<toml::table> table = reading::parse_toml(text, messages);
     require(table.has_value(), "a valid problem is TOML");
     std::ostringstream printed;
-    printed << toml::toml_formatter(*table);
+    printed << toml::toml_formatter(*table, no_literal_strings);
     check_read_again(parse_problem(printed.str(), problem.file), problem);
 }
 
