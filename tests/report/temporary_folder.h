@@ -2,30 +2,18 @@
 /// \file
 /// A folder for the files of one test, gone when the test is over.
 
-#include <stdlib.h>
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
+
+#include "synthesis/report/temporary_folder.h"
 
 namespace mechwright::testing {
 
 struct TemporaryFolder {
-    std::filesystem::path path;
-
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "mechwright-test-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder");
-        path = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    mechwright::TemporaryFolder folder{};
+    std::filesystem::path path = folder.path;
 
     /// The full name of a file in the folder.
     std::string operator/(const std::string& name) const { return (path / name).string(); }

@@ -68,7 +68,8 @@ class FailingAllocation : public ::testing::TestWithParam<Case> {};
 TEST_P(FailingAllocation, IsToldAndForgotten) {
     const std::string file = problem_file(GetParam().problem);
     std::string text = content_of(file);
-    if (*GetParam().method != 0) text += std::string("\n[solver]\nmethod = \"") + GetParam().method + "\"\n";
+    if (*GetParam().method != 0)
+        text += std::string("\n[solver]\nstarts = 4\nmethod = \"") + GetParam().method + "\"\n";
     const auto document = [&] { return document_of(text, file, GetParam().jobs); };
     const std::string answer = document();
     ASSERT_NE(answer.find("\"status\": \"solved\""), std::string::npos) << answer;

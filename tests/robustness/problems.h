@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/command_line/problems.h"
 #include "tests/command_line/program.h"
 #include "tests/report/temporary_folder.h"
 
@@ -60,29 +61,8 @@ maximize = "transmission-angle-worst"
 
 /// A study whose points are solved in no time.
 inline std::string closed_form_study(int points) {
-    return R"(schema    = 1
-mechanism = "four-bar"
-
-[dimensions]
-ground  = 100.0
-crank   = { min = 5, max = 60 }
-coupler = { min = 20, max = 300 }
-rocker  = { min = 20, max = 300 }
-
-[[require]]
-quantity = "time-ratio"
-equal    = 1.2
-
-[[require]]
-quantity = "swing"
-equal    = 60
-
-[objective]
-maximize = "transmission-angle-worst"
-
-[study]
-"require.swing.equal" = { from = 40, to = 80, count = )" +
-           std::to_string(points) + " }\n";
+    return crank_rocker("\n[study]\n\"require.swing.equal\" = { from = 40, to = 80, count = " + std::to_string(points) +
+                        " }\n");
 }
 
 }  // namespace mechwright::testing

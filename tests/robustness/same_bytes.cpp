@@ -60,7 +60,8 @@ TEST_P(WithInstructions, AreThoseOfTheBaseline) {
 
 INSTANTIATE_TEST_SUITE_P(SameBytes, WithInstructions,
                          ::testing::Values(std::pair("avx2", InstructionSet::avx2),
-                                           std::pair("avx512", InstructionSet::avx512)));
+                                           std::pair("avx512", InstructionSet::avx512)),
+                         [](const auto& test) { return std::string(test.param.first); });
 
 /// All points of a study, run with a number of threads and up to an instruction set.
 std::string points_of_study(const std::string& jobs, const std::string& set) {
