@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "synthesis/bench/shipped.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/report/run_program.h"
+#include "synthesis/report/temporary_folder.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright::bench {
@@ -99,22 +99,6 @@ std::string with_count(std::string text, int count) {
         changed += (line.starts_with("count") ? fmt::format("count = {}", count) : line) + "\n";
     return changed;
 }
-
-/// A folder of its own, removed at the end.
-struct TemporaryFolder {
-    std::filesystem::path path;
-
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "mechwright-bench-XXXXXX").string();
-        if (::mkdtemp(name.data()) != nullptr) path = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        if (!path.empty()) std::filesystem::remove_all(path, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
 
 /// The program itself on one core, from its start to the last row of the data.
 std::vector<Row> study(const Effort& effort, int count) {

@@ -91,8 +91,10 @@ int report_study(const ReportOptions& options, Console& console) {
                               place_for_page(options, options.place), options.quiet, console);
         } catch (const ChartFault& fault) {
             complain(console, fault.what());
-            return exit_code::no_access;
+        } catch (const fs::filesystem_error& fault) {
+            complain(console, fault.what());
         }
+        return exit_code::no_access;
     });
 }
 

@@ -1,7 +1,6 @@
 #include "synthesis/study/study_page.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/gnuplot.h"
+#include "synthesis/report/temporary_folder.h"
 #include "synthesis/study/charts.h"
 #include "synthesis/study/data.h"
 #include "synthesis/study/points.h"
@@ -116,24 +116,6 @@ std::optional<DesignToShow> design_to_show(const StudyPoint& point, VariedProble
                         analysis_document(*problem, assess(*problem, *point.design))};
 }
 
-/// A folder that is gone when it is no longer needed.
-struct Workplace {
-    std::filesystem::path folder;
-
-    Workplace() {
-        std::string name = (std::filesystem::temp_directory_path() / "mechwright-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw StoreFault("cannot make a folder in " + std::filesystem::temp_directory_path().string());
-        folder = name;
-    }
-    ~Workplace() {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder, ignored);
-    }
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
-};
-
 /// Every point, and of every so many designs the first one, so that they lie evenly.
 void add_points(const std::filesystem::path& data, const std::string& text, const std::string& file, const Study& study,
                 const std::vector<ChartOfPoints>& charts, std::uint64_t most_designs, StudyToShow& shown) {
@@ -171,8 +153,8 @@ void add_tolerances(const std::filesystem::path& data, const std::string& file, 
 
 Page study_page(const std::filesystem::path& data, std::uint64_t most_designs) {
     const StudyStanding standing = standing_of_study(data);
-    const Workplace place;
-    const std::string file = write_study_files(data, place.folder).string(), text = problem_text(data);
+    const TemporaryFolder folder;
+    const std::string file = write_study_files(data, folder.path).string(), text = problem_text(data);
     const Problem problem = parse_problem(text, file).problem;
     if (problem.mechanism == nullptr || !problem.study) throw StoreFault(data.string() + ": holds no study");
     Page page;

@@ -1,11 +1,10 @@
 #include "synthesis/bench/profiles/searches.h"
 
-#include <nlopt.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "synthesis/local/controlled_random_search.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/multistart.h"
@@ -73,31 +72,23 @@ std::vector<Mark> differential_evolution(const Arena& arena, std::uint64_t seed)
     return watched.marks;
 }
 
-double for_nlopt(unsigned n, const double* x, double*, void* watched) {
-    return (*static_cast<Watched*>(watched))(Eigen::Map<const VectorXd>(x, static_cast<Eigen::Index>(n)));
-}
-
 /// NLopt's CRS2 with local mutation, its own defaults.
-std::vector<Mark> controlled_random_search(const Arena& arena, std::uint64_t seed) {
+std::vector<Mark> by_controlled_random_search(const Arena& arena, std::uint64_t seed) {
     const Program& program = arena.known.program;
     std::uint64_t state = mixed(seed);
-    VectorXd x = drawn_point(program, state);
-    std::vector<double> lower, upper;
+    const VectorXd start = drawn_point(program, state);
+    Watched watched{arena};
+    BoxFunction box{[&](const std::vector<double>& x) {
+                        return watched(Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+                    },
+                    {},
+                    {}};
     for (const Variable& v : program.variables) {
         // A variable that follows from the others has no range; it is set before the objective is asked for.
-        lower.push_back(std::isfinite(v.lower) ? v.lower : 0);
-        upper.push_back(std::isfinite(v.upper) ? v.upper : 1);
+        box.lower.push_back(std::isfinite(v.lower) ? v.lower : 0);
+        box.upper.push_back(std::isfinite(v.upper) ? v.upper : 1);
     }
-    Watched watched{arena};
-    nlopt_srand(seed);
-    nlopt_opt search = nlopt_create(NLOPT_GN_CRS2_LM, static_cast<unsigned>(program.size()));
-    nlopt_set_min_objective(search, for_nlopt, &watched);
-    nlopt_set_lower_bounds(search, lower.data());
-    nlopt_set_upper_bounds(search, upper.data());
-    nlopt_set_maxeval(search, static_cast<int>(arena.budget));
-    double least = 0;
-    nlopt_optimize(search, x.data(), &least);
-    nlopt_destroy(search);
+    controlled_random_search(box, {start.begin(), start.end()}, static_cast<int>(arena.budget), seed);
     return watched.marks;
 }
 
@@ -165,7 +156,7 @@ std::vector<GlobalSearch> global_searches() {
              screened_least_squares},
             {"multistart SLSQP", always, multistart_slsqp},
             {"differential evolution", always, differential_evolution},
-            {"CRS2", always, controlled_random_search}};
+            {"CRS2", always, by_controlled_random_search}};
 }
 
 }  // namespace mechwright::bench
