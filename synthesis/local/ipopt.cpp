@@ -24,6 +24,9 @@ constexpr std::size_t room_for_a_run = 32 << 20;
 
 void make_sure_of_room() { ::operator delete(::operator new(room_for_a_run)); }
 
+/// Iterations without anything better after which a run ends.
+constexpr int most_without_gain = 60;
+
 /// Ipopt's number for "no limit".
 constexpr double no_limit = 2e19;
 
@@ -36,6 +39,11 @@ struct IpoptProgram final : Ipopt::TNLP {
     VectorXd x;
     ProgramValues values;
     LagrangianHessian second;
+    struct {
+        double objective = unlimited;
+        double violation = unlimited;
+    } held;
+    int without_gain = 0;  ///< iterations
 
     IpoptProgram(const Program& p, const VectorXd& s, const LocalLimits& l) : program(p), limits(l), start(s) {}
 
@@ -133,16 +141,37 @@ struct IpoptProgram final : Ipopt::TNLP {
         return true;
     }
 
+    /// Called once in each iteration.
     bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index, Number, Number, Number, Number, Number, Number,
                                Number, Number, Ipopt::Index, const Ipopt::IpoptData*,
                                Ipopt::IpoptCalculatedQuantities*) override {
-        return !limits.reached() && best.evaluations < limits.most_evaluations;
+        return !limits.reached() && best.evaluations < limits.most_evaluations && !stalls();
+    }
+
+    /// Whether nothing better has been come across for long: where the worst of something changes from one to another
+    /// there is no point at which Ipopt's own conditions hold, and it would go on to the end of its iterations.
+    bool stalls() {
+        if (best.violation < held.violation || best.objective < held.objective - 1e-9 * std::abs(held.objective)) {
+            held = {best.objective, best.violation};
+            without_gain = 0;
+        }
+        return ++without_gain > most_without_gain;
     }
 
     void finalize_solution(Ipopt::SolverReturn, Ipopt::Index, const Number*, const Number*, const Number*, Ipopt::Index,
                            const Number*, const Number*, Number, const Ipopt::IpoptData*,
                            Ipopt::IpoptCalculatedQuantities*) override {}
 };
+
+/// Keeps the first iterate where the start is: by default it is moved a hundredth of each range into the interior, and
+/// as far away from each constraint.
+bool stays_near(Ipopt::OptionsList& options) {
+    constexpr double push = 1e-9, first_barrier = 1e-7;
+    for (const char* option : {"bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac"})
+        if (!options.SetNumericValue(option, push)) return false;
+    return options.SetStringValue("bound_mult_init_method", "mu-based") &&
+           options.SetNumericValue("mu_init", first_barrier);
+}
 
 }  // namespace
 
@@ -155,12 +184,13 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
     }
     make_sure_of_room();
     const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
-    const auto options = application->Options();
+    const Ipopt::SmartPtr<Ipopt::OptionsList> options = application->Options();
     const bool accepted = options->SetStringValue("linear_solver", "mumps") && options->SetStringValue("sb", "yes") &&
                           options->SetIntegerValue("print_level", 0) && options->SetIntegerValue("max_iter", 500) &&
                           options->SetNumericValue("tol", std::max(limits.tolerance, 1e-10)) &&
                           options->SetNumericValue("bound_relax_factor", 0) &&
-                          options->SetStringValue("honor_original_bounds", "yes");
+                          options->SetStringValue("honor_original_bounds", "yes") &&
+                          (!limits.near_optimum || stays_near(*options));
     // An empty name keeps a stray ipopt.opt in the working directory from changing results.
     Ipopt::ApplicationReturnStatus verdict = Ipopt::Internal_Error;
     if (accepted && application->Initialize("") == Ipopt::Solve_Succeeded)

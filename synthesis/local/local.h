@@ -15,6 +15,9 @@ struct LocalLimits {
     int most_evaluations = 600;
     /// A method ends where it expects to gain less than this part; none goes below what its rounding allows.
     double tolerance = 0;
+    /// Whether the start is close to an optimum: an interior point method then does not first move far away from the
+    /// constraints.
+    bool near_optimum = false;
     std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
     const std::atomic<bool>* stop = nullptr;
 
@@ -52,16 +55,22 @@ LocalOutcome ipopt(const Program& program, const Eigen::VectorXd& start, const L
 /// which the crank angles of an untimed path are eliminated point by point. Thread-safe.
 LocalOutcome levenberg_marquardt(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
 
-/// For a function or a line: Levenberg and Marquardt's method on the error along the range, which ends where the least
-/// greatest error is near; rows are not looked at. Other programs are left where they are.
-Eigen::VectorXd levelled(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
+/// Whether a program asks for nothing but the least greatest, or the greatest least, of some outputs.
+bool asks_for_one_worst(const Program& program);
+
+/// Madsen's method for a program that asks for one worst: linear programs within a trust region, each step corrected
+/// for the curvature that it meets (Madsen, J. Inst. Maths Applics 16, 1975). It goes through long flat valleys along
+/// which extremes stay of one size, where quadratic models of the Lagrangian creep. The crank angles of an untimed path
+/// are those of the nearest points throughout. Thread-safe.
+LocalOutcome minimax(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
 
 /// Newton's method on the optimality conditions of the constraints active at `from`, with exact Hessians: from a point
 /// that a solver ended at to the nearby optimum at full precision. Never returns a worse point.
 LocalOutcome polish(const Program& program, const LocalOutcome& from, const LocalLimits& limits);
 
 /// The part of the objective's gradient that the constraints active at a point do not balance with multipliers of the
-/// right signs: 0 at a local optimum (Karush, Kuhn and Tucker), at most 1.
+/// right signs: 0 at a local optimum (Karush, Kuhn and Tucker), at most 1. Where none is active, the root of the part
+/// of the objective that a Newton step would gain.
 double unbalanced_part(const Program& program, const Eigen::VectorXd& x);
 
 }  // namespace mechwright

@@ -13,11 +13,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// How close to its limit a constraint counts as active; solvers end within this.
-constexpr double active_within = 1e-5;
+/// How close to its limit a constraint counts as active: solvers end within the first of these. Where no step leads on,
+/// the set was perhaps too small, and those farther away are tried, each time so many times as far.
+constexpr double active_within = 1e-5, farthest_active = 1e-2, times_farther = 10;
 /// Singular values and curvatures below this part of the greatest are taken as zero.
 constexpr double rank_tolerance = 1e-11;
 constexpr int most_steps = 60;
+/// A sum of squares below this is zero by rounding.
+constexpr double square_of_rounding = 1e-26;
 
 /// A constraint held at a limit during one Newton step.
 struct Active {
@@ -27,14 +30,15 @@ struct Active {
     int sign;  ///< +1: at its upper limit, -1: at its lower, 0: equality
 };
 
-std::vector<Active> active_constraints(const Program& program, const VectorXd& x, const ProgramValues& v) {
+std::vector<Active> active_constraints(const Program& program, const VectorXd& x, const ProgramValues& v,
+                                       double within) {
     std::vector<Active> active;
     const auto consider = [&](Index row, Index variable, double value, double lower, double upper) {
         if (lower == upper)
             active.push_back({row, variable, lower, 0});
-        else if (value - lower <= active_within)
+        else if (value - lower <= within)
             active.push_back({row, variable, lower, -1});
-        else if (upper - value <= active_within)
+        else if (upper - value <= within)
             active.push_back({row, variable, upper, 1});
     };
     for (std::size_t r = 0; r < program.rows.size(); ++r)
@@ -121,14 +125,18 @@ NewtonStep newton_step(const MatrixXd& hessian, const VectorXd& gradient, const 
     return step;
 }
 
+/// A violation that rounding explains.
+constexpr double rounding = 4e-15;
+
 /// Whether a step was worth taking: much closer to the constraints, at a price in the objective that the way back onto
-/// them explains; or as close, and lower.
-bool better(double violation, double objective, double old_violation, double old_objective) {
-    constexpr double rounding = 4e-15;
-    const double size = 1 + std::abs(old_objective);
-    if (violation < 0.5 * old_violation && old_violation > rounding)
-        return objective < old_objective + 1e3 * old_violation * size;
-    return violation <= std::max(old_violation, rounding) && objective < old_objective;
+/// them explains; or lower, by more than the constraints that it strays from are worth at `price` for each unit.
+bool better(const LocalOutcome& there, const LocalOutcome& here, double price) {
+    const double size = 1 + std::abs(here.objective);
+    if (there.violation < 0.5 * here.violation && here.violation > rounding)
+        return there.objective < here.objective + 1e3 * here.violation * size;
+    const double strayed = there.violation - std::max(here.violation, rounding);
+    return there.violation <= LocalOutcome::feasible_below &&
+           there.objective + price * std::max(0.0, strayed) < here.objective;
 }
 
 }  // namespace
@@ -138,11 +146,13 @@ LocalOutcome polish(const Program& program, const LocalOutcome& from, const Loca
     if (from.x.size() == 0 || !std::isfinite(from.violation) || from.violation > 1e-2) return best;
     ProgramValues values;
     ProgramValues there;
+    LocalOutcome trial;
     LagrangianHessian hessian;
+    double within = active_within;
     for (int k = 0; k < most_steps && !limits.reached(); ++k) {
         evaluate(program, best.x, true, values);
         ++best.evaluations;
-        std::vector<Active> active = active_constraints(program, best.x, values);
+        std::vector<Active> active = active_constraints(program, best.x, values, within);
         Linearised l;
         const VectorXd lambda = multipliers_of(active, best.x, values, l);
         VectorXd on_rows = VectorXd::Zero(static_cast<Index>(program.rows.size()));
@@ -152,20 +162,26 @@ LocalOutcome polish(const Program& program, const LocalOutcome& from, const Loca
         lagrangian_hessian(program, best.x, 1, on_rows, hessian);
         if (!hessian.value.allFinite()) break;
         const NewtonStep step = newton_step(hessian.value, values.gradient, l);
+        // Above the sum of its multipliers a unit of any violation costs more than it gains (exact penalty).
+        const double price = 2 * lambda.lpNorm<1>();
         bool moved = false;
         for (const double length : {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0}) {
             if (moved) break;
             const VectorXd x = within_bounds(program, best.x + step.back + length * step.along);
             evaluate(program, x, false, there);
             ++best.evaluations;
-            const double worst = violation(program, x, there);
-            if (!there.assembled || !better(worst, there.objective, best.violation, best.objective)) continue;
+            if (!there.assembled) continue;
+            trial.objective = there.objective;
+            trial.violation = violation(program, x, there);
+            if (!better(trial, best, price)) continue;
             best.x = x;
-            best.objective = there.objective;
-            best.violation = worst;
+            best.objective = trial.objective;
+            best.violation = trial.violation;
             moved = true;
         }
-        if (!moved) break;
+        if (moved) continue;
+        within *= times_farther;
+        if (within > farthest_active) break;
     }
     return best;
 }
@@ -176,10 +192,18 @@ double unbalanced_part(const Program& program, const VectorXd& x) {
     const double size = values.gradient.norm();
     if (!values.assembled || !std::isfinite(size)) return 1;
     if (size == 0) return 0;
-    std::vector<Active> active = active_constraints(program, x, values);
+    std::vector<Active> active = active_constraints(program, x, values, active_within);
     Linearised l;
     const VectorXd lambda = multipliers_of(active, x, values, l);
-    if (active.empty()) return 1;
+    if (active.empty()) {
+        // Nothing balances the gradient: what a Newton step would still gain counts, as a part of the objective.
+        LagrangianHessian hessian;
+        lagrangian_hessian(program, x, 1, VectorXd::Zero(static_cast<Index>(program.rows.size())), hessian);
+        if (std::abs(values.objective) < square_of_rounding) return 0;
+        if (!hessian.value.allFinite()) return 1;
+        const VectorXd step = newton_step(hessian.value, values.gradient, l).along;
+        return std::min(1.0, std::sqrt(std::abs(values.gradient.dot(step) / values.objective)));
+    }
     return std::min(1.0, (values.gradient + l.gradients.transpose() * lambda).norm() / size);
 }
 

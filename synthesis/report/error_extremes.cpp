@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/table.h"
@@ -16,6 +17,19 @@ namespace {
 constexpr std::size_t most_extremes = 40;
 /// Extremes this close to the greatest are as great as it.
 constexpr double as_great_within = 1e-6;
+
+/// What an error is off by rounding: a few units of the last place of what it is the difference of.
+double rounding_of_error(const Problem& problem, const Design& design) {
+    constexpr double units = 8;
+    double size = 1;
+    if (error_unit(problem) == Unit::length) {
+        size = 0;
+        for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+            if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
+                size = std::max(size, std::abs(design.dimensions[i]));
+    }
+    return units * std::numeric_limits<double>::epsilon() * size;
+}
 
 /// Columns of sensitivities are independent if they differ by more than this.
 constexpr double independent_beyond = 1e-7;
@@ -63,9 +77,10 @@ ErrorExtremes error_extremes_of(const Problem& problem, const Design& design) {
     double greatest = 0;
     for (const auto& extreme : e.all)
         greatest = std::max(greatest, std::abs(extreme.error));
+    const double as_great_from = (1 - as_great_within) * greatest - rounding_of_error(problem, design);
     double last = 0;
     for (const auto& extreme : e.all) {
-        if (std::abs(extreme.error) < (1 - as_great_within) * greatest || last * extreme.error > 0) continue;
+        if (std::abs(extreme.error) < as_great_from || last * extreme.error > 0) continue;
         last = extreme.error;
         ++e.alternating;
     }

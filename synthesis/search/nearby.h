@@ -18,4 +18,9 @@ struct NearbyOptimum {
 /// What local searches find from a design of another problem, in all variants of its assembly.
 NearbyOptimum nearby(const Problem& problem, const Design& from, const LocalLimits& limits);
 
+/// The local optimum that a search ended near but not at: both local methods in turn, from the design and from close to
+/// it, until one ends where the gradient is balanced or none gains any more. The design itself where it is
+/// such an optimum already.
+NearbyOptimum settled(const Problem& problem, const Design& from, const LocalLimits& limits);
+
 }  // namespace mechwright

@@ -11,6 +11,7 @@
 #include "synthesis/program/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/search/optima.h"
+#include "synthesis/search/polished_search.h"
 #include "synthesis/search/screened_starts.h"
 #include "synthesis/search/work_sharing.h"
 
@@ -61,15 +62,6 @@ void sort_by_sum(std::vector<Trial>& trials) {
                      [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
 }
 
-bool only_the_path_counts(const Problem& problem) {
-    return problem.requirements.empty() && problem.objective && problem.objective->terms.size() == 1 &&
-           !problem.objective->terms.front().maximize &&
-           (problem.mechanism->quantities[problem.objective->terms.front().quantity].path ==
-                PathMeasure::sum_of_squares ||
-            problem.mechanism->quantities[problem.objective->terms.front().quantity].path ==
-                PathMeasure::root_mean_square);
-}
-
 /// The greatest distance of a point from the first, or the length of a guided body that stays in one place.
 double path_size(const PathTarget& path) {
     double size = path.body_length;
@@ -98,7 +90,7 @@ struct Search {
     Search(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline)
         : problem(p),
           options(o),
-          least_squares(only_the_path_counts(p)),
+          least_squares(least_squares_suffice(p)),
           starts_of_round(std::min(p.solver.starts, most_starts_of_round)),
           most_rounds(rounds_for_starts * ((p.solver.starts + most_starts_of_round - 1) / most_starts_of_round)) {
         for (const Variant& variant : variants(p))
@@ -240,7 +232,7 @@ struct Search {
         const VectorXd x = point_of(program, solution.design);
         LocalLimits some = limits;
         if (program.size() > most_polished_variables) some.most_evaluations = evaluations_of_great_program;
-        outcome = polish(program, slsqp(program, x, some), some);
+        outcome = polished_search(program, x, slsqp, some);
         if (outcome.x.size() == 0) return solution;
         return better(std::move(solution), assess(problem, design_at(program, outcome.x)));
     }
@@ -278,6 +270,13 @@ struct Search {
 };
 
 }  // namespace
+
+bool least_squares_suffice(const Problem& problem) {
+    if (!problem.requirements.empty() || !problem.objective || problem.objective->terms.size() != 1) return false;
+    const ObjectiveTerm& term = problem.objective->terms.front();
+    const PathMeasure path = problem.mechanism->quantities[term.quantity].path;
+    return !term.maximize && (path == PathMeasure::sum_of_squares || path == PathMeasure::root_mean_square);
+}
 
 std::string why_no_path_search(const Problem& problem) {
     if (!problem.path) return "the problem has no [path]";

@@ -10,6 +10,9 @@ namespace mechwright {
 /// Why a problem is not one for this search; empty if it is.
 std::string why_no_path_search(const Problem& problem);
 
+/// Whether the sum of squared distances from the path is all that a problem with a path asks for.
+bool least_squares_suffice(const Problem& problem);
+
 /// Searches in rounds until the points are met exactly, or the best design has been hit often enough, or the rounds are
 /// used up; there are more of them the more starts the problem asks for. The result is the same for any number
 /// of jobs.

@@ -78,12 +78,25 @@ Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) 
 
 bool found_feasible(const Found& found) { return !found.candidates.empty() && found.candidates.front().feasible; }
 
+/// The best design at the very optimum that its search ended near.
+void settle_best(const Problem& problem, Found& found, const RunOptions& options, Clock::time_point deadline) {
+    if (found.stopped || !found_feasible(found) || found.report.complete) return;
+    LocalLimits limits;
+    limits.deadline = deadline;
+    limits.stop = options.stop;
+    NearbyOptimum at = settled(problem, found.candidates.front().design, limits);
+    found.report.evaluations += at.evaluations;
+    if (at.solution && preferred(problem, *at.solution, found.candidates.front()))
+        found.candidates.front() = *std::move(at.solution);
+}
+
 Found search(std::string_view name, LocalMethod local, const Problem& problem, const RunOptions& options,
              Clock::time_point deadline) {
     Multistart m = multistart(problem, local, options, deadline);
     Found found{std::move(m.optima), m.report, false, m.stopped,
                 "no kind of motion of this mechanism has all the quantities that the problem names"};
     found.report.method = name;
+    settle_best(problem, found, options, deadline);
     return found;
 }
 
@@ -103,6 +116,7 @@ Found with_least_squares(const Problem& problem, const RunOptions& options, Cloc
     Found found{std::move(m.optima), m.report, false, m.stopped,
                 "no kind of motion of this mechanism has all the quantities that the problem names"};
     found.report.method = "least-squares";
+    settle_best(problem, found, options, deadline);
     return found;
 }
 
@@ -163,6 +177,17 @@ Found every_solution(const Problem& problem, const RunOptions& options, Clock::t
     return found;
 }
 
+/// The one of two searches that found the better design, with the work of both.
+Found better(const Problem& problem, Found first, Found second) {
+    const bool second_is =
+        !second.candidates.empty() &&
+        (first.candidates.empty() || preferred(problem, second.candidates.front(), first.candidates.front()));
+    Found& chosen = second_is ? second : first;
+    chosen.report.evaluations = first.report.evaluations + second.report.evaluations;
+    chosen.stopped = first.stopped || second.stopped;
+    return std::move(chosen);
+}
+
 Found automatic(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     if (why_no_closed_form(problem).empty()) {
         Found found = closed_form(problem, options, deadline);
@@ -170,8 +195,11 @@ Found automatic(const Problem& problem, const RunOptions& options, Clock::time_p
     }
     if (problem.has_instant && why_not_exact(problem).empty()) return every_solution(problem, options, deadline);
     if (options.neighbour) return near_neighbour(problem, options, deadline);
-    if (why_no_path_search(problem).empty()) return with_least_squares(problem, options, deadline);
-    return with_slsqp(problem, options, deadline);
+    if (!why_no_path_search(problem).empty()) return with_slsqp(problem, options, deadline);
+    Found found = with_least_squares(problem, options, deadline);
+    // Where other things than the sum of squares count, the best are not where least squares look first.
+    if (found.stopped || least_squares_suffice(problem)) return found;
+    return better(problem, std::move(found), with_slsqp(problem, options, deadline));
 }
 
 constexpr std::array<Method, 7> methods{{

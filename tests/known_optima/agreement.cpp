@@ -39,6 +39,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Pair{"cam/roller-offset", "slsqp"}, Pair{"cam/roller-undercut", "slsqp"},
                       Pair{"cam/roller-uneven", "slsqp"}, Pair{"cam/tangent-spring", "ipopt"},
                       Pair{"cam/valve-from-lift", "ipopt"}, Pair{"exact/extreme-velocity-ratio", "slsqp"},
+                      Pair{"line/dwell", "ipopt"}, Pair{"function/logarithm-compact", "ipopt"},
                       Pair{"four-bar/best-transmission", "ipopt"}, Pair{"four-bar/crank-rocker", "slsqp"},
                       Pair{"four-bar/crank-rocker", "ipopt"}, Pair{"four-bar/crank-rocker-compact", "ipopt"},
                       Pair{"four-bar/drag-link-velocity-ratio", "exact"},

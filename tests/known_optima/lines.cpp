@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/local/local.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -158,22 +157,6 @@ TEST(Arcs, MakeALinkDwell) {
         greatest = std::max(greatest, std::abs(std::hypot(miss.miss.x, miss.miss.y) - s.dimension("arc-radius")));
     }
     EXPECT_NEAR(greatest / s.result.best->objective, 1, 1e-6);
-}
-
-/// The error along the range falls by least squares, whatever the start.
-TEST(Lines, LevellingNeverRaisesTheErrorAlongTheRange) {
-    const Solved s = solved(lambda(120));
-    Design design = s.result.best->design;
-    for (const double change : {0.01, -0.03, 0.1}) {
-        Design start = design;
-        start.dimensions[0] *= 1 + change;
-        const Program program = build_program(s.problem, variants(s.problem).front());
-        const Eigen::VectorXd from = point_of(program, start);
-        const Eigen::VectorXd to = levelled(program, from, {});
-        const auto t = static_cast<Eigen::Index>(program.epigraphs.front().variable);
-        EXPECT_LT(to[t], from[t]);
-        EXPECT_NEAR(to[t] * program.length, s.result.best->objective, 1e-9);
-    }
 }
 
 }  // namespace
