@@ -20,7 +20,7 @@ bool has_optimum(const Answer& answer) { return answer.kind == AnswerKind::optim
 
 bool is_local(std::string_view method) { return method == "slsqp" || method == "ipopt"; }
 
-Row row_of(const Answer& answer, Cell apart, Cell nearby, std::string_view alone) {
+Row row_of(const Answer& answer, Cell apart, const std::optional<Return>& nearby, std::string_view alone) {
     const SearchReport& search = answer.result.search;
     const auto part = [&](std::size_t k) { return k < answer.numbers.size() ? cell(answer.numbers[k]) : Cell(); };
     return {answer.method,
@@ -31,7 +31,8 @@ Row row_of(const Answer& answer, Cell apart, Cell nearby, std::string_view alone
             part(0),
             part(1),
             std::move(apart),
-            std::move(nearby),
+            nearby ? cell(nearby->away) : Cell(),
+            nearby ? cell(nearby->difference) : Cell(),
             search.evaluations,
             search.starts,
             search.hits,
@@ -41,9 +42,11 @@ Row row_of(const Answer& answer, Cell apart, Cell nearby, std::string_view alone
 
 /// A method that only starts near the answer of another.
 Row row_of_nearby(const Problem& problem, const Answer& first, const std::string& method) {
-    Row row(14);
+    Row row(15);
     row[0] = method;
-    row[8] = cell(difference_nearby(problem, first.result.best->design, method));
+    const Return found = return_from_nearby(problem, first.result.best->design, method);
+    row[8] = cell(found.away);
+    row[9] = cell(found.difference);
     return row;
 }
 
@@ -51,10 +54,10 @@ Row row_of_nearby(const Problem& problem, const Answer& first, const std::string
 Row row_of_search(const Problem& problem, const Answer& first, const std::string& method, const RunOptions& options) {
     const Answer other = answer_of(problem, method, options);
     const double apart = difference(first, other);
-    Cell nearby;
+    std::optional<Return> nearby;
     if (!(apart <= agree_within) && has_optimum(first) && is_local(method))
-        nearby = cell(difference_nearby(problem, first.result.best->design, method));
-    return row_of(other, cell(apart), std::move(nearby), "");
+        nearby = return_from_nearby(problem, first.result.best->design, method);
+    return row_of(other, cell(apart), nearby, "");
 }
 
 /// The method that the file asks for, then the others. In a quick look Ipopt, which takes a thousand times as long for
@@ -64,7 +67,7 @@ std::vector<Row> compared(const Problem& problem, const Effort& effort) {
     options.jobs = effort.jobs;
     options.stop = effort.stop;
     const Answer first = answer_of(problem, problem.solver.method, options);
-    std::vector<Row> rows{row_of(first, Cell(), Cell(), why_alone(problem, first))};
+    std::vector<Row> rows{row_of(first, Cell(), std::nullopt, why_alone(problem, first))};
     for (const std::string& method : methods_for(problem)) {
         if (method == first.method || first.method == "given" || effort.stopped()) continue;
         if (effort.full || method != "ipopt")
@@ -128,7 +131,7 @@ std::string others_text(const Sheet& sheet, const Compared& c) {
         texts.push_back(method_text(sheet, row) + " (" +
                         ratio_text(sheet.number(row, "seconds") / sheet.number(c.first, "seconds")) + ")");
     for (const Row& row : c.nearby)
-        texts.push_back(sheet.text(row, "method") + " from nearby");
+        texts.push_back(fmt::format("{} from {:.0e} away", sheet.text(row, "method"), sheet.number(row, "away")));
     return fmt::format("{}", fmt::join(texts, "; "));
 }
 
@@ -196,7 +199,7 @@ std::string told(const Sheet& sheet) {
                "Every problem that comes with mechwright, by the method that its file asks for (auto, if none) and by "
                "others. Of {}\nproblems {} have the same answer, to 1e-8, by two methods that search for themselves; "
                "of "
-               "{} more a second method comes\nback to the same optimum from a design a thousandth away in every "
+               "{} more a second method comes\nback to the same optimum from a design up to a thousandth away in every "
                "variable; in {} no two methods agree; {} are\nanswered by one method. Differences are relative, of "
                "what is zero by "
                "rounding in the problem's size. A trade-off\nshows the ends of its front, a problem that cannot be "
@@ -215,7 +218,7 @@ Section agreement() {
     return {"agreement",
             "The same optimum by two methods",
             {"problem", "method", "answer", "status", "verified", "proved", "value", "second value", "difference",
-             "nearby", "evaluations", "starts", "hits", "seconds", "alone"},
+             "away", "nearby", "evaluations", "starts", "hits", "seconds", "alone"},
             measurements,
             told,
             drawn};

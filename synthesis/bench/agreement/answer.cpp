@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "synthesis/bench/known_optimum.h"
 #include "synthesis/problem/units.h"
@@ -123,18 +124,40 @@ std::vector<std::string> methods_for(const Problem& problem) {
     return methods;
 }
 
-double difference_nearby(const Problem& problem, const Design& design, std::string_view method) {
-    constexpr double away = 1e-3;
-    const auto known = optimum_at(problem, design);
-    if (!known) return std::numeric_limits<double>::infinity();
-    Eigen::VectorXd start = known->x;
+namespace {
+
+/// How far from the optimum a local search ends that starts this part of every variable away from it; nothing where the
+/// start is as good as the optimum.
+std::optional<double> difference_from(const KnownOptimum& known, double away, LocalMethod method) {
+    Eigen::VectorXd start = known.x;
     for (Eigen::Index i = 0; i < start.size(); ++i)
         start[i] += (i % 2 == 0 ? away : -away) * (std::abs(start[i]) + away);
-    start = within_bounds(known->program, start);
-    settle_epigraphs(known->program, start);
-    const LocalOutcome outcome =
-        polished_search(known->program, start, method == "ipopt" ? ipopt : slsqp, LocalLimits{});
-    return error_of(outcome.objective, outcome.violation, known->objective);
+    start = within_bounds(known.program, start);
+    settle_epigraphs(known.program, start);
+    ProgramValues values;
+    evaluate(known.program, start, false, values);
+    LocalOutcome unmoved;
+    unmoved.consider(known.program, start, values);
+    if (error_of(unmoved.objective, unmoved.violation, known.objective) <= agree_within) return std::nullopt;
+    LocalLimits near;
+    near.near_optimum = true;
+    const LocalOutcome outcome = polished_search(known.program, start, method, near);
+    return error_of(outcome.objective, outcome.violation, known.objective);
+}
+
+}  // namespace
+
+Return return_from_nearby(const Problem& problem, const Design& design, std::string_view method) {
+    Return found{0, std::numeric_limits<double>::infinity()};
+    const auto known = optimum_at(problem, design);
+    if (!known) return found;
+    for (const double away : {1e-3, 1e-4, 1e-5, 1e-6}) {
+        const auto difference = difference_from(*known, away, method == "ipopt" ? ipopt : slsqp);
+        if (!difference) break;
+        found = {away, *difference};
+        if (*difference <= agree_within) break;
+    }
+    return found;
 }
 
 std::string_view why_alone(const Problem& problem, const Answer& answer) {

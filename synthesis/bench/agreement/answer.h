@@ -41,10 +41,17 @@ inline constexpr double agree_within = 1e-8;
 /// branch-and-bound, which begins with the answer of another.
 std::vector<std::string> methods_for(const Problem& problem);
 
-/// How far the optimum lies from a design to which a local method comes from nearby, a thousandth of every variable
-/// away: whether the method knows the optimum where its search does not come across it. Infinite where it cannot start
-/// there.
-double difference_nearby(const Problem& problem, const Design& design, std::string_view method);
+/// Where a local method ends that starts near an optimum: whether it knows the optimum where its search does not come
+/// across it.
+struct Return {
+    double away = 0;        ///< of the start, as a part of every variable
+    double difference = 0;  ///< of the end from the optimum, relative; infinite where it cannot start there
+};
+
+/// From the farthest of 10^-3, 10^-4, 10^-5 and 10^-6 away from which the method comes back to the optimum; the last of
+/// them where it comes back from none. Starts that are themselves no worse than `agree_within` show nothing and do not
+/// count.
+Return return_from_nearby(const Problem& problem, const Design& design, std::string_view method);
 
 /// Why only one method answers a problem; empty where more do.
 std::string_view why_alone(const Problem& problem, const Answer& answer);
