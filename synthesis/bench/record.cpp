@@ -91,12 +91,16 @@ std::optional<Record> read_record(const std::filesystem::path& file) {
 }
 
 std::optional<std::string> write_record(const std::filesystem::path& file, const Record& record) {
-    nlohmann::ordered_json json{{"surroundings", json_of(record.surroundings)},
-                                {"sections", nlohmann::ordered_json::object()}};
-    for (const auto& [section, measurements] : record.sections)
+    using Json = nlohmann::ordered_json;
+    std::vector<std::string> sections;
+    for (const auto& [section, measurements] : record.sections) {
+        std::vector<std::string> lines;
         for (const auto& [name, rows] : measurements)
-            json["sections"][section][name] = rows;
-    return write_atomically(file, json.dump(1) + "\n");
+            lines.push_back(Json(name).dump() + ": " + Json(rows).dump());
+        sections.push_back(fmt::format("{}: {{\n{}\n}}", Json(section).dump(), fmt::join(lines, ",\n")));
+    }
+    return write_atomically(file, fmt::format("{{\"surroundings\": {},\n\"sections\": {{\n{}\n}}}}\n",
+                                              json_of(record.surroundings).dump(), fmt::join(sections, ",\n")));
 }
 
 }  // namespace mechwright::bench

@@ -221,9 +221,12 @@ constexpr std::array<Method, 7> methods{{
      "timed paths and functions of least greatest error: the search, then a lower bound over all linkages, as close as "
      "it comes within the time limit",
      why_no_proof, with_branch_and_bound},
-    {"slsqp", "sequential quadratic programming (NLopt) from many starts, exact gradients, Newton polish",
+    {"slsqp",
+     "sequential quadratic programming (NLopt) from many starts, exact gradients; Madsen's method for the least "
+     "greatest "
+     "of something, Newton polish",
      why_no_search, with_slsqp},
-    {"ipopt", "interior point (Ipopt) from many starts, exact Hessians, Newton polish; one thread", why_no_search,
+    {"ipopt", "interior point (Ipopt) from many starts, exact Hessians; then as slsqp; one thread", why_no_search,
      with_ipopt},
 }};
 

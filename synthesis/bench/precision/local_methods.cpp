@@ -1,5 +1,6 @@
 #include "synthesis/bench/precision/local_methods.h"
 
+#include "synthesis/search/path_search.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/starts.h"
 
@@ -9,11 +10,8 @@ namespace {
 
 bool always(const Problem&) { return true; }
 
-/// Whether the sum of squared distances from a path is all that counts.
-bool only_the_path_counts(const Problem& problem) {
-    if (!problem.path || !problem.requirements.empty() || problem.objective->terms.size() != 1) return false;
-    const PathMeasure measure = problem.mechanism->quantities[problem.objective->terms.front().quantity].path;
-    return measure == PathMeasure::sum_of_squares || measure == PathMeasure::root_mean_square;
+bool one_worst_counts(const Problem& problem) {
+    return asks_for_one_worst(build_program(problem, variants(problem).front()));
 }
 
 LocalOutcome polished_slsqp(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits) {
@@ -31,7 +29,8 @@ std::vector<LocalCandidate> local_candidates() {
             {"SLSQP, polished", always, polished_slsqp},
             {"Ipopt", always, ipopt},
             {"Ipopt, polished", always, polished_ipopt},
-            {"Levenberg-Marquardt", only_the_path_counts, levenberg_marquardt}};
+            {"Madsen's method", one_worst_counts, minimax},
+            {"Levenberg-Marquardt", least_squares_suffice, levenberg_marquardt}};
 }
 
 std::vector<Start> first_starts(const Problem& problem, const std::vector<Program>& programs, int count) {
