@@ -1,7 +1,6 @@
 #include "synthesis/local/controlled_random_search.h"
 
-#include <new>
-#include <nlopt.hpp>
+#include "synthesis/local/nlopt_end.h"
 
 namespace mechwright {
 
@@ -22,14 +21,7 @@ std::vector<double> controlled_random_search(const BoxFunction& function, std::v
     solver.set_lower_bounds(f.lower);
     solver.set_upper_bounds(f.upper);
     solver.set_maxeval(most_evaluations);
-    double value = 0;
-    try {
-        solver.optimize(start, value);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception&) {  // rounding: the best point so far stands in `start`
-    }
-    return start;
+    return end_of(solver, std::move(start));
 }
 
 }  // namespace mechwright

@@ -1,7 +1,6 @@
 #include "synthesis/local/subplex.h"
 
-#include <new>
-#include <nlopt.hpp>
+#include "synthesis/local/nlopt_end.h"
 
 namespace mechwright {
 
@@ -25,14 +24,7 @@ std::vector<double> subplex(const CubeFunction& function, std::vector<double> st
     solver.set_initial_step(first_step);
     solver.set_xtol_rel(last_step);
     solver.set_maxeval(most_evaluations);
-    double value = 0;
-    try {
-        solver.optimize(start, value);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception&) {  // rounding, or a stop: the best point so far stands in `start`
-    }
-    return start;
+    return end_of(solver, std::move(start));
 }
 
 }  // namespace mechwright

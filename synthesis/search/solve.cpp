@@ -222,9 +222,8 @@ constexpr std::array<Method, 7> methods{{
      "it comes within the time limit",
      why_no_proof, with_branch_and_bound},
     {"slsqp",
-     "sequential quadratic programming (NLopt) from many starts, exact gradients; Madsen's method for the least "
-     "greatest "
-     "of something, Newton polish",
+     "sequential quadratic programming (NLopt) from many starts, exact gradients; Madsen's method for a least "
+     "greatest value, Newton polish",
      why_no_search, with_slsqp},
     {"ipopt", "interior point (Ipopt) from many starts, exact Hessians; then as slsqp; one thread", why_no_search,
      with_ipopt},
