@@ -17,9 +17,6 @@ namespace mechwright {
 
 namespace {
 
-constexpr std::uint64_t default_steps = 360;
-constexpr std::uint64_t most_steps = 1'000'000;
-
 struct AnalyseOptions {
     std::string file;
     bool csv = false;
@@ -39,7 +36,8 @@ int analyse(const AnalyseOptions& options, Console& console) {
 
     const Solution given = evaluate_given(problem);
     if (options.csv)
-        print(console, motion_table(problem, given.design, static_cast<int>(options.steps.value_or(default_steps))));
+        print(console,
+              motion_table(problem, given.design, static_cast<int>(options.steps.value_or(default_table_steps))));
     else if (options.json)
         print(console, json_text(analysis_document(problem, given)));
     else
@@ -60,7 +58,8 @@ Command add_analyse(CLI::App& program) {
         ->required()
         ->option_text(" ");
     CLI::Option* csv = command->add_flag("--csv", options->csv, "Print the motion as a table");
-    add_whole_number(*command, "--steps", options->steps, 1, most_steps, "Steps over the motion (360)")->needs(csv);
+    add_whole_number(*command, "--steps", options->steps, 1, most_table_steps, "Steps over the motion (360)")
+        ->needs(csv);
     command->add_flag("--json", options->json, "Print the result document")->excludes(csv);
     command->add_flag("--quiet", options->quiet, "No warnings");
     return {command, [options](Console& console) { return analyse(*options, console); }};

@@ -23,9 +23,6 @@ namespace mechwright {
 
 namespace {
 
-constexpr std::uint64_t default_steps = 360;
-constexpr std::uint64_t most_steps = 1'000'000;
-
 struct ExportOptions {
     std::string file;
     std::string out;
@@ -51,7 +48,7 @@ double angle_of(const ExportOptions& options, const FinishedDesign& design) {
 }
 
 std::string exported(const std::string& format, const ExportOptions& options, const FinishedDesign& design) {
-    const int steps = static_cast<int>(options.steps.value_or(default_steps));
+    const int steps = static_cast<int>(options.steps.value_or(default_table_steps));
     if (format == "csv") return motion_table(design, steps);
     // A sketch is to be worked on: fewer arcs, each still within a thousandth of the drawing.
     const Scene scene = scene_of(design, options.fineness.value_or(format == "slvs" ? 1e-3 : 1e-6));
@@ -100,7 +97,7 @@ Command add_export(CLI::App& program) {
     command->add_option("--at", options->at, "Crank angle of a drawing, in the file's unit")->option_text("ANGLE");
     add_positive_number(*command, "--fineness", options->fineness, "Deviation of curves over the drawing (1e-6)");
     add_whole_number(*command, "--alternative", options->alternative, 1, 1'000'000, "Export this alternative");
-    add_whole_number(*command, "--steps", options->steps, 1, most_steps, "Steps over the motion (360)");
+    add_whole_number(*command, "--steps", options->steps, 1, most_table_steps, "Steps over the motion (360)");
     return {command, [options](Console& console) { return run_export(*options, console); }};
 }
 

@@ -9,6 +9,10 @@
 
 namespace mechwright {
 
+/// Steps of a table over the motion, where --steps does not say otherwise, and at most.
+constexpr std::uint64_t default_table_steps = 360;
+constexpr std::uint64_t most_table_steps = 1'000'000;
+
 /// An option that takes a whole number from `least` to `most`.
 CLI::Option* add_whole_number(CLI::App& command, const std::string& name, std::optional<std::uint64_t>& number,
                               std::uint64_t least, std::uint64_t most, const std::string& help);

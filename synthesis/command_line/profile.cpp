@@ -14,9 +14,6 @@ namespace mechwright {
 
 namespace {
 
-constexpr std::uint64_t default_steps = 360;
-constexpr std::uint64_t most_steps = 1'000'000;
-
 struct ProfileOptions {
     std::string file;
     bool dxf = false;
@@ -40,9 +37,9 @@ int profile(const ProfileOptions& options, Console& console) {
                              options.file, options.cutter - hollow, options.cutter, hollow));
         return exit_code::infeasible;
     }
-    print(console, options.dxf
-                       ? profile_dxf(cam, options.cutter, options.tolerance)
-                       : profile_csv(cam, options.cutter, static_cast<int>(options.steps.value_or(default_steps))));
+    print(console, options.dxf ? profile_dxf(cam, options.cutter, options.tolerance)
+                               : profile_csv(cam, options.cutter,
+                                             static_cast<int>(options.steps.value_or(default_table_steps))));
     return exit_code::solved;
 }
 
@@ -55,7 +52,8 @@ Command add_profile(CLI::App& program) {
         ->required()
         ->option_text(" ");
     CLI::Option* dxf = command->add_flag("--dxf", options->dxf, "A drawing (DXF R12) instead of a table");
-    add_whole_number(*command, "--steps", options->steps, 4, most_steps, "Rows of the table (360)")->excludes(dxf);
+    add_whole_number(*command, "--steps", options->steps, 4, most_table_steps, "Rows of the table (360)")
+        ->excludes(dxf);
     command->add_option("--cutter", options->cutter, "Radius of a cutter: its path too")
         ->check(CLI::PositiveNumber)
         ->option_text("RADIUS");

@@ -27,9 +27,7 @@ namespace mechwright {
 
 namespace {
 
-constexpr int table_steps = 360;
-
-struct Task {
+struct FileToSolve {
     Problem problem;
     std::string result_name;
 };
@@ -41,9 +39,9 @@ void take_over(const SolvingOptions& options, SolverOptions& solver) {
 }
 
 /// The problems of the files that can be solved; `code` becomes that of the others.
-std::vector<Task> read_tasks(const SolvingOptions& options, Console& console, int& code) {
+std::vector<FileToSolve> read_tasks(const SolvingOptions& options, Console& console, int& code) {
     const std::vector<std::string> names = result_names(options.files);
-    std::vector<Task> tasks;
+    std::vector<FileToSolve> tasks;
     for (std::size_t i = 0; i < options.files.size(); ++i) {
         ReadProblem read;
         int outcome = read_and_report(options.files[i], options.quiet, console, read);
@@ -70,8 +68,8 @@ std::string objective_unit(const Problem& problem) {
 
 using StartSystem = std::optional<homotopy::StartSystem>;
 
-Result solve_task(const Task& task, const SolvingOptions& options, const StartSystem& start, const std::string& label,
-                  Console& console) {
+Result solve_task(const FileToSolve& task, const SolvingOptions& options, const StartSystem& start,
+                  const std::string& label, Console& console) {
     ProgressLine line{&console, label, objective_unit(task.problem)};
     RunOptions run;
     run.jobs = static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
@@ -94,15 +92,16 @@ constexpr const char* burmester_ending = ".burmester.csv";
 std::vector<ResultTable> tables_of(const Problem& problem, const Result& result, const SolvingOptions& options) {
     std::vector<ResultTable> tables;
     if (!options.csv) return tables;
-    tables.push_back({motion_ending,
-                      result.best ? motion_table(problem, result.best->design, table_steps) : motion_header(problem)});
+    tables.push_back(
+        {motion_ending, result.best ? motion_table(problem, result.best->design, static_cast<int>(default_table_steps))
+                                    : motion_header(problem)});
     if (options.all) tables.push_back({solutions_ending, solutions_table(problem, result)});
     if (has_burmester_curves(problem)) tables.push_back({burmester_ending, burmester_table(problem)});
     return tables;
 }
 
 /// Writes the files of a result. Returns the exit code.
-int keep(const Task& task, const Result& result, const std::string& document, const SolvingOptions& options,
+int keep(const FileToSolve& task, const Result& result, const std::string& document, const SolvingOptions& options,
          Console& console) {
     if (options.out.empty()) return exit_code::solved;
     const ResultText text{document, tables_of(task.problem, result, options)};
@@ -132,8 +131,8 @@ std::string tally(const std::vector<Status>& outcomes, std::size_t not_run) {
 }
 
 /// Solves one problem and hands out what came of it.
-void carry_out(const Task& task, const std::string& label, const SolvingOptions& options, const StartSystem& start,
-               Console& console, const TakeResult& take, SolvingRun& run) {
+void carry_out(const FileToSolve& task, const std::string& label, const SolvingOptions& options,
+               const StartSystem& start, Console& console, const TakeResult& take, SolvingRun& run) {
     const Result result = solve_task(task, options, start, label, console);
     const nlohmann::ordered_json json = document(task.problem, result);
     const int kept = keep(task, result, json_text(json), options, console);
@@ -143,7 +142,7 @@ void carry_out(const Task& task, const std::string& label, const SolvingOptions&
 }
 
 /// A defect that one problem brings to light does not cost the others their results.
-void carry_out_guarded(const Task& task, const std::string& label, const SolvingOptions& options,
+void carry_out_guarded(const FileToSolve& task, const std::string& label, const SolvingOptions& options,
                        const StartSystem& start, Console& console, const TakeResult& take, SolvingRun& run) {
     try {
         carry_out(task, label, options, start, console, take, run);
@@ -153,10 +152,10 @@ void carry_out_guarded(const Task& task, const std::string& label, const Solving
 }
 
 /// Makes the folder for the results ready before anything is computed. Returns the exit code.
-int prepare(const std::vector<Task>& tasks, const SolvingOptions& options, Console& console) {
+int prepare(const std::vector<FileToSolve>& tasks, const SolvingOptions& options, Console& console) {
     if (options.out.empty() || tasks.empty()) return exit_code::solved;
     std::vector<std::string> names;
-    for (const Task& task : tasks)
+    for (const FileToSolve& task : tasks)
         names.push_back(task.result_name);
     const std::vector<std::string> endings{motion_ending, solutions_ending, burmester_ending};
     const auto fault = prepare_results(options.out, names, options.csv ? endings : std::vector<std::string>{});
@@ -196,7 +195,7 @@ SolvingRun solve_files(const SolvingOptions& options, Console& console, const Ta
         run.code = read_start_system(options.start_system, console, start);
         if (run.code != exit_code::solved) return run;
     }
-    const std::vector<Task> tasks = read_tasks(options, console, run.code);
+    const std::vector<FileToSolve> tasks = read_tasks(options, console, run.code);
     if (run.code == exit_code::wrong_usage) return run;
     if (const int prepared = prepare(tasks, options, console); prepared != exit_code::solved) {
         run.code = prepared;

@@ -34,11 +34,11 @@ int plan(const ChunkOptions& options, Console& console) {
                                       plan.strands));
         return exit_code::wrong_usage;
     }
-    const StudyPlanOrNot before = read_plan(options.folder);
-    if (!before.fault.empty() || (before.plan && *before.plan != plan)) {
-        complain(console, before.plan
+    const StudyPlanOrNot earlier = read_plan(options.folder);
+    if (!earlier.fault.empty() || (earlier.plan && *earlier.plan != plan)) {
+        complain(console, earlier.plan
                               ? fmt::format("'{}' holds another plan; name another folder with --out", options.folder)
-                              : before.fault);
+                              : earlier.fault);
         return exit_code::no_access;
     }
     if (const auto fault = write_plan(options.folder, prepared, plan)) {

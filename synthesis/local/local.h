@@ -73,4 +73,7 @@ LocalOutcome polish(const Program& program, const LocalOutcome& from, const Loca
 /// of the objective that a Newton step would gain.
 double unbalanced_part(const Program& program, const Eigen::VectorXd& x);
 
+/// A gradient balanced to this part is that of an optimum: what is left is rounding of the polish.
+constexpr double balanced_within = 1e-6;
+
 }  // namespace mechwright

@@ -14,31 +14,12 @@
 
 namespace mechwright {
 
-/// The first N dimensions as numbers of type T; where T is a dual number, those whose indices `used` holds are its
-/// variables, in that order.
-template <class T, std::size_t N, std::size_t count>
-std::array<T, N> seeded(std::span<const double> dimensions, const std::array<std::size_t, count>& used) {
-    std::array<T, N> x;
-    for (std::size_t i = 0; i < N; ++i)
-        x[i] = T(dimensions[i]);
-    if constexpr (requires { T::variable(0.0, std::size_t(0)); })
-        for (std::size_t k = 0; k < count; ++k)
-            x[used[k]] = T::variable(dimensions[used[k]], k);
-    return x;
-}
-
 template <std::size_t N>
 constexpr std::array<std::size_t, N> first_indices() {
     std::array<std::size_t, N> all{};
     for (std::size_t i = 0; i < N; ++i)
         all[i] = i;
     return all;
-}
-
-/// The same with every one of them a variable.
-template <class T, std::size_t N>
-std::array<T, N> seeded(std::span<const double> dimensions) {
-    return seeded<T, N>(dimensions, first_indices<N>());
 }
 
 /// The indices of the dimensions that a formula depends on: `uses`, in increasing order, where it says so, else all
@@ -49,6 +30,19 @@ constexpr auto used_by() {
         return Formula::uses;
     else
         return first_indices<Formula::reads>();
+}
+
+/// The first N dimensions as numbers of type T; where T is a dual number, those whose indices `used` holds are its
+/// variables, in that order.
+template <class T, std::size_t N, auto used = first_indices<N>()>
+std::array<T, N> seeded(std::span<const double> dimensions) {
+    std::array<T, N> x;
+    for (std::size_t i = 0; i < N; ++i)
+        x[i] = T(dimensions[i]);
+    if constexpr (requires { T::variable(0.0, std::size_t(0)); })
+        for (std::size_t k = 0; k < used.size(); ++k)
+            x[used[k]] = T::variable(dimensions[used[k]], k);
+    return x;
 }
 
 /// The value of f(x, z) at a z where f is stationary in it, as a function of x: up to first derivatives that z is a
@@ -84,7 +78,7 @@ void measure_by(const Motion& motion, std::span<const double> dimensions, const 
     constexpr auto used = used_by<Formula>();
     static_assert(Formula::most <= Quantity::most_components);
     const auto evaluate = [&]<class T>(std::array<T, Formula::most>& at) {
-        return Formula::template components<T>(motion, seeded<T, n>(dimensions, used), at);
+        return Formula::template components<T>(motion, seeded<T, n, used>(dimensions), at);
     };
     const auto set_gradient = [&](std::size_t k, const std::array<double, used.size()>& partial) {
         const auto gradient = out.gradient.subspan(k * n, n);

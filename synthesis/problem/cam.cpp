@@ -18,7 +18,7 @@ namespace {
 using cam::ContourKind;
 using cam::SegmentKind;
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 constexpr std::size_t most_law_choices = 256;
 
 /// What a segment's keys and messages go by.
@@ -212,7 +212,7 @@ struct SegmentReader {
         }
         const double first = lifts.front(), last = lifts.back();
         const auto [least, greatest] = std::minmax_element(lifts.begin(), lifts.end());
-        if (std::abs(angles.back() - angles.front() - turn) < 1e-12 * turn) {
+        if (std::abs(angles.back() - angles.front() - full_turn) < 1e-12 * full_turn) {
             if (std::abs(last - first) > 1e-12 * (*greatest - *least))
                 return fail(
                     angles.size() - 1,
@@ -229,13 +229,13 @@ struct SegmentReader {
         dimension(cam_lift_dimension(mechanism(), index)) = {plan.table->range, plan.table->range, {}, true};
     }
 
-    static double full_turn_radians() { return turn * (1 + 1e-12); }
+    static double full_turn_radians() { return full_turn * (1 + 1e-12); }
 
     void read() {
         read_kind();
         auto& angle = dimension(cam_angle_dimension(mechanism(), index));
         if (plan.kind == SegmentKind::cycle && whole) {
-            angle = {turn, turn, {}, true};
+            angle = {full_turn, full_turn, {}, true};
             read_table();
             report_unknown_keys(section, messages);
             return;
@@ -288,19 +288,19 @@ void check_turn(Problem& problem, Place place, Messages& messages) {
     Sum sum;
     for (std::size_t i = 0; i < problem.program->segments.size(); ++i)
         sum.add(problem.dimensions[cam_angle_dimension(*problem.mechanism, i)], 1);
-    const double rounding = 1e-12 * turn;
+    const double rounding = 1e-12 * full_turn;
     const char* unit = problem.units.degrees ? " deg" : " rad";
     const auto shown = [&](double angle) { return fmt::format("{:.10g}{}", shown_angle(problem.units, angle), unit); };
-    if (sum.least > turn + rounding)
+    if (sum.least > full_turn + rounding)
         add_error(messages, place,
                   fmt::format("the segments' angles add up to {}{}, {} more than a full turn",
-                              sum.fixed() ? "" : "at least ", shown(sum.least), shown(sum.least - turn)));
-    else if (sum.greatest < turn - rounding)
+                              sum.fixed() ? "" : "at least ", shown(sum.least), shown(sum.least - full_turn)));
+    else if (sum.greatest < full_turn - rounding)
         add_error(messages, place,
                   fmt::format("the segments' angles add up to {}{}, {} short of a full turn",
-                              sum.fixed() ? "" : "at most ", shown(sum.greatest), shown(turn - sum.greatest)));
+                              sum.fixed() ? "" : "at most ", shown(sum.greatest), shown(full_turn - sum.greatest)));
     else if (!sum.fixed())
-        require_closure(problem, "turn", turn);
+        require_closure(problem, "turn", full_turn);
 }
 
 void check_lifts(Problem& problem, const std::vector<Place>& places, Messages& messages) {
@@ -332,7 +332,7 @@ void check_lifts(Problem& problem, const std::vector<Place>& places, Messages& m
 void set_contour(Problem& problem, ContourKind contour) {
     if (problem.dimensions.empty()) return;
     problem.program = contour_program(contour);
-    problem.dimensions[cam_angle_dimension(*problem.mechanism, 0)] = {turn, turn, {}, true};
+    problem.dimensions[cam_angle_dimension(*problem.mechanism, 0)] = {full_turn, full_turn, {}, true};
     problem.assemblies.clear();
     for (const std::size_t rotation : {std::size_t{0}, std::size_t{1}})
         if (problem.cam_rotation == 2 || problem.cam_rotation == rotation) problem.assemblies.push_back(rotation);

@@ -24,13 +24,15 @@ void evaluate_block(const Program& program, const QuantityBlock& block, bool der
     Measurement measurement{value, {}, {}};
     if (derivatives) measurement.gradient = gradient;
     block.quantity->measure(block.motion, out.dimensions, measurement);
-    for (std::size_t k = 0; k < block.count; ++k) {
-        const auto row = static_cast<Index>(block.first + k);
-        out.value[row] = value[k];
-        if (!derivatives) continue;
-        for (std::size_t i = 0; i < reads; ++i)
-            if (program.variable_of[i] >= 0)
-                out.jacobian(row, program.variable_of[i]) += program.times[i] * gradient[k * reads + i];
+    const auto first = static_cast<Index>(block.first);
+    for (std::size_t k = 0; k < block.count; ++k)
+        out.value[first + static_cast<Index>(k)] = value[k];
+    if (!derivatives) return;
+    for (std::size_t i = 0; i < reads; ++i) {
+        if (program.variable_of[i] < 0) continue;
+        double* column = &out.jacobian(first, program.variable_of[i]);
+        for (std::size_t k = 0; k < block.count; ++k)
+            column[k] += program.times[i] * gradient[k * reads + i];
     }
 }
 
@@ -53,12 +55,15 @@ double value_of(const LinearForm& form, const VectorXd& outputs, const VectorXd&
     return value;
 }
 
-template <class Row>
-void add_gradient(const LinearForm& form, const MatrixXd& jacobian, Row&& gradient) {
-    for (const LinearTerm& t : form.outputs)
-        gradient += t.factor * jacobian.row(static_cast<Index>(t.index));
+/// Adds the gradient of a form to numbers that lie `stride` apart.
+void add_gradient(const LinearForm& form, const MatrixXd& jacobian, double* gradient, Index stride) {
+    for (const LinearTerm& t : form.outputs) {
+        const double* from = jacobian.data() + t.index;
+        for (Index i = 0; i < jacobian.cols(); ++i)
+            gradient[i * stride] += t.factor * from[i * jacobian.rows()];
+    }
     for (const LinearTerm& t : form.variables)
-        gradient[static_cast<Index>(t.index)] += t.factor;
+        gradient[static_cast<Index>(t.index) * stride] += t.factor;
 }
 
 /// The reciprocal square of a variable's range, by which distances from the reference are measured.
@@ -87,9 +92,9 @@ void evaluate(const Program& program, const VectorXd& x, bool derivatives, Progr
     if (derivatives) {
         out.gradient.setZero(n);
         out.jacobian.setZero(m, n);
-        add_gradient(program.objective, outputs.jacobian, out.gradient.transpose());
+        add_gradient(program.objective, outputs.jacobian, out.gradient.data(), 1);
         for (Index r = 0; r < m; ++r)
-            add_gradient(program.rows[static_cast<std::size_t>(r)].form, outputs.jacobian, out.jacobian.row(r));
+            add_gradient(program.rows[static_cast<std::size_t>(r)].form, outputs.jacobian, out.jacobian.data() + r, m);
     }
     if (!program.closest_to_reference) return;
     for (std::size_t i = 0; i < program.size(); ++i) {

@@ -16,7 +16,7 @@ namespace mechwright {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 }  // namespace
 
@@ -60,7 +60,7 @@ std::string profile_csv(const FinishedDesign& cam, double cutter_radius, int ste
         text += fmt::format(",{}-x [{}],{}-y [{}]", name(path), cam.units.length, name(path), cam.units.length);
     text += '\n';
     for (int i = 0; i <= steps; ++i) {
-        const MotionRow row(cam, turn * i / steps);
+        const MotionRow row(cam, full_turn * i / steps);
         text += csv_number(360.0 * i / steps);
         for (const CutPath& path : paths) {
             const Vector<double> p = row.vector("profile") + path.offset * row.vector("normal");

@@ -25,13 +25,13 @@ struct Column {
     std::string_view more;
 };
 
-constexpr std::array<Column, 7> columns{{{"total-length", "size", ""},
-                                         {"transmission-angle-worst", "worst", "angle"},
-                                         {"time-ratio", "time", "ratio"},
-                                         {"stroke", "stroke", ""},
-                                         {"speed-variation", "speed", "variation"},
-                                         {"cam-size", "cam", "size"},
-                                         {"pressure-angle-max", "pressure", "angle"}}};
+constexpr std::array<Column, 7> compared_columns{{{"total-length", "size", ""},
+                                                  {"transmission-angle-worst", "worst", "angle"},
+                                                  {"time-ratio", "time", "ratio"},
+                                                  {"stroke", "stroke", ""},
+                                                  {"speed-variation", "speed", "variation"},
+                                                  {"cam-size", "cam", "size"},
+                                                  {"pressure-angle-max", "pressure", "angle"}}};
 
 /// Rows above the designs in the table.
 constexpr std::size_t heading_rows = 3;
@@ -152,7 +152,7 @@ std::string comparison_table(const std::vector<Compared>& all, bool colour) {
             objective = number_text(c.result.best->objective, 6);
         table.rows.push_back({short_name(c), std::string(c.problem.mechanism->name), std::move(objective)});
     }
-    for (const Column& column : columns) {
+    for (const Column& column : compared_columns) {
         if (std::none_of(all.begin(), all.end(), [&](const Compared& c) { return value_of(c, column.quantity); }))
             continue;
         table.columns.push_back(Align::point);
@@ -177,14 +177,14 @@ std::string comparison_table(const std::vector<Compared>& all, bool colour) {
 
 std::string comparison_csv(const std::vector<Compared>& all) {
     std::string text = "file,mechanism,status,objective";
-    for (const Column& column : columns)
+    for (const Column& column : compared_columns)
         text += "," + std::string(column.quantity);
     text += '\n';
     for (const Compared& c : all) {
         text += csv_field(c.problem.file) + "," + std::string(c.problem.mechanism->name) + "," +
                 std::string(name_of(c.result.status)) + ",";
         if (has_design(c) && c.problem.objective) text += csv_number(c.result.best->objective);
-        for (const Column& column : columns) {
+        for (const Column& column : compared_columns) {
             const auto value = value_of(c, column.quantity);
             text += "," + (value ? csv_number(*value) : std::string());
         }
@@ -199,7 +199,7 @@ nlohmann::ordered_json comparison_json(const std::vector<Compared>& all) {
         nlohmann::ordered_json one{
             {"file", c.problem.file}, {"mechanism", c.problem.mechanism->name}, {"status", name_of(c.result.status)}};
         if (has_design(c) && c.problem.objective) one["objective"] = c.result.best->objective;
-        for (const Column& column : columns)
+        for (const Column& column : compared_columns)
             if (const auto value = value_of(c, column.quantity)) one[std::string(column.quantity)] = *value;
         one["result"] = document(c.problem, c.result);
         list.push_back(std::move(one));

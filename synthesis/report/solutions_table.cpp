@@ -14,7 +14,7 @@ bool has_column(const Problem& problem, std::size_t i) {
     return problem.mechanism->dimensions[i].required || problem.dimensions[i].named;
 }
 
-std::string with_unit(std::string name, Unit unit, const Units& units) {
+std::string csv_column(std::string name, Unit unit, const Units& units) {
     const std::string label = unit_label(unit, units);
     return csv_field(label.empty() ? name : name + " [" + label + "]");
 }
@@ -26,11 +26,11 @@ std::string header(const Problem& problem) {
     for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
         const Dimension& dimension = problem.mechanism->dimensions[i];
         if (has_column(problem, i))
-            line += "," + with_unit(std::string(dimension.name), unit_of(dimension.kind), problem.units);
+            line += "," + csv_column(std::string(dimension.name), unit_of(dimension.kind), problem.units);
     }
     if (!problem.mechanism->assemblies.empty()) line += ",assembly";
     for (std::size_t i = 1; i <= targets_of(problem); ++i)
-        line += "," + with_unit("crank-angle-" + std::to_string(i), Unit::angle, problem.units);
+        line += "," + csv_column("crank-angle-" + std::to_string(i), Unit::angle, problem.units);
     return line + '\n';
 }
 

@@ -12,9 +12,6 @@ namespace mechwright {
 
 namespace {
 
-/// A gradient balanced to this part is balanced: what is left is rounding of the polish.
-constexpr double balanced_within = 1e-6;
-
 /// A gradient unbalanced by more is that of no optimum, and starts close to the design may lead on.
 constexpr double far_off_from = 1e-3;
 

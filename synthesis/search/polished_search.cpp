@@ -12,8 +12,6 @@ constexpr double small_objective = 1e-2;
 constexpr int most_magnifications = 4;
 constexpr double pays_from = 1e-3;
 
-/// A gradient that the active constraints balance to this part is that of an optimum.
-constexpr double balanced_within = 1e-6;
 /// From the end of another method to where the worst are level takes some dozens, in long valleys a thousand.
 constexpr int evaluations_to_level = 4000;
 

@@ -20,8 +20,6 @@ namespace mechwright {
 
 namespace {
 
-constexpr int patience_in_milliseconds = 10'000;
-
 std::string with_unit(std::string name, Unit unit, const Units& units) {
     const std::string label = unit_label(unit, units);
     return label.empty() ? name : name + ", " + label;

@@ -13,7 +13,6 @@ namespace mechwright {
 
 namespace {
 
-constexpr int patience_in_milliseconds = 10'000;
 constexpr std::size_t flushed_beyond = 1 << 16;
 
 /// Opens the data of a study to be read, and hands them to `use`.

@@ -20,8 +20,6 @@ namespace mechwright {
 
 namespace {
 
-constexpr std::size_t most_bytes = 64 << 20;
-
 std::filesystem::path plan_file(const std::filesystem::path& folder) { return folder / "plan.json"; }
 
 /// Copies a file that the problem file names to the same place below the folder.
@@ -34,7 +32,7 @@ std::optional<std::string> copy_named(const std::filesystem::path& from, const s
             "'{}' lies outside the folder of the problem file: put it beside the problem file, so that "
             "the plan can take it along",
             name);
-    const reading::Bytes read = reading::read_bytes((from / relative).string(), most_bytes, false);
+    const reading::Bytes read = reading::read_bytes((from / relative).string(), most_bytes_of_a_study, false);
     if (!read.failure.empty()) return fmt::format("'{}': {}", name, read.failure);
     if (relative.has_parent_path())
         if (auto fault = prepare_folder(folder / relative.parent_path())) return fault;
@@ -64,7 +62,7 @@ FolderLock::~FolderLock() {
 
 StudyPlanOrNot read_plan(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(plan_file(folder))) return {};
-    const reading::Bytes read = reading::read_bytes(plan_file(folder).string(), most_bytes, false);
+    const reading::Bytes read = reading::read_bytes(plan_file(folder).string(), most_bytes_of_a_study, false);
     if (!read.failure.empty()) return {{}, plan_file(folder).string() + ": " + read.failure};
     try {
         const auto json = nlohmann::json::parse(read.bytes);

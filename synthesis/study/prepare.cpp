@@ -13,7 +13,6 @@ namespace mechwright {
 
 namespace {
 
-constexpr std::size_t most_bytes = 64 << 20;
 /// Combinations of values that are not numbers: more of them than this are taken to be like the first.
 constexpr std::size_t most_combinations = 10000;
 
@@ -93,7 +92,7 @@ std::vector<std::string> StudyColumns::names() const {
 PreparedOrNot prepare_study(const std::string& file) {
     PreparedOrNot outcome;
     PreparedStudy& prepared = outcome.prepared;
-    const reading::Bytes bytes = reading::read_bytes(file, most_bytes, true);
+    const reading::Bytes bytes = reading::read_bytes(file, most_bytes_of_a_study, true);
     if (!bytes.failure.empty()) {
         outcome.messages.push_back({file, 0, 0, bytes.failure});
         outcome.unreadable = bytes.unreadable;

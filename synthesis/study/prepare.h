@@ -11,6 +11,9 @@
 
 namespace mechwright {
 
+/// What a file that a study reads may have at most.
+constexpr std::size_t most_bytes_of_a_study = 64 << 20;
+
 /// The columns of a study's data, in order after the number of the point.
 struct StudyColumns {
     std::vector<std::string> given;       ///< paths of what is varied, then of what follows from it

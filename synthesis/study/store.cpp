@@ -12,9 +12,6 @@ namespace mechwright {
 
 namespace {
 
-/// How long another program may hold the file before a run gives up.
-constexpr int patience_in_milliseconds = 10'000;
-constexpr std::size_t most_bytes = 64 << 20;
 const std::string named_file_prefix = "file:";
 /// Of the layout of the file.
 constexpr int layout = 1;
@@ -71,7 +68,7 @@ void make_tables(SQLite::Database& database, const PreparedStudy& prepared) {
     // With the files that it names the study can be looked at wherever its data go.
     for (const std::string& name : prepared.named_files) {
         const auto place = std::filesystem::path(prepared.file).parent_path() / name;
-        const reading::Bytes read = reading::read_bytes(place.string(), most_bytes, true);
+        const reading::Bytes read = reading::read_bytes(place.string(), most_bytes_of_a_study, true);
         if (read.failure.empty()) put((named_file_prefix + name).c_str(), read.bytes);
     }
 }

@@ -56,8 +56,8 @@ TEST(Check, AMethodThatDoesNotApplyIsAnError) {
 
 TEST(Check, ShippedProblemsAreGood) {
     std::vector<std::string> command{"check"};
-    const std::filesystem::path problems = std::filesystem::path(MECHWRIGHT_SOURCE_DIR) / "problems";
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(problems))
+    const std::filesystem::path shipped = std::filesystem::path(MECHWRIGHT_SOURCE_DIR) / "problems";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped))
         if (entry.path().extension() == ".toml") command.push_back(entry.path().string());
     ASSERT_GT(command.size(), 1u);
     const Outcome outcome = run(command);

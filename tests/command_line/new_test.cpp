@@ -96,7 +96,7 @@ TEST(New, PutsTheAnswersWhereTheyBelong) {
 
 TEST(New, OtherAnswersAreSolvedToo) {
     const TemporaryFolder folder;
-    const std::vector<std::string> problems{
+    const std::vector<std::string> asked{
         made("four-bar", "swing", {"swing=90", "time-ratio=1", "ground=7"}).out,
         made("slider-crank", "stroke", {"stroke=0.05"}).out,
         made("whitworth", "stroke", {"time-ratio=1.5", "stroke=1000"}).out,
@@ -105,7 +105,7 @@ TEST(New, OtherAnswersAreSolvedToo) {
         made("cam", "roller", {"lift=5", "law=modified-sine", "segments=rise 90, dwell 90, return 60, dwell 120"}).out,
         made("cam", "oscillating-roller", {"lift=15", "arm-length=30", "roller-radius=3"}).out,
         made("four-bar", "function", {"expression=log10(x)", "from=1", "to=2", "input=60"}).out};
-    for (const std::string& problem : problems) {
+    for (const std::string& problem : asked) {
         const Outcome solved = run({"solve", "--quiet", folder.write("a.toml", problem)});
         EXPECT_EQ(solved.exit_code, 0) << problem << solved.err << solved.out;
     }

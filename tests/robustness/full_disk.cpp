@@ -8,7 +8,6 @@ namespace mechwright::testing {
 namespace {
 
 constexpr std::size_t disk_kilobytes = 2048;
-constexpr const char* before = "what stood there before\n";
 
 /// A command that writes the file DISK/name.
 struct Writer {
@@ -46,7 +45,7 @@ TEST_P(FullDisk, IsToldAndLeavesWhatStoodThere) {
     SmallDisk disk(disk_kilobytes);
     if (!disk.mounted()) GTEST_SKIP() << "a disk cannot be mounted here; tests with the largest size of a file remain";
     put_result(disk.path());
-    std::ofstream(disk.path() / GetParam().name) << before;
+    std::ofstream(disk.path() / GetParam().name) << earlier_content;
     const Start how = start_of(GetParam(), disk.path().string());
     disk.fill_but(0);
     const std::vector<std::string> names = names_in(disk.path());
@@ -55,18 +54,18 @@ TEST_P(FullDisk, IsToldAndLeavesWhatStoodThere) {
     EXPECT_EQ(full.exit_code, 6) << full.err;
     expect_has(full.err, "No space left on device");
     expect_has(full.err, disk.path().string());
-    EXPECT_EQ(content_of(disk.path() / GetParam().name), before);
+    EXPECT_EQ(content_of(disk.path() / GetParam().name), earlier_content);
     EXPECT_EQ(names_in(disk.path()), names);
     disk.make_room();
     const Outcome again = run(how);
     EXPECT_EQ(again.exit_code, 0) << again.err;
-    EXPECT_NE(content_of(disk.path() / GetParam().name), before);
+    EXPECT_NE(content_of(disk.path() / GetParam().name), earlier_content);
 }
 
 TEST_P(FullDisk, IsTheSameWhereNoFileMayGrow) {
     const TemporaryFolder folder;
     put_result(folder.path);
-    folder.write(GetParam().name, before);
+    folder.write(GetParam().name, earlier_content);
     Start how = start_of(GetParam(), folder.path.string());
     how.largest_file = 1000;
     const std::vector<std::string> names = names_in(folder.path);
@@ -74,7 +73,7 @@ TEST_P(FullDisk, IsTheSameWhereNoFileMayGrow) {
     EXPECT_EQ(full.killed_by, 0);
     EXPECT_EQ(full.exit_code, 6) << full.err;
     expect_has(full.err, "File too large");
-    EXPECT_EQ(content_of(folder.path / GetParam().name), before);
+    EXPECT_EQ(content_of(folder.path / GetParam().name), earlier_content);
     EXPECT_EQ(names_in(folder.path), names);
     how.largest_file.reset();
     EXPECT_EQ(run(how).exit_code, 0);

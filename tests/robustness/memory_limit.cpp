@@ -34,12 +34,10 @@ struct Attempt {
     std::size_t files;
 };
 
-constexpr const char* before = "what stood there before\n";
-
 /// A command that writes folder/out.FORMAT, with so much memory.
 Attempt attempt(std::vector<std::string> arguments, const std::string& name, std::optional<std::size_t> memory) {
     const TemporaryFolder folder;
-    folder.write("out/" + name, before);
+    folder.write("out/" + name, earlier_content);
     Start how;
     for (std::string& argument : arguments)
         if (const auto at = argument.find("OUT"); at != std::string::npos) argument.replace(at, 3, folder / "out");
@@ -59,7 +57,7 @@ TEST_P(LittleMemory, EndsWithAMessage) {
     const auto& [arguments, name] = GetParam();
     const Attempt full = attempt(arguments, name, std::nullopt);
     ASSERT_EQ(full.outcome.exit_code, 0) << full.outcome.err;
-    ASSERT_NE(full.file, before);
+    ASSERT_NE(full.file, earlier_content);
     bool enough = false;
     int lacked = 0;
     for (std::size_t more = 0; !enough && more < 2'000'000; more += std::max<std::size_t>(160, more / 4)) {
@@ -72,7 +70,7 @@ TEST_P(LittleMemory, EndsWithAMessage) {
             ++lacked;
             EXPECT_EQ(a.outcome.exit_code, 1) << more << " kB more: " << a.outcome.err;
             expect_has(a.outcome.err, "out of memory");
-            EXPECT_TRUE(a.file == before || a.file == full.file) << more << " kB more: " << a.file;
+            EXPECT_TRUE(a.file == earlier_content || a.file == full.file) << more << " kB more: " << a.file;
         }
         EXPECT_EQ(a.files, full.files) << more;
     }

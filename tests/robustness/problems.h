@@ -20,6 +20,9 @@ inline std::vector<std::string> problem_files(const std::vector<std::string>& na
     return files;
 }
 
+/// In a file before a command writes it.
+constexpr const char* earlier_content = "what stood there before\n";
+
 /// A command line followed by files.
 inline std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
     arguments.insert(arguments.end(), more.begin(), more.end());

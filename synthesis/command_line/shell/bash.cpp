@@ -69,7 +69,7 @@ _mechwright() {
 complete -F _mechwright mechwright
 )sh";
 
-std::string action_of(const Values& values) {
+std::string bash_action(const Values& values) {
     const std::string names = fmt::format("{}{}", values.names.empty() ? "" : " ", fmt::join(values.names, " "));
     switch (values.kind) {
         case Values::Kind::words: return "_mechwright_words" + names;
@@ -100,7 +100,7 @@ std::string cases_of_values(const CommandNode& node) {
     std::string text;
     const std::string path = fmt::format("{}", fmt::join(node.path, " "));
     const auto add = [&](std::string_view place, const Values& values) {
-        if (const std::string action = action_of(values); !action.empty())
+        if (const std::string action = bash_action(values); !action.empty())
             text += fmt::format("        '{} {}') {} ;;\n", path, place, action);
     };
     for (const OptionNode& option : node.options)

@@ -21,7 +21,7 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-std::string action_of(const Values& values) {
+std::string zsh_action(const Values& values) {
     switch (values.kind) {
         case Values::Kind::words: return fmt::format("({})", fmt::join(values.names, " "));
         case Values::Kind::folders: return "_files -/";
@@ -37,7 +37,7 @@ std::string action_of(const Values& values) {
 
 std::string specification(const OptionNode& option) {
     const std::string value =
-        option.value.empty() ? "" : fmt::format(":{}:{}", escaped(option.value), action_of(option.values));
+        option.value.empty() ? "" : fmt::format(":{}:{}", escaped(option.value), zsh_action(option.values));
     std::string text;
     for (const std::string& name : {option.short_name, option.name})
         if (!name.empty()) text += fmt::format(" \\\n        '{}[{}]{}'", name, escaped(option.help), value);
@@ -49,7 +49,7 @@ std::string specification(const ArgumentNode& argument) {
                        argument.repeated   ? "*"
                        : argument.required ? ""
                                            : ":",
-                       escaped(argument.name), action_of(argument.values));
+                       escaped(argument.name), zsh_action(argument.values));
 }
 
 std::string function_name(const CommandNode& node) {
@@ -73,7 +73,7 @@ std::string body_with_commands(const CommandNode& node) {
     text += " \\\n        '1:command:->command' \\\n        '*::argument:->arguments'\n";
     text += "    case $state in\n        command)\n            _describe command commands\n";
     if (!node.arguments.empty() && node.arguments[0].values.kind != Values::Kind::unknown)
-        text += fmt::format("            {}\n", action_of(node.arguments[0].values));
+        text += fmt::format("            {}\n", zsh_action(node.arguments[0].values));
     text += "            ;;\n        arguments)\n            case $line[1] in\n";
     for (const CommandNode& below : node.below)
         text += fmt::format("                {}) {} ;;\n", below.name, function_name(below));

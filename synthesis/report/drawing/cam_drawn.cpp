@@ -12,7 +12,7 @@ namespace mechwright::drawing {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 constexpr int steps = 720;
 
@@ -22,7 +22,7 @@ Vector<double> face_reach(const FinishedDesign& design) {
     const double side = cam_kind(*design.mechanism).oscillating ? 1 : sense_of(design.motion.assembly);
     Vector<double> reach{0, 0};
     for (int i = 0; i < steps; ++i) {
-        const double along = side * MotionRow(design, turn * i / steps)["face-contact"];
+        const double along = side * MotionRow(design, full_turn * i / steps)["face-contact"];
         reach = {std::min(reach.x, along), std::max(reach.y, along)};
     }
     return reach;
@@ -101,7 +101,7 @@ std::vector<Vector<double>> pivots(const FinishedDesign& design) {
 std::vector<double> limits(const FinishedDesign& design) {
     std::vector<double> angles = cam_corners(design);
     for (int i = 0; i < steps; ++i)
-        angles.push_back(turn * i / steps);
+        angles.push_back(full_turn * i / steps);
     const auto lower = [&](double a, double b) { return MotionRow(design, a)["lift"] < MotionRow(design, b)["lift"]; };
     const auto [lowest, highest] = std::minmax_element(angles.begin(), angles.end(), lower);
     return {*lowest, *highest};

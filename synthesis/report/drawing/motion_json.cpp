@@ -20,7 +20,7 @@ Json points(const std::vector<Vector<double>>& all) {
     return list;
 }
 
-Json outlines(const std::vector<Outline>& all) {
+Json outline_list(const std::vector<Outline>& all) {
     Json list = Json::array();
     for (const Outline& outline : all) {
         Json vertices = Json::array();
@@ -52,9 +52,9 @@ Json motion_json(const FinishedDesign& design, const Scene& scene, int steps) {
         json["bodies"].push_back({{"name", body.name},
                                   {"pins", points(body.pins)},
                                   {"points", points(body.points)},
-                                  {"outlines", outlines(body.outlines)}});
+                                  {"outlines", outline_list(body.outlines)}});
     json["pivots"] = points(scene.pivots);
-    json["fixed"] = outlines(scene.fixed);
+    json["fixed"] = outline_list(scene.fixed);
     json["targets"] = targets(design);
     Json angles = Json::array(), frames = Json::array();
     std::vector<Place> places(scene.bodies.size());

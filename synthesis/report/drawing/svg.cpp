@@ -12,7 +12,7 @@ namespace mechwright {
 namespace {
 
 constexpr double fineness = 1e-4;  // of curves, over the extent: a tenth of a pixel at most
-constexpr double margin = 28;
+constexpr double paper_margin = 28;
 
 /// Colours that are told apart in print and by most who are colour-blind.
 constexpr std::string_view style =
@@ -134,9 +134,10 @@ SvgView view_of(const Scene& scene, double width, double most_height) {
     const double high = std::max(scene.high.y - scene.low.y, 1e-3 * scene.extent());
     SvgView view;
     view.width = width;
-    view.scale = std::min((width - 2 * margin) / wide, (most_height - 2 * margin) / high);
-    view.height = view.scale * high + 2 * margin;
-    view.origin = {0.5 * width - view.scale * 0.5 * (scene.low.x + scene.high.x), margin + view.scale * scene.high.y};
+    view.scale = std::min((width - 2 * paper_margin) / wide, (most_height - 2 * paper_margin) / high);
+    view.height = view.scale * high + 2 * paper_margin;
+    view.origin = {0.5 * width - view.scale * 0.5 * (scene.low.x + scene.high.x),
+                   paper_margin + view.scale * scene.high.y};
     return view;
 }
 

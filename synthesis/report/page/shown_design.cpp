@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "pages hold numbers with their lowest byte first");
 
-constexpr double width = 640, most_height = 520;
+constexpr double sketch_width = 640, most_sketch_height = 520;
 constexpr double greatest_integer = 32767;
 
 template <class Number>
@@ -104,7 +104,7 @@ ShownParts shown_parts(const DesignToShow& shown, int steps, bool with_thumbnail
     constexpr double fineness = 2e-4;  // of curves: an eighth of a pixel at most
     const FinishedDesign& design = shown.design;
     const Scene scene = scene_of(design, fineness);
-    const SvgView view = view_of(scene, width, most_height);
+    const SvgView view = view_of(scene, sketch_width, most_sketch_height);
     ShownParts parts;
     parts.view_box = fmt::format("0 0 {:.0f} {:.0f}", view.width, view.height);
     const std::string bodies = svg_bodies(design, scene, view, shown_angle(design), design.motion.assembly);
