@@ -14,7 +14,7 @@ namespace mechwright::bench {
 namespace {
 
 TEST(CountedNumber, CountsWhatAResultDependsOn) {
-    const OperationMix mix = mix_of([] {
+    const auto [mix, chain] = mix_of([] {
         const Counted a = Counted::variable(3), b = Counted::variable(4);
         const Counted c = sqrt(a * a + b * b) / (a - b);
         EXPECT_EQ(c.value, -5);
@@ -26,10 +26,14 @@ TEST(CountedNumber, CountsWhatAResultDependsOn) {
     EXPECT_EQ(mix.roots, 1);
     EXPECT_EQ(mix.sines, 1);
     EXPECT_EQ(mix.angles, 1);
+    // The longest chain: cosine, angle.
+    EXPECT_EQ(chain.sines, 1);
+    EXPECT_EQ(chain.angles, 1);
+    EXPECT_EQ(chain.sums_and_products + chain.quotients + chain.roots, 0);
 }
 
 TEST(CountedNumber, CountsEachOperationOnceAndConstantsNot) {
-    const OperationMix mix = mix_of([] {
+    const auto [mix, chain] = mix_of([] {
         const Counted a = Counted::variable(3);
         const Counted twice = Counted(2) * Counted(3) * a;
         return Vector<Counted>{twice + sqrt(a), -(Counted(6) * a - sqrt(a))};
@@ -37,18 +41,21 @@ TEST(CountedNumber, CountsEachOperationOnceAndConstantsNot) {
     EXPECT_EQ(mix.sums_and_products, 3);
     EXPECT_EQ(mix.roots, 1);
     EXPECT_EQ(mix.quotients + mix.sines + mix.angles, 0);
+    EXPECT_EQ(chain.roots, 1);
+    EXPECT_EQ(chain.sums_and_products, 1);
 }
 
 // A pose takes the root of the diagonal and that of the area, one sine and one cosine, and no arc tangent.
 TEST(CountedNumber, GoesThroughTheFormulasOfAFourBar) {
     const auto in = CouplerPointKernel::usual().front();
     Vector<Counted> counted;
-    const OperationMix mix = mix_of(
+    const CallMix mix = mix_of(
         [&] { return counted = CouplerPointKernel::ours<0>(kernel_detail::counted(in.x), Counted::variable(in.at)); });
-    EXPECT_EQ(mix.roots, 2);
-    EXPECT_EQ(mix.sines, 2);
-    EXPECT_EQ(mix.angles, 0);
-    EXPECT_GT(mix.sums_and_products, 40);
+    EXPECT_EQ(mix.all.roots, 2);
+    EXPECT_EQ(mix.all.sines, 2);
+    EXPECT_EQ(mix.all.angles, 0);
+    EXPECT_GT(mix.all.sums_and_products, 40);
+    EXPECT_LT(mix.chain.sums_and_products, mix.all.sums_and_products);
     const Vector<double> plain = CouplerPointKernel::ours<0>(in.x, in.at);
     EXPECT_EQ(counted.x.value, plain.x);
     EXPECT_EQ(counted.y.value, plain.y);
@@ -75,6 +82,7 @@ TEST(LeastTime, IsThatOfTheBusierUnitsAndTheCalls) {
     EXPECT_EQ(least_seconds({10, 1, 0, 0, 0}, costs), 10);
     EXPECT_EQ(least_seconds({10, 1, 1, 0, 0}, costs), 12);
     EXPECT_EQ(least_seconds({10, 1, 1, 2, 1}, costs), 12 + 20 + 30);
+    EXPECT_EQ(chain_seconds({10, 1, 1, 1, 1}, costs), 10 + 5 + 7 + 20 + 30);
 }
 
 TEST(LeastTime, CostsAreThoseOfAProcessor) {

@@ -40,27 +40,32 @@ template <class Register>
 
 enum class Operation { sums_and_products, quotients, roots };
 
+template <Operation operation, class Register>
+[[gnu::always_inline]] inline void step(Register& r, const Register& y, bool sum) {
+    if constexpr (operation == Operation::sums_and_products) {
+        r = sum ? r + y : r * y;
+    } else if constexpr (operation == Operation::quotients) {
+        r = r / y;
+    } else {
+        take_root(r);
+        r = r * y;  // does not come to 1, whose root takes less; another unit multiplies meanwhile
+    }
+    keep(r);
+}
+
 /// Chains side by side that stay in registers: as many as hide the latency of a sum, of a product.
 template <class Register, Operation operation>
 [[gnu::always_inline]] inline void steps(double* out) {
     Register a = Register{} + 1.5, b = a, c = a, d = a, e = a, f = a, g = a, h = a, i = a, j = a, l = a, m = a, n = a,
              o = a;
-    Register y = Register{} + 1.25;
+    Register y = Register{} + 1.3;
     keep(y);
-    const auto step = [&](Register & r, bool sum) __attribute__((always_inline)) {
-        if constexpr (operation == Operation::sums_and_products)
-            r = sum ? r + y : r * y;
-        else if constexpr (operation == Operation::quotients)
-            r = r / y;
-        else
-            take_root(r);
-        keep(r);
-    };
+    const auto go = [&](Register & r, bool sum) __attribute__((always_inline)) { step<operation>(r, y, sum); };
     for (long k = 0; k < rounds; ++k) {
-        step(a, true), step(b, false), step(c, true), step(d, false);
-        step(e, true), step(f, false), step(g, true), step(h, false);
-        step(i, true), step(j, false), step(l, true), step(m, false);
-        step(n, true), step(o, false);
+        go(a, true), go(b, false), go(c, true), go(d, false);
+        go(e, true), go(f, false), go(g, true), go(h, false);
+        go(i, true), go(j, false), go(l, true), go(m, false);
+        go(n, true), go(o, false);
     }
     const Register all = ((a + b) + (c + d)) + ((e + f) + (g + h)) + ((i + j) + (l + m)) + (n + o);
     *out = reinterpret_cast<const double*>(&all)[0];
@@ -69,6 +74,14 @@ template <class Register, Operation operation>
 template <Operation operation>
 void one(double* out) {
     steps<One, operation>(out);
+}
+template <Operation operation>
+void one_after_another(double* out) {
+    One x = 1.5, y = 1.3;
+    keep(y);
+    for (long k = 0; k < rounds * static_cast<long>(chains); ++k)
+        step<operation>(x, y, k % 2 == 0);
+    *out = x;
 }
 template <Operation operation>
 void baseline(double* out) {
@@ -96,17 +109,26 @@ double seconds_each(void (*of)(double*), std::size_t lanes) {
     return timed({calls}, repetitions, least_time).front().median / static_cast<double>(rounds * chains * lanes);
 }
 
-double seconds_of_call(double (*call)(double)) {
-    const Piece calls = [call](benchmark::State& state) {
+/// Calls that are independent, or of which each needs the result of the one before: that costs two sums and a product
+/// more.
+double seconds_of_call(double (*call)(double), bool chained) {
+    const Piece calls = [call, chained](benchmark::State& state) {
         double x = 0;
         for (auto _ : state) {
             x += 2.399963229728653;  // the golden angle
             if (x > 2 * std::numbers::pi) x -= 2 * std::numbers::pi;
-            benchmark::DoNotOptimize(call(x));
+            if (chained)
+                x += 1e-9 * call(x);
+            else
+                benchmark::DoNotOptimize(call(x));
         }
     };
     return timed({calls}, repetitions, least_time).front().median;
 }
+
+double sine_and_cosine(double x) { return std::sin(x) + std::cos(x); }
+
+double angle(double x) { return std::atan2(x - 3, 1.5); }
 
 }  // namespace
 
@@ -123,9 +145,16 @@ double instruction_cost() {
 }
 
 OperationCosts scalar_costs() {
-    return {seconds_each(one<Operation::sums_and_products>, 1), seconds_each(one<Operation::quotients>, 1),
-            seconds_each(one<Operation::roots>, 1), seconds_of_call([](double x) { return std::sin(x) + std::cos(x); }),
-            seconds_of_call([](double x) { return std::atan2(x - 3, 1.5); })};
+    using enum Operation;
+    return {seconds_each(one<sums_and_products>, 1), seconds_each(one<quotients>, 1), seconds_each(one<roots>, 1),
+            seconds_of_call(sine_and_cosine, false), seconds_of_call(angle, false)};
+}
+
+OperationCosts scalar_latencies() {
+    using enum Operation;
+    const double sum = seconds_each(one_after_another<sums_and_products>, 1);
+    return {sum, seconds_each(one_after_another<quotients>, 1), seconds_each(one_after_another<roots>, 1) - sum,
+            seconds_of_call(sine_and_cosine, true) - 3 * sum, seconds_of_call(angle, true) - 3 * sum};
 }
 
 OperationCosts lane_costs(InstructionSet set) {
@@ -148,6 +177,11 @@ double least_seconds(const OperationMix& mix, const OperationCosts& costs) {
     const double quotients = mix.quotients * costs.quotient + mix.roots * costs.root;
     // A sine and the cosine of the same angle come from one call.
     return std::max(sums, quotients) + 0.5 * mix.sines * costs.sine_and_cosine + mix.angles * costs.angle;
+}
+
+double chain_seconds(const OperationMix& chain, const OperationCosts& latencies) {
+    return chain.sums_and_products * latencies.sum_or_product + chain.quotients * latencies.quotient +
+           chain.roots * latencies.root + chain.sines * latencies.sine_and_cosine + chain.angles * latencies.angle;
 }
 
 }  // namespace mechwright::bench

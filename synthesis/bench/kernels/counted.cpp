@@ -1,5 +1,7 @@
 #include "synthesis/bench/kernels/counted.h"
 
+#include <algorithm>
+
 namespace mechwright::bench {
 
 namespace {
@@ -16,6 +18,22 @@ void count(Operations::Kind kind, OperationMix& mix) {
         case Operations::Kind::cosine: ++mix.sines; break;
         case Operations::Kind::angle: ++mix.angles; break;
     }
+}
+
+/// Clock cycles from operands to result, about, on processors of these years: enough to say which chain is longest.
+int cycles(Operations::Kind kind) {
+    switch (kind) {
+        case Operations::Kind::variable: return 0;
+        case Operations::Kind::sum:
+        case Operations::Kind::difference:
+        case Operations::Kind::product: return 4;
+        case Operations::Kind::quotient: return 14;
+        case Operations::Kind::root: return 20;
+        case Operations::Kind::sine:
+        case Operations::Kind::cosine: return 60;
+        case Operations::Kind::angle: return 100;
+    }
+    return 0;
 }
 
 }  // namespace
@@ -37,6 +55,24 @@ OperationMix Operations::mix(const std::vector<int>& results) const {
         need(nodes[i].b);
     }
     return counted;
+}
+
+OperationMix Operations::longest_chain(const std::vector<int>& results) const {
+    std::vector<int> until(nodes.size());  // cycles until a node is there
+    const auto until_there = [&](int node) { return node == constant ? 0 : until[static_cast<std::size_t>(node)]; };
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        until[i] = cycles(nodes[i].kind) + std::max(until_there(nodes[i].a), until_there(nodes[i].b));
+    const auto later = [&](int a, int b) { return until_there(a) < until_there(b) ? b : a; };
+    OperationMix chain;
+    int node = constant;
+    for (const int result : results)
+        node = later(node, result);
+    while (node != constant) {
+        const Node& n = nodes[static_cast<std::size_t>(node)];
+        count(n.kind, chain);
+        node = later(n.a, n.b);
+    }
+    return chain;
 }
 
 }  // namespace mechwright::bench

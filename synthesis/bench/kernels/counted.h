@@ -23,6 +23,12 @@ struct OperationMix {
     int angles = 0;  ///< atan2
 };
 
+/// What a call does.
+struct CallMix {
+    OperationMix all;
+    OperationMix chain;  ///< of operations of which each needs the one before: the chain that takes longest
+};
+
 /// What was done, in order. An operation on numbers that are known beforehand is one too: it has no node.
 struct Operations {
     enum class Kind { variable, sum, difference, product, quotient, root, sine, cosine, angle };
@@ -45,6 +51,8 @@ struct Operations {
     }
     /// Of the nodes that the results and the comparisons depend on.
     OperationMix mix(const std::vector<int>& results) const;
+    /// Of the chain of nodes that takes longest to come to one of the results.
+    OperationMix longest_chain(const std::vector<int>& results) const;
 };
 
 struct Counted {
@@ -114,10 +122,11 @@ private:
 
 /// The mix of one call, which gives a vector.
 template <class F>
-OperationMix mix_of(const F& f) {
+CallMix mix_of(const F& f) {
     Counted::done = {};
     const Vector<Counted> result = f();
-    return Counted::done.mix({result.x.node, result.y.node});
+    const std::vector results{result.x.node, result.y.node};
+    return {Counted::done.mix(results), Counted::done.longest_chain(results)};
 }
 
 }  // namespace mechwright::bench

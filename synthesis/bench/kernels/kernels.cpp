@@ -17,13 +17,14 @@ Row kernel_row(std::string_view order, std::string_view form, const KernelNumber
             ns * n.timing.lower,
             ns * n.timing.upper,
             n.instructions ? Cell(*n.instructions) : Cell(),
-            n.mix.sums_and_products,
-            n.mix.quotients,
-            n.mix.roots,
-            n.mix.sines,
-            n.mix.angles,
+            n.mix.all.sums_and_products,
+            n.mix.all.quotients,
+            n.mix.all.roots,
+            n.mix.all.sines,
+            n.mix.all.angles,
             cell_of(ns * n.least),
             n.instructions ? Cell(ns * n.instruction * static_cast<double>(*n.instructions)) : Cell(),
+            cell_of(ns * n.chain),
             cell_of(n.usual_median),
             cell_of(n.usual_least),
             cell_of(n.hard_median),
@@ -46,15 +47,15 @@ std::vector<Measurement> measurements(const Effort&) {
 }  // namespace
 
 Section kernels() {
-    return {
-        "kernels",
-        "Kernels: what each order of motion costs, and how many digits it keeps",
-        {"kernel", "order", "form", "ns", "ns lower quartile", "ns upper quartile", "instructions", "sums and products",
-         "quotients", "roots", "sines and cosines", "angles", "ns by operations", "ns by instructions",
-         "digits usual median", "digits usual least", "digits hard median", "digits hard least"},
-        measurements,
-        kernels_told,
-        kernels_drawn};
+    return {"kernels",
+            "Kernels: what each order of motion costs, and how many digits it keeps",
+            {"kernel", "order", "form", "ns", "ns lower quartile", "ns upper quartile", "instructions",
+             "sums and products", "quotients", "roots", "sines and cosines", "angles", "ns by operations",
+             "ns by instructions", "ns of the longest chain", "digits usual median", "digits usual least",
+             "digits hard median", "digits hard least"},
+            measurements,
+            kernels_told,
+            kernels_drawn};
 }
 
 }  // namespace mechwright::bench

@@ -77,8 +77,9 @@ using Body = void (*)(const std::vector<Group>&, const HalfTurn<double>&, std::v
 struct LaneForm {
     std::string_view order;
     std::string_view name;
+    std::size_t lanes;
     Body body;
-    OperationMix mix;
+    CallMix mix;
     OperationCosts costs;
 };
 
@@ -92,8 +93,12 @@ Body body_of(InstructionSet set) {
     return baseline<order>;
 }
 
+std::size_t lanes_of(InstructionSet set) {
+    return set == InstructionSet::avx512 ? 8 : set == InstructionSet::avx2 ? 4 : 2;
+}
+
 template <int order>
-OperationMix mix_at_angle() {
+CallMix mix_at_angle() {
     return mix_of([] {
         const auto in = Kernel::usual()[1];
         const HalfTurn<double> half = half_turn(in.at);
@@ -103,11 +108,11 @@ OperationMix mix_at_angle() {
 
 template <int order>
 void add_forms(std::vector<LaneForm>& all) {
-    const OperationMix mix = mix_at_angle<order>();
+    const CallMix mix = mix_at_angle<order>();
     const std::string_view name = Kernel::orders[order];
-    all.push_back({name, one_by_one_name, one_by_one<order>, mix, scalar_costs()});
-    for (const auto& [set, lanes] : lane_names)
-        if (is_available(set)) all.push_back({name, lanes, body_of<order>(set), mix, lane_costs(set)});
+    all.push_back({name, one_by_one_name, 1, one_by_one<order>, mix, scalar_costs()});
+    for (const auto& [set, form] : lane_names)
+        if (is_available(set)) all.push_back({name, form, lanes_of(set), body_of<order>(set), mix, lane_costs(set)});
 }
 
 /// Whether a body gives the same digits as `one_by_one`.
@@ -139,13 +144,15 @@ std::vector<Row> measured_lanes(const Effort& effort) {
     const std::vector<Timing> timings = timed(pieces, effort.pick(5, 21), effort.pick(0.1, 1.0));
     const double each = 1 / static_cast<double>(groups.size() * widest);
     const double instruction = instruction_cost();
+    const OperationCosts latencies = scalar_latencies();
     std::vector<Row> rows;
     for (std::size_t i = 0; i < forms.size(); ++i) {
         const LaneForm& f = forms[i];
         KernelNumbers n{{timings[i].median * each, timings[i].lower * each, timings[i].upper * each}, {}, f.mix};
         if (const auto all = instructions_of([&] { f.body(groups, half_turn(1.0), out); }))
             n.instructions = static_cast<long>(static_cast<double>(*all) * each + 0.5);
-        n.least = least_seconds(f.mix, f.costs);
+        n.least = least_seconds(f.mix.all, f.costs);
+        n.chain = chain_seconds(f.mix.chain, latencies) / static_cast<double>(f.lanes);
         n.instruction = instruction;
         f.body(groups, half_turn(1.0), out);
         if (f.name == one_by_one_name) first = out;

@@ -119,7 +119,7 @@ struct Form {
     std::function<void()> once;  ///< for counting instructions; none: not counted
     std::function<std::vector<double>(const typename Kernel::Input&)> found;  ///< none: exact by definition
     std::function<std::vector<Digits50>(const typename Kernel::Input&)> exact;
-    OperationMix mix{};
+    CallMix mix{};
 };
 
 template <class Kernel, class Call>
@@ -211,8 +211,9 @@ inline Cell cell_of(double number) { return std::isnan(number) ? Cell() : Cell(n
 struct KernelNumbers {
     Timing timing;
     std::optional<long> instructions;
-    OperationMix mix;
+    CallMix mix;
     double least = std::numeric_limits<double>::quiet_NaN();  ///< seconds; NaN where there is no bound
+    double chain = least;                                     ///< seconds; NaN where it is not known
     double instruction = 0;                                   ///< seconds that one takes at least
     double usual_median = std::numeric_limits<double>::quiet_NaN(), usual_least = usual_median;
     double hard_median = usual_median, hard_least = usual_median;
@@ -232,13 +233,16 @@ std::vector<Row> measured_kernel(const Effort& effort) {
     for (const auto& f : forms)
         pieces.push_back(f.piece);
     const std::vector<Timing> timings = timed(pieces, effort.pick(5, 21), effort.pick(0.1, 1.0));
-    const OperationCosts costs = scalar_costs();
+    const OperationCosts costs = scalar_costs(), latencies = scalar_latencies();
     const double instruction = instruction_cost();
     std::vector<Row> rows;
     for (std::size_t i = 0; i < forms.size() && !effort.stopped(); ++i) {
         const auto& f = forms[i];
         KernelNumbers n{timings[i], f.once ? instructions_of(f.once) : std::nullopt, f.mix};
-        if (f.mix.sums_and_products > 0) n.least = least_seconds(f.mix, costs);
+        if (f.mix.all.sums_and_products > 0) {
+            n.least = least_seconds(f.mix.all, costs);
+            n.chain = chain_seconds(f.mix.chain, latencies);
+        }
         n.instruction = instruction;
         const Kept usual = kept(f, Kernel::usual()), hard = kept(f, Kernel::hard_ones());
         n.usual_median = usual.median;
