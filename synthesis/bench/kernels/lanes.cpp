@@ -46,9 +46,8 @@ template <int order>
 void one_by_one(const std::vector<Group>& groups, const HalfTurn<double>& half, std::vector<Points>& out) {
     for (std::size_t g = 0; g < groups.size(); ++g)
         for (std::size_t lane = 0; lane < widest; ++lane) {
-            std::array<double, Kernel::size> x;
-            for (std::size_t i = 0; i < Kernel::size; ++i)
-                x[i] = groups[g].x[i][lane];
+            const auto& [ground, crank, coupler, rocker, along, across] = groups[g].x;
+            const std::array x{ground[lane], crank[lane], coupler[lane], rocker[lane], along[lane], across[lane]};
             const Vector<double> reached = Kernel::ours<order>(x, half);
             out[g].x[lane] = reached.x;
             out[g].y[lane] = reached.y;

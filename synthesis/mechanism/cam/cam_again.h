@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,12 +33,36 @@ struct Derivatives {
     R value, first, second;
 };
 
-/// f and its first two derivatives at 0, by differences over five points.
+/// A value and first two derivatives at 0 by differences, from values at -2, -1, 0, 1 and 2 steps.
+template <class R>
+Derivatives<R> derivatives(const std::array<R, 5>& f) {
+    const R h(Step<R>::first);
+    return {f[2], (f[0] - 8 * f[1] + 8 * f[3] - f[4]) / (12 * h),
+            (-f[0] + 16 * f[1] - 30 * f[2] + 16 * f[3] - f[4]) / (12 * h * h)};
+}
+
+/// The values of a function at those steps.
+template <class R, class Function>
+auto five_values(const Function& f) {
+    const R h(Step<R>::first);
+    return std::array{f(R(-2 * h)), f(R(-h)), f(R(0)), f(h), f(R(2 * h))};
+}
+
 template <class R, class Function>
 Derivatives<R> derivatives(const Function& f) {
-    const R h(Step<R>::first);
-    const R a = f(R(-2 * h)), b = f(R(-h)), c = f(R(0)), d = f(h), e = f(R(2 * h));
-    return {c, (a - 8 * b + 8 * d - e) / (12 * h), (-a + 16 * b - 30 * c + 16 * d - e) / (12 * h * h)};
+    return derivatives<R>(five_values<R>(f));
+}
+
+/// Of two coordinates of what a function gives.
+template <class R, class Function, class First, class Second>
+std::array<Derivatives<R>, 2> derivatives_of_two(const Function& f, First first, Second second) {
+    const auto values = five_values<R>(f);
+    std::array<R, 5> a, b;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        a[i] = values[i].*first;
+        b[i] = values[i].*second;
+    }
+    return {derivatives<R>(a), derivatives<R>(b)};
 }
 
 template <class R, class Function>
@@ -136,8 +161,7 @@ CamHere<R> cam_here(const Follower<R>& f, const Here<R>& here) {
     using std::atan2, std::hypot, std::sqrt;
     if constexpr (Layout<Follower>::roller) {
         const auto pitch = [&](const R& t) { return seen_by_cam(centre(f, here.lift(t)).position, f.sense, t); };
-        const auto x = derivatives<R>([&](const R& t) { return pitch(t).x; });
-        const auto y = derivatives<R>([&](const R& t) { return pitch(t).y; });
+        const auto [x, y] = derivatives_of_two<R>(pitch, &Vector<R>::x, &Vector<R>::y);
         const R speed = sqrt(R(x.first * x.first + y.first * y.first));
         const Vector<R> tangent{R(x.first / speed), R(y.first / speed)};
         // Clockwise round a cam that turns counter-clockwise: the outside is on the left.
@@ -149,8 +173,12 @@ CamHere<R> cam_here(const Follower<R>& f, const Here<R>& here) {
     } else {
         // The face as a line of the cam: distance p of the centre and direction of the normal a. The contact lies at
         // dp/da along the line, the radius of curvature is p + d2p/da2.
-        const auto p = derivatives<R>([&](const R& t) { return face(f, here.lift(t)).distance; });
-        const auto a = derivatives<R>([&](const R& t) { return R(face(f, here.lift(t)).direction - f.sense * t); });
+        const auto seen = [&](const R& t) {
+            Face<R> line = face(f, here.lift(t));
+            line.direction -= f.sense * t;
+            return line;
+        };
+        const auto [p, a] = derivatives_of_two<R>(seen, &Face<R>::distance, &Face<R>::direction);
         const R slope = p.first / a.first;
         const R radius = p.value + (p.second - slope * a.second) / (a.first * a.first);
         const Face<R> now = face(f, here.lift(R(0)));
@@ -200,15 +228,19 @@ struct Rebuilt {
     }
 };
 
-/// The greatest value over some segments of a measure: f(follower, here), in double and in fifty digits.
+/// A place on an analytic piece, with the value of a measure there.
+struct Sample {
+    std::size_t segment, piece;
+    double from, u, to;  ///< the place, and the ends of the piece
+    double value;
+
+    bool same_piece(const Sample& other) const { return segment == other.segment && piece == other.piece; }
+};
+
+/// A measure, f(follower, here), all along some segments, in double.
 template <template <class> class Follower, class Wanted, class Function>
-Digits50 greatest(const Rebuilt<Follower>& cam, const Wanted& wanted, const Function& f) {
-    struct Found {
-        std::size_t segment, piece;
-        double from, u, to;
-        double value;
-    };
-    std::vector<Found> found;
+std::vector<Sample> samples_of(const Rebuilt<Follower>& cam, const Wanted& wanted, const Function& f) {
+    std::vector<Sample> samples;
     for (std::size_t i = 0; i < cam.segments.size(); ++i) {
         const Segment<double>& segment = cam.plain_segments[i];
         if (!wanted(segment.kind)) continue;
@@ -218,45 +250,71 @@ Digits50 greatest(const Rebuilt<Follower>& cam, const Wanted& wanted, const Func
             const double from = break_before(segment, piece), to = break_before(segment, piece + 1);
             for (int k = 0; k <= steps; ++k) {
                 const double u = k == steps ? to : from + k * (to - from) / steps;
-                found.push_back({i, piece, from, u, to, f(cam.plain_follower, cam.roughly(i, piece, u))});
+                samples.push_back({i, piece, from, u, to, f(cam.plain_follower, cam.roughly(i, piece, u))});
             }
         }
     }
-    double best = -std::numeric_limits<double>::infinity(), scale = 0;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        best = std::max(best, found[k].value);
-        scale = std::max(scale, std::abs(found[k].value));
+    return samples;
+}
+
+/// The place near a sample, between two others, at which a measure is greatest: golden sections in double, then
+/// Newton's method on the slope in fifty digits, kept in the piece.
+template <template <class> class Follower, class Function>
+Digits50 peak_near(const Rebuilt<Follower>& cam, const Sample& at, double left, double right, const Function& f) {
+    const auto plain = [&](double x) { return f(cam.plain_follower, cam.roughly(at.segment, at.piece, x)); };
+    Digits50 u = greatest_between(plain, left, right);
+    const Digits50 width = at.to - at.from, fine_step = 1e-6 * width;
+    // Newton's method squares what is left: after so short a step none of the digits that count changes.
+    const Digits50 short_step = 1e-8 * width;
+    for (int step = 0; step < 3; ++step) {
+        const auto slope = derivatives<Digits50>([&](const Digits50& t) {
+            const Digits50 x = u + t * fine_step / Step<Digits50>::first;
+            return Digits50(f(cam.follower, cam.here(at.segment, at.piece, x)));
+        });
+        if (!(slope.second < 0)) break;
+        const Digits50 next =
+            std::clamp<Digits50>(u - slope.first / slope.second * (fine_step / Step<Digits50>::first), at.from, at.to);
+        const Digits50 moved = abs(next - u);
+        u = next;
+        if (moved <= short_step) break;
     }
+    return u;
+}
+
+/// The greatest value over some segments of a measure: f(follower, here), in double and in fifty digits.
+template <template <class> class Follower, class Wanted, class Function>
+Digits50 greatest(const Rebuilt<Follower>& cam, const Wanted& wanted, const Function& f) {
+    const std::vector<Sample> found = samples_of(cam, wanted, f);
+    double best = -std::numeric_limits<double>::infinity(), scale = 0;
+    for (const Sample& sample : found) {
+        best = std::max(best, sample.value);
+        scale = std::max(scale, std::abs(sample.value));
+    }
+    // Differences between samples that are nothing but the rounding of difference formulas in double: the measure is
+    // constant there, and a few of the samples stand for all.
+    const double flat = 1e-9 * scale;
+    constexpr int most_flat = 3;
+    int flat_ones = 0;
     Digits50 result = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < found.size(); ++k) {
-        const Found& at = found[k];
-        const bool has_before = k > 0 && found[k - 1].segment == at.segment && found[k - 1].piece == at.piece;
-        const bool has_after =
-            k + 1 < found.size() && found[k + 1].segment == at.segment && found[k + 1].piece == at.piece;
+        const Sample& at = found[k];
+        const bool has_before = k > 0 && found[k - 1].same_piece(at);
+        const bool has_after = k + 1 < found.size() && found[k + 1].same_piece(at);
+        if (!has_before) flat_ones = 0;
         if (has_before && found[k - 1].value > at.value) continue;
         if (has_after && found[k + 1].value >= at.value) continue;
-        if (!(at.value >= best - 0.02 * scale)) continue;
+        // A peak rises above its highest sample by less than the samples beside that fall short of it.
+        const double rise =
+            std::max(has_before ? at.value - found[k - 1].value : 0, has_after ? at.value - found[k + 1].value : 0);
+        if (!(at.value + rise >= best - flat)) continue;
+        if (rise <= flat && ++flat_ones > most_flat) continue;
         const auto fine = [&](const Digits50& u) {
             return Digits50(f(cam.follower, cam.here(at.segment, at.piece, u)));
         };
-        // Between the samples beside it: golden sections in double, then Newton's method on the slope, kept in the
-        // piece.
-        Digits50 u = at.u;
-        if (cam.segments[at.segment].kind != SegmentKind::dwell && at.to > at.from) {
-            const auto plain = [&](double x) { return f(cam.plain_follower, cam.roughly(at.segment, at.piece, x)); };
-            u = greatest_between(plain, has_before ? found[k - 1].u : at.from, has_after ? found[k + 1].u : at.to);
-            const Digits50 fine_step = 1e-6 * (at.to - at.from);
-            for (int step = 0; step < 3; ++step) {
-                const auto slope = derivatives<Digits50>(
-                    [&](const Digits50& t) { return fine(Digits50(u + t * fine_step / Step<Digits50>::first)); });
-                if (!(slope.second < 0)) break;
-                Digits50 next = u - slope.first / slope.second * (fine_step / Step<Digits50>::first);
-                next = std::clamp(next, Digits50(at.from), Digits50(at.to));
-                u = next;
-            }
-            if (!(fine(u) >= fine(Digits50(at.u)))) u = at.u;
-        }
-        result = std::max(result, fine(u));
+        result = std::max(result, fine(at.u));
+        if (rise > flat && at.to > at.from && cam.segments[at.segment].kind != SegmentKind::dwell)
+            result = std::max(result, fine(peak_near(cam, at, has_before ? found[k - 1].u : at.from,
+                                                     has_after ? found[k + 1].u : at.to, f)));
     }
     return result;
 }
