@@ -11,7 +11,7 @@ namespace mechwright {
 
 /// The pose at the crank angle whose half is `half`, in the given assembly.
 template <class T>
-FourBarPose<T> pose(const FourBar<T>& m, const HalfTurn<T>& half, Assembly assembly) {
+inline FourBarPose<T> pose(const FourBar<T>& m, const HalfTurn<T>& half, Assembly assembly) {
     return detail::pose_by_formulas(m, half, assembly);
 }
 

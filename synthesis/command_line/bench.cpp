@@ -99,7 +99,7 @@ Command add_bench(CLI::App& program) {
     for (const bench::Section& section : bench::sections())
         names += fmt::format("{}{}", names.empty() ? "" : ", ", section.name);
     command->add_option("--out", options->folder, "Folder for the report and its data (results)")->option_text("DIR");
-    command->add_flag("--full", options->full, "Thorough: an hour instead of five minutes");
+    command->add_flag("--full", options->full, "Thorough: an hour instead of two minutes");
     command->add_option("--only", options->only, "Sections to measure; all stay in the report")->option_text("SECTION");
     command->add_option("--problems", options->problems, "Problems that come with mechwright (problems)")
         ->option_text("DIR");

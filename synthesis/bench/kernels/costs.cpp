@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "synthesis/bench/timing.h"
@@ -130,9 +131,7 @@ double sine_and_cosine(double x) { return std::sin(x) + std::cos(x); }
 
 double angle(double x) { return std::atan2(x - 3, 1.5); }
 
-}  // namespace
-
-double instruction_cost() {
+double measured_instruction() {
     constexpr int each = 16;
     const Piece nothing = [](benchmark::State& state) {
         for (auto _ : state)
@@ -144,20 +143,14 @@ double instruction_cost() {
     return timed({nothing}, repetitions, least_time).front().median / static_cast<double>(rounds * each);
 }
 
-OperationCosts scalar_costs() {
-    using enum Operation;
-    return {seconds_each(one<sums_and_products>, 1), seconds_each(one<quotients>, 1), seconds_each(one<roots>, 1),
-            seconds_of_call(sine_and_cosine, false), seconds_of_call(angle, false)};
-}
-
-OperationCosts scalar_latencies() {
+OperationCosts measured_latencies() {
     using enum Operation;
     const double sum = seconds_each(one_after_another<sums_and_products>, 1);
     return {sum, seconds_each(one_after_another<quotients>, 1), seconds_each(one_after_another<roots>, 1) - sum,
             seconds_of_call(sine_and_cosine, true) - 3 * sum, seconds_of_call(angle, true) - 3 * sum};
 }
 
-OperationCosts lane_costs(InstructionSet set) {
+OperationCosts measured_lane_costs(InstructionSet set) {
     using enum Operation;
 #if defined(__x86_64__)
     if (set == InstructionSet::avx512)
@@ -170,6 +163,33 @@ OperationCosts lane_costs(InstructionSet set) {
     static_cast<void>(set);
     return {seconds_each(baseline<sums_and_products>, 2), seconds_each(baseline<quotients>, 2),
             seconds_each(baseline<roots>, 2), 0, 0};
+}
+
+}  // namespace
+
+double instruction_cost() {
+    static const double seconds = measured_instruction();
+    return seconds;
+}
+
+OperationCosts scalar_costs() {
+    using enum Operation;
+    static const OperationCosts costs{seconds_each(one<sums_and_products>, 1), seconds_each(one<quotients>, 1),
+                                      seconds_each(one<roots>, 1), seconds_of_call(sine_and_cosine, false),
+                                      seconds_of_call(angle, false)};
+    return costs;
+}
+
+OperationCosts scalar_latencies() {
+    static const OperationCosts latencies = measured_latencies();
+    return latencies;
+}
+
+OperationCosts lane_costs(InstructionSet set) {
+    static std::map<InstructionSet, OperationCosts> known;
+    const auto [place, is_new] = known.try_emplace(set);
+    if (is_new) place->second = measured_lane_costs(set);
+    return place->second;
 }
 
 double least_seconds(const OperationMix& mix, const OperationCosts& costs) {

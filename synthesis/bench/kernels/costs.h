@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What this processor takes for each kind of operation, and the least time that a mix of them can take.
+/// What this processor takes for each kind of operation, measured once in a run, and the least time that a mix of them
+/// can take.
 
 #include <array>
 #include <cstddef>
