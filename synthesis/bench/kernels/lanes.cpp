@@ -114,6 +114,18 @@ void add_forms(std::vector<LaneForm>& all) {
         if (is_available(set)) all.push_back({name, form, lanes_of(set), body_of<order>(set), mix, lane_costs(set)});
 }
 
+/// What one more group takes, shared among its linkages. Each step is some microseconds: not all groups.
+std::optional<long> instructions_of_a_linkage(Body body, const std::vector<Group>& groups) {
+    const auto of = [&](long count) {
+        const std::vector<Group> some(groups.begin(), groups.begin() + count);
+        std::vector<Points> out(some.size());
+        return instructions_of([&] { body(some, half_turn(1.0), out); });
+    };
+    const auto few = of(2), more = of(6);
+    if (!few || !more) return std::nullopt;
+    return static_cast<long>(std::lround(static_cast<double>(*more - *few) / (4.0 * widest)));
+}
+
 /// Whether a body gives the same digits as `one_by_one`.
 bool same_digits(const std::vector<Points>& a, const std::vector<Points>& b) {
     for (std::size_t g = 0; g < a.size(); ++g)
@@ -148,8 +160,7 @@ std::vector<Row> measured_lanes(const Effort& effort) {
     for (std::size_t i = 0; i < forms.size(); ++i) {
         const LaneForm& f = forms[i];
         KernelNumbers n{{timings[i].median * each, timings[i].lower * each, timings[i].upper * each}, {}, f.mix};
-        if (const auto all = instructions_of([&] { f.body(groups, half_turn(1.0), out); }))
-            n.instructions = static_cast<long>(static_cast<double>(*all) * each + 0.5);
+        n.instructions = instructions_of_a_linkage(f.body, groups);
         n.least = least_seconds(f.mix.all, f.costs);
         n.chain = chain_seconds(f.mix.chain, latencies) / static_cast<double>(f.lanes);
         n.instruction = instruction;
