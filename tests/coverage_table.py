@@ -1,6 +1,6 @@
 """Line and branch coverage by folder, and what is not covered with the reason why, from gcovr's JSON.
 
-    coverage_table.py COVERAGE.json REASONS.txt REPORT.md
+    coverage_table.py COVERAGE.json REASONS.txt COMMIT REPORT.md
 
 Exit code 1 where a function is never called and no reason is given."""
 
@@ -8,6 +8,7 @@ import collections
 import fnmatch
 import json
 import pathlib
+import re
 import sys
 
 
@@ -86,10 +87,27 @@ def by_reason(entries):
     return text
 
 
+def short_name(name):
+    """A function without its arguments, and without those of templates."""
+    name = name.replace("(anonymous namespace)::", "").replace("mechwright::", "")
+    while (bare := re.sub(r"<[^<>]*>|\([^()]*\)|\{lambda#\d+\}::", "", name)) != name:
+        name = bare
+    return name.split(" const")[0].split(" ")[-1]
+
+
 def uncalled_functions(files, reasons):
+    """(reason, entry): a line for each, or for each file that has more of them than can be read."""
+    most_by_name = 5
     for file in files:
+        by_reason_here = collections.defaultdict(list)
         for line, name in uncalled(file):
-            yield reason_for(reasons, file["file"], name), f"`{file['file']}:{line}` `{name}`"
+            by_reason_here[reason_for(reasons, file["file"], name)].append((line, short_name(name)))
+        for reason, entries in by_reason_here.items():
+            if reason and len(entries) > most_by_name:
+                yield reason, f"`{file['file']}`: {len(entries)} functions"
+            else:
+                for line, name in entries:
+                    yield reason, f"`{file['file']}:{line}` `{name}`"
 
 
 def uncovered_lines(files, reasons):
@@ -100,13 +118,13 @@ def uncovered_lines(files, reasons):
             yield reason, f"`{file['file']}`: {missed} of {len(code_lines(file))}"
 
 
-def main(coverage, reasons, report):
+def main(coverage, reasons, commit, report):
     files = [file for file in json.loads(pathlib.Path(coverage).read_text())["files"] if file["lines"]]
     reasons = reasons_of(pathlib.Path(reasons).read_text())
     functions = list(uncalled_functions(files, reasons))
     text = ["# What the tests run", "",
-            "Made by `tests/coverage.sh`: the lines that all tests together run, and the branches that they take, but for",
-            "those that the compiler adds for exceptions.", "", *table(files), "",
+            f"Made by `tests/coverage.sh` of commit {commit}: the lines that all tests together run, and the branches that",
+            "they take, but for those that the compiler adds for exceptions.", "", *table(files), "",
             "## Functions that no test calls", "",
             *by_reason((reason or "No reason written down", entry) for reason, entry in functions),
             "## Lines that no test runs", "", *by_reason(uncovered_lines(files, reasons))]

@@ -226,14 +226,13 @@ std::array<Quantity, 2> arc_quantities() {
          Unit::angle});
 }
 
-/// The registry's entry of a shape; `errors` is its error_quantity.
+/// The registry's entry of a shape.
 template <class Path, class Shape, std::size_t input, std::size_t place>
-FollowedShape followed_shape(const Quantity& errors) {
+FollowedShape followed_shape() {
     FollowedShape shape;
     shape.name = Shape::name;
     shape.place = place;
     shape.parameters = Shape::parameters;
-    shape.errors = &errors;
     shape.extremes = [](std::size_t assembly, std::span<const double> dimensions) {
         std::array<double, place + Shape::parameters> x;
         std::copy_n(dimensions.begin(), x.size(), x.begin());

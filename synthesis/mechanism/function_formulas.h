@@ -109,31 +109,6 @@ struct FunctionMax {
     }
 };
 
-/// The error at fixed places of the range: of samples as many as there is room for, evenly chosen, else at the extremes
-/// of a Chebyshev polynomial, so that least squares of it come close to the least greatest error.
-template <class Generator>
-struct FunctionErrors {
-    static constexpr std::size_t reads = Generator::reads;
-    static constexpr auto uses = used_by<Generator>();
-    static constexpr std::size_t most = 25;
-    template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
-        const FunctionTarget* f = motion.function;
-        for (std::size_t k = 0; k < most; ++k) {
-            Vector<double> at;
-            if (has_samples(f)) {
-                at = f->parts[k * (f->parts.size() - 1) / (most - 1)];
-            } else {
-                const double s = std::sin(std::numbers::pi * static_cast<double>(k) / (2 * (most - 1)));
-                at.x = s * s;
-                at.y = part_of(f, at.x);
-            }
-            out[k] = Generator::error(x, motion.assembly, T(at.x), T(at.y));
-        }
-        return most;
-    }
-};
-
 struct QuadratureNode {
     double share;
     double weight;
@@ -291,12 +266,6 @@ template <class Transmission, TransmissionExtreme extreme>
 Quantity input_transmission_quantity(std::string_view name) {
     return input_quantity<InputTransmission<Transmission, extreme>>(
         name, Unit::angle, extreme == TransmissionExtreme::greatest ? Reduce::greatest : Reduce::least);
-}
-
-/// The errors of a generator at fixed places, for least squares.
-template <class Generator>
-Quantity error_quantity() {
-    return input_quantity<FunctionErrors<Generator>>("error along the input range", Unit::none, Reduce::greatest);
 }
 
 /// What keeps a design assembled over its input range.

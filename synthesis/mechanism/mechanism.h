@@ -188,7 +188,6 @@ struct FollowedShape {
     std::vector<ErrorExtreme> (*extremes)(std::size_t assembly, std::span<const double> dimensions) = nullptr;
     /// Sets those of its dimensions that are free to what comes close to the path.
     void (*fit)(std::size_t assembly, std::span<double> dimensions, const std::array<bool, 3>& free) = nullptr;
-    const Quantity* errors = nullptr;  ///< the distance along the range, as a component for each of many places
 };
 
 struct Mechanism {
@@ -238,8 +237,6 @@ struct Mechanism {
                                                    std::span<const double> dimensions) = nullptr;
     /// The first of the four scales among the dimensions: start and range of the input, then of the output.
     std::size_t function_scales = 0;
-    /// The error along the range, as a component for each of many places.
-    const Quantity* function_errors = nullptr;
     /// The loop equation (loop_row.h) over ranges of input and output.
     LoopRow<Interval> (*loop_row)(const Interval& input, const Interval& output) = nullptr;
     /// What a guided point can follow; without `extremes` it cannot.

@@ -163,6 +163,56 @@ TEST(Profile, ReadsResultsToo) {
         EXPECT_LE(std::hypot(stated[i].x - known[i].x, stated[i].y - known[i].y), 1e-12);
 }
 
+std::string contour_cam(const std::string& follower, const std::string& contour, const std::string& dimensions) {
+    return "schema = 1\nmechanism = \"cam\"\n[cam]\nfollower = \"" + follower + "\"\ncontour = \"" + contour +
+           "\"\n[dimensions]\n" + dimensions;
+}
+
+// An eccentric is a circle: of radius base radius + eccentricity, about a point that far from the shaft.
+TEST(Profile, OfAnEccentricIsACircle) {
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.write("a.toml", contour_cam("flat", "eccentric", "base-radius = 37\ncentre-distance = 38\n"));
+    const auto points = column_pair(run({"profile", file}).out, 1);
+    ASSERT_EQ(points.size(), 361u);
+    for (const Vector<double>& p : points)
+        EXPECT_NEAR(std::hypot(p.x, p.y + 38), 75, 1e-12);
+    auto layers = read_drawing(run({"profile", "--dxf", file}).out);
+    EXPECT_LE(greatest_distance(layers["PROFILE"], points), 1e-3);
+    EXPECT_LE(layers["PROFILE"].size(), 8u);
+}
+
+// A tangent cam: base circle, nose circle, and the two lines that touch both: their normals lie at 60 deg to the axis,
+// whose cosine is the difference of the radii over the distance of the centres.
+TEST(Profile, OfATangentCamIsTwoCirclesAndTwoLines) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write(
+        "a.toml", contour_cam("roller", "tangent",
+                              "base-radius = 25\nnose-radius = 10\ncentre-distance = 30\nroller-radius = 20\n"));
+    const auto points = column_pair(run({"profile", "--steps", "720", file}).out, 1);
+    ASSERT_EQ(points.size(), 721u);
+    const auto farther = [](const Vector<double>& a, const Vector<double>& b) {
+        return std::hypot(a.x, a.y) < std::hypot(b.x, b.y);
+    };
+    const Vector<double> top = *std::max_element(points.begin(), points.end(), farther);
+    EXPECT_NEAR(std::hypot(top.x, top.y), 40, 1e-12);
+    const Vector<double> axis{top.x / 40, top.y / 40};
+    int on_base = 0, on_nose = 0, on_lines = 0;
+    for (const Vector<double>& p : points) {
+        const double along = p.x * axis.x + p.y * axis.y, across = std::abs(p.x * axis.y - p.y * axis.x);
+        const bool base = std::abs(std::hypot(p.x, p.y) - 25) < 1e-11;
+        const bool nose = std::abs(std::hypot(along - 30, across) - 10) < 1e-11;
+        const bool line = std::abs(0.5 * along + std::sqrt(0.75) * across - 25) < 1e-11;
+        EXPECT_TRUE(base || nose || line) << p.x << " " << p.y;
+        on_base += base;
+        on_nose += nose;
+        on_lines += line;
+    }
+    EXPECT_GT(std::min({on_base, on_nose, on_lines}), 20);
+    auto layers = read_drawing(run({"profile", "--dxf", file}).out);
+    EXPECT_LE(greatest_distance(layers["PROFILE"], points), 1e-3);
+}
+
 // Textbook example 6-2: the pitch curve has a hollow radius of 28.11367 mm at least, the profile a roller radius more.
 TEST(Profile, NamesTheLeastHollowRadius) {
     const TemporaryFolder folder;

@@ -105,6 +105,12 @@ TEST(ProgressLine, FitsTheLineAndLeavesNothing) {
     line.label = "a.toml";
     draw(line, 3, 32, 40.315);
     expect_has(err.str(), "\r3/32 starts  best 40.315 deg");
+    line.drawn -= std::chrono::seconds(1);
+    draw_bound(line, 0.97, 1200);
+    expect_has(err.str(), "\rbound 97% of the best  1200 boxes  ");
+    line.drawn -= std::chrono::seconds(1);
+    draw_measurements(line, 3, 12);
+    expect_has(err.str(), "\r3/12 measurements  ");
     erase(line);
     EXPECT_EQ(err.str().back(), '\r');
     const std::string before = err.str();

@@ -191,4 +191,39 @@ TEST(Cam, ReportsAllErrorsAtOnce) {
                      {"'angle' in segment 2"}));
 }
 
+TEST(Cam, TakesSoManySegmentsNumbersAndLawsAndNoMore) {
+    std::string many;
+    for (int i = 0; i < 13; ++i)
+        many += moving(i % 2 == 0 ? "rise" : "return", "20", "5");
+    EXPECT_TRUE(only_says(read(cam(many)), "p.toml:8:1", {"13 segments are too many", "12"}));
+    const auto spline = [](const std::string& kind) {
+        return moving(kind, "90", "20", "\"spline\"") + "shape = [1, 1, 1, 1, 1, 1]\n";
+    };
+    EXPECT_TRUE(says(read(cam(spline("rise") + spline("return") + spline("rise") + spline("return"))), "p.toml:25:22",
+                     {"more than 16 numbers together"}));
+    std::string choices;
+    for (int i = 0; i < 8; ++i)
+        choices += moving(i % 2 == 0 ? "rise" : "return", "45", "5", R"(["harmonic", "cycloidal", "3-4-5"])");
+    EXPECT_TRUE(only_says(read(cam(choices)), "p.toml:8:1", {"6561 combinations"}));
+}
+
+TEST(Cam, SegmentsAreSectionsThatSayWhatTheyNeed) {
+    const std::string head = "schema = 1\nmechanism = \"cam\"\nsegment = 5\n[cam]\nfollower = \"knife\"\n";
+    EXPECT_TRUE(says(read(head), "p.toml:3:11", {"each headed [[segment]] in double brackets"}));
+    EXPECT_TRUE(
+        only_says(read(cam(moving("rise", "90", "20") + dwell("90") + "lift = 3\n" + moving("return", "180", "20"))),
+                  "p.toml:16:1", {"a dwell has none"}));
+    EXPECT_TRUE(
+        says(read(cam(moving("rise", "180", "20", "\"spline\"") + "shape = 1\n" + moving("return", "180", "20"))),
+             "p.toml:13:9", {"a list of numbers or ranges"}));
+    EXPECT_TRUE(
+        says(read(cam(moving("rise", "180", "20", "\"polynomial\"") + "end = \"U\"\n" + moving("return", "180", "20"))),
+             "p.toml:13:7", {"an end of kind U needs its acceleration: write end = { acceleration = ... }"}));
+}
+
+TEST(Cam, IsJudgedOverItsFullTurn) {
+    EXPECT_TRUE(
+        says(read(cam(closed + "[motion]\ncrank_range = [0, 90]\n")), "p.toml:22:15", {"leave crank_range out"}));
+}
+
 }  // namespace mechwright::test

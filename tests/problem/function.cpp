@@ -124,6 +124,11 @@ TEST(Function, OtherMechanismsGenerateNone) {
              "p.toml:9:1", {"whitworth", "leave [function] out"}));
 }
 
+TEST(Function, HasARangeOfTwoNumbers) {
+    EXPECT_TRUE(says(read_function("expression = \"x\"\nx = [1, 2, 3]\n" + scales), "p.toml:10:5",
+                     {"must be two numbers, [from, to], not 3"}));
+}
+
 }  // namespace
 
 }  // namespace mechwright::test

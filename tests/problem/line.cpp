@@ -112,6 +112,11 @@ TEST(Ties, ThatMakeNoSenseAreReported) {
                           "p.toml:8:1", {"tied"}));
 }
 
+TEST(Line, IsForMechanismsThatGuideAPoint) {
+    EXPECT_TRUE(says(read("schema = 1\nmechanism = \"whitworth\"\n[line]\nstart = 0\nrange = 90\n"), "p.toml:3:1",
+                     {"guides no point along a line or an arc"}));
+}
+
 }  // namespace
 
 }  // namespace mechwright::test

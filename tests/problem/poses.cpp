@@ -59,6 +59,14 @@ TEST(Poses, StandAloneAndHaveQuantitiesOfTheirOwn) {
                       "[poses]\nposes = [[1, 2, 3], [2, 2, 3]]\n")));
 }
 
+TEST(Poses, HaveCrankAnglesWhereTheyArePrescribed) {
+    const std::string angles = "poses = [[1, 2, 90], [3, 4, 180]]\ncrank_angles = [0, 90]\n";
+    const ReadProblem timed = read_poses(angles + "timing = \"prescribed\"");
+    ASSERT_TRUE(accepted(timed));
+    EXPECT_NEAR(timed.problem.path->crank_angles.at(1), std::acos(-1.0) / 2, 1e-15);
+    EXPECT_TRUE(only_says(read_poses(angles), "p.toml:10:16", {"need timing = \"prescribed\""}));
+}
+
 }  // namespace
 
 }  // namespace mechwright::test

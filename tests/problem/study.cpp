@@ -146,6 +146,36 @@ TEST(Study, ChartsAreChecked) {
                           {"letters, digits"}));
 }
 
+TEST(Study, GradesMayBeSpreadEvenly) {
+    const ReadProblem problem =
+        read(study("count = 9\n[study.tolerance]\ncrank = { grade = \"IT7\", distribution = \"uniform\" }\n"));
+    ASSERT_TRUE(accepted(problem));
+    ASSERT_EQ(problem.problem.study->deviations.size(), 1u);
+    EXPECT_EQ(problem.problem.study->deviations[0].grade, 7);
+    EXPECT_TRUE(problem.problem.study->deviations[0].uniform);
+    EXPECT_TRUE(only_says(read(study("count = 9\n[study.tolerance]\ncrank = { grade = 7 }\n")), "p.toml:14:19",
+                          {"in quotes, as in \"IT7\""}));
+    EXPECT_TRUE(only_says(read(study("count = 9\n[study.tolerance]\n")), "p.toml:13:1", {"is empty", "lengths"}));
+}
+
+TEST(Study, ListsAndTablesInItAreWhatTheyMustBe) {
+    const std::string axis = "\"dimensions.ground\" = [90, 100]\n";
+    EXPECT_TRUE(says(read(study(axis + "case = 3\n")), "p.toml:13:8", {"each headed [[study.case]]"}));
+    EXPECT_TRUE(says(read(study(axis + "chart = 3\n")), "p.toml:13:9", {"each headed [[study.chart]]"}));
+    EXPECT_TRUE(says(read(study(axis + "quantities = [3]\n")), "p.toml:13:15", {"a string in quotes"}));
+    EXPECT_TRUE(says(read(study("schema = [1, 2]\n")), "p.toml:12:10", {"'schema' cannot be varied"}));
+    EXPECT_TRUE(
+        says(read(study("count = 0\ndesign = \"latin-hypercube\"\n\"dimensions.ground\" = { from = 90, to = 100 }\n")),
+             "p.toml:12:9", {"must be 1 or more, not 0"}));
+}
+
+TEST(Study, AWordThatTellsTwoElementsIsNoPath) {
+    const std::string two =
+        "[[require]]\nquantity = \"swing\"\nmin = 60\n[[require]]\nquantity = \"swing\"\nmax = 70\n";
+    EXPECT_TRUE(only_says(read(valid + two + "[study]\n\"require.swing.min\" = [60, 65]\n"), "p.toml:14:1",
+                          {"more than one element 'swing'", "'require.1'"}));
+}
+
 }  // namespace
 
 }  // namespace mechwright::test

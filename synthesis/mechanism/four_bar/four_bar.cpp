@@ -127,10 +127,6 @@ const std::array<Quantity, 25> quantities{{
         "instant-rocker-acceleration", "angular acceleration of the rocker there, for unit velocity of the crank"),
 }};
 
-const Quantity function_errors = error_quantity<RockerAngle>();
-const Quantity line_errors = error_quantity<ShapeDistance<CouplerPath, LineShape, input_start, line_angle>>();
-const Quantity arc_errors = error_quantity<ShapeDistance<CouplerPath, ArcShape, input_start, arc_x>>();
-
 const Quantity input_margin = input_margin_quantity<InputMargin>();
 
 /// Not a quantity of the contract: what keeps a design of limited range assembled.
@@ -220,35 +216,33 @@ bool motion_row(const Motion& motion, std::span<const double> d, double crank_an
 }  // namespace
 
 const Mechanism& four_bar_mechanism() {
-    static const Mechanism mechanism{
-        .name = "four-bar",
-        .meaning = "four links, four pins: crank, coupler, rocker on a ground link",
-        .dimensions = dimensions,
-        .assemblies = assemblies,
-        .quantities = quantities,
-        .families = families,
-        .motion = motion_of,
-        .describe = describe,
-        .check_motion = four_bar_check_motion,
-        .path_reads = CouplerPath::reads,
-        .path_roles = {4, 5, 6, 7, 8, 9, 14},
-        .path_miss = path_miss_by<CouplerPath>,
-        .pose_reads = CouplerPose::reads,
-        .pose_miss = pose_miss_by<CouplerPose>,
-        .path_screening = four_bar_screening,
-        .path_point = four_bar_path_point,
-        .input_margin = &input_margin,
-        .function_fit = fit_function,
-        .function_extremes = function_extremes_by<RockerAngle>,
-        .function_scales = input_start,
-        .function_errors = &function_errors,
-        .loop_row = rocker_loop_row<Interval>,
-        .line = followed_shape<CouplerPath, LineShape, input_start, line_angle>(line_errors),
-        .arc = followed_shape<CouplerPath, ArcShape, input_start, arc_x>(arc_errors),
-        .over_input = over_input,
-        .motion_columns = motion_columns,
-        .motion_units = motion_units,
-        .motion_row = motion_row};
+    static const Mechanism mechanism{.name = "four-bar",
+                                     .meaning = "four links, four pins: crank, coupler, rocker on a ground link",
+                                     .dimensions = dimensions,
+                                     .assemblies = assemblies,
+                                     .quantities = quantities,
+                                     .families = families,
+                                     .motion = motion_of,
+                                     .describe = describe,
+                                     .check_motion = four_bar_check_motion,
+                                     .path_reads = CouplerPath::reads,
+                                     .path_roles = {4, 5, 6, 7, 8, 9, 14},
+                                     .path_miss = path_miss_by<CouplerPath>,
+                                     .pose_reads = CouplerPose::reads,
+                                     .pose_miss = pose_miss_by<CouplerPose>,
+                                     .path_screening = four_bar_screening,
+                                     .path_point = four_bar_path_point,
+                                     .input_margin = &input_margin,
+                                     .function_fit = fit_function,
+                                     .function_extremes = function_extremes_by<RockerAngle>,
+                                     .function_scales = input_start,
+                                     .loop_row = rocker_loop_row<Interval>,
+                                     .line = followed_shape<CouplerPath, LineShape, input_start, line_angle>(),
+                                     .arc = followed_shape<CouplerPath, ArcShape, input_start, arc_x>(),
+                                     .over_input = over_input,
+                                     .motion_columns = motion_columns,
+                                     .motion_units = motion_units,
+                                     .motion_row = motion_row};
     return mechanism;
 }
 

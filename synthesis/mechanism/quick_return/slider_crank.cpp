@@ -47,9 +47,6 @@ const std::array<Quantity, 2> over_input{
      input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst")}};
 constexpr std::size_t line_angle = 14;
 constexpr std::size_t arc_x = 16;
-const Quantity function_errors = error_quantity<RamPosition>();
-const Quantity line_errors = error_quantity<ShapeDistance<RodPath, LineShape, input_start, line_angle>>();
-const Quantity arc_errors = error_quantity<ShapeDistance<RodPath, ArcShape, input_start, arc_x>>();
 
 // Coefficients of crank, rod, offset.
 const std::array<Family, 2> families{{
@@ -142,10 +139,9 @@ const Mechanism& slider_crank_mechanism() {
                                      .function_fit = fit_ram_function,
                                      .function_extremes = function_extremes_by<RamPosition>,
                                      .function_scales = input_start,
-                                     .function_errors = &function_errors,
                                      .loop_row = ram_loop_row<Interval>,
-                                     .line = followed_shape<RodPath, LineShape, input_start, line_angle>(line_errors),
-                                     .arc = followed_shape<RodPath, ArcShape, input_start, arc_x>(arc_errors),
+                                     .line = followed_shape<RodPath, LineShape, input_start, line_angle>(),
+                                     .arc = followed_shape<RodPath, ArcShape, input_start, arc_x>(),
                                      .over_input = over_input,
                                      .motion_columns = motion_columns,
                                      .motion_units = motion_units,
