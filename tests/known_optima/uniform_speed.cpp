@@ -102,7 +102,8 @@ int equal_extremes(const Solved& s) {
         quick_return::drive_of<Drive>(s.result.best->design.dimensions, s.result.best->design.assembly);
     const auto part = working_part(m, share);
     std::vector<double> speeds{std::abs(ram_velocity(m, part.from)), std::abs(ram_velocity(m, part.to))};
-    for (const double x : ram_velocity_extremes(m, CrankRange<double>{false, part.from, part.to}).all())
+    const auto extremes = ram_velocity_extremes(m, CrankRange<double>{false, part.from, part.to});
+    for (const double x : extremes.all())
         speeds.push_back(std::abs(ram_velocity(m, x)));
     const auto [least, greatest] = std::minmax_element(speeds.begin(), speeds.end());
     return static_cast<int>(std::count_if(speeds.begin(), speeds.end(), [&](double v) {

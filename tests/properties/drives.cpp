@@ -99,9 +99,10 @@ RC_GTEST_PROP(Drives, HaveAllTheirExtremesFound, ()) {
                   changes_of_sign([&](double x) { return ram_jerk(m, x); }));
         // None of many places is beyond them.
         double fastest = 0, most = 0;
-        for (const double x : ram_velocity_extremes(m, full).all())
+        const auto velocities = ram_velocity_extremes(m, full), accelerations = ram_acceleration_extremes(m, full);
+        for (const double x : velocities.all())
             fastest = std::max(fastest, std::abs(velocity_at(x)));
-        for (const double x : ram_acceleration_extremes(m, full).all())
+        for (const double x : accelerations.all())
             most = std::max(most, std::abs(acceleration_at(x)));
         RC_ASSERT(greatest_size(velocity_at) <= fastest * (1 + 1e-12));
         RC_ASSERT(greatest_size(acceleration_at) <= most * (1 + 1e-12));
