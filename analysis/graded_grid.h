@@ -106,7 +106,8 @@ struct CrankAngles {
     void add(double angle) {
         if (count < most) at[count++] = angle;
     }
-    std::span<const double> all() const { return {at.data(), count}; }
+    std::span<const double> all() const& { return {at.data(), count}; }
+    std::span<const double> all() const&& = delete;  // they would be gone
 };
 
 /// The zeros of a function of the crank angle inside a motion, to rounding: over a full turn those in [0, 2 pi), else

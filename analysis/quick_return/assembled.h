@@ -49,8 +49,9 @@ CrankRange<double> assembled_range(const Drive& m) {
     if (makes_two_strokes(m)) return {true, 0, turn};
     const CrankRange<double> full{true, 0, turn};
     const auto margin = [&](double crank_angle) { return assembly_margin(m, crank_angle); };
+    const FastPlaces fast = fast_places(m);
     const auto ends =
-        zeros_of_motion<RamExtremes::capacity>(margin, fast_places(m).all(), full, {.widest = std::numbers::pi / 180});
+        zeros_of_motion<RamExtremes::capacity>(margin, fast.all(), full, {.widest = std::numbers::pi / 180});
     CrankRange<double> widest{false, 1, 0};
     if (ends.count == 0) return margin(0) >= 0 ? full : widest;
     for (std::size_t i = 0; i < ends.count; ++i) {

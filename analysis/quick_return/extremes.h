@@ -23,7 +23,8 @@ struct FastPlaces {
     std::size_t count = 0;
 
     void add(double angle, double scale) { place[count++] = {angle, scale}; }
-    std::span<const FastPlace> all() const { return {place.data(), count}; }
+    std::span<const FastPlace> all() const& { return {place.data(), count}; }
+    std::span<const FastPlace> all() const&& = delete;  // they would be gone
 };
 
 namespace detail {
@@ -102,10 +103,10 @@ namespace detail {
 
 template <class Drive, class Function>
 RamExtremes zeros_of_ram(const Drive& m, const CrankRange<double>& range, const Function& g) {
+    const FastPlaces fast = fast_places(m);
     // A limited motion can end at a dead position, where the ram is infinitely fast: finer steps there.
     return zeros_of_motion<RamExtremes::capacity>(
-        g, fast_places(m).all(), range,
-        {.widest = std::numbers::pi / 48, .end_part = range.full_turn ? 1.0 : 1.0 / 32});
+        g, fast.all(), range, {.widest = std::numbers::pi / 48, .end_part = range.full_turn ? 1.0 : 1.0 / 32});
 }
 
 }  // namespace detail

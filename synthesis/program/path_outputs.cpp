@@ -32,7 +32,8 @@ struct PointTerms {
     double margin;
     double square;
 
-    std::span<const Residual> all() const { return std::span(residuals).first(count); }
+    std::span<const Residual> all() const& { return std::span(residuals).first(count); }
+    std::span<const Residual> all() const&& = delete;  // they would be gone
     /// The derivative of the square by an argument.
     double slope(std::size_t argument) const {
         double sum = 0;
