@@ -36,7 +36,7 @@ inline Solved solved(const std::string& text, const std::string& method = "auto"
     Solved s{std::move(read.problem), {}};
     s.problem.solver.method = method;
     s.problem.solver.seed = seed;
-    s.problem.solver.time_limit = 600;  // no machine is too busy
+    if (text.find("time_limit") == std::string::npos) s.problem.solver.time_limit = 600;  // no machine is too busy
     RunOptions options;
     options.jobs = jobs;
     s.result = solve(s.problem, options);
