@@ -15,11 +15,21 @@ namespace mechwright {
 
 template <class T, std::size_t N>
 struct Dual {
-    T value{};
-    std::array<T, N> partial{};
+    using Value = T;
+    T value;
+    std::array<T, N> partial;
 
-    constexpr Dual() = default;
-    constexpr Dual(const T& constant) : value(constant) {}  // NOLINT(google-explicit-constructor): constants mix freely
+    Dual() = default;  ///< not initialised, as plain numbers are not
+    constexpr Dual(const T& constant)
+        : value(constant), partial{} {}  // NOLINT(google-explicit-constructor): constants mix freely
+
+    // Member by member: a copy of the whole in wide registers would wait for the narrow store of the value.
+    constexpr Dual(const Dual& b) : value(b.value), partial(b.partial) {}
+    constexpr Dual& operator=(const Dual& b) {
+        value = b.value;
+        partial = b.partial;
+        return *this;
+    }
 
     /// The independent variable number `index`, at `at`.
     static constexpr Dual variable(const T& at, std::size_t index) {
@@ -140,11 +150,12 @@ Dual<T, N> hypot(const Dual<T, N>& a, const Dual<T, N>& b) {
 // atan2(y, x)' = (x y' - y x') / (x^2 + y^2)
 template <class T, std::size_t N>
 Dual<T, N> atan2(const Dual<T, N>& y, const Dual<T, N>& x) {
-    using std::atan2, std::hypot;
-    const T h = hypot(x.value, y.value);
+    using std::atan2;
+    const T h = hypotenuse(x.value, y.value);
     const T angle = atan2(y.value, x.value);
     if (!(h > T(0))) return Dual<T, N>(angle);
-    return Dual<T, N>::linear(angle, y, x, (x.value / h) / h, -(y.value / h) / h);
+    const T per_h = T(1) / h;
+    return Dual<T, N>::linear(angle, y, x, (x.value * per_h) * per_h, -(y.value * per_h) * per_h);
 }
 
 /// (a + b) - (c + d), the value compensated (scalar.h).

@@ -36,6 +36,8 @@ template <class T>
 T pi() {
     if constexpr (std::is_same_v<T, double>) {
         return std::numbers::pi;
+    } else if constexpr (requires { typename T::Value; }) {
+        return T(pi<typename T::Value>());
     } else {
         using std::atan2;
         return atan2(T(0), T(-1));

@@ -16,12 +16,14 @@ template <class T, std::size_t N>
 struct SecondDual {
     static constexpr std::size_t pairs = N * (N + 1) / 2;
 
-    T value{};
-    std::array<T, N> first{};
-    std::array<T, pairs> second{};  ///< lower triangle by rows: (i, j), j <= i, stands at i (i + 1) / 2 + j
+    using Value = T;
+    T value;
+    std::array<T, N> first;
+    std::array<T, pairs> second;  ///< lower triangle by rows: (i, j), j <= i, stands at i (i + 1) / 2 + j
 
-    constexpr SecondDual() = default;
-    constexpr SecondDual(const T& constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
+    SecondDual() = default;  ///< not initialised, as plain numbers are not
+    constexpr SecondDual(const T& constant)
+        : value(constant), first{}, second{} {}  // NOLINT(google-explicit-constructor)
 
     /// The independent variable number `index`, at `at`.
     static constexpr SecondDual variable(const T& at, std::size_t index) {
@@ -154,8 +156,8 @@ SecondDual<T, N> hypot(const SecondDual<T, N>& a, const SecondDual<T, N>& b) {
 // f_xx = 2 s c / h^2
 template <class T, std::size_t N>
 SecondDual<T, N> atan2(const SecondDual<T, N>& y, const SecondDual<T, N>& x) {
-    using std::atan2, std::hypot;
-    const T h = hypot(x.value, y.value);
+    using std::atan2;
+    const T h = hypotenuse(x.value, y.value);
     const T angle = atan2(y.value, x.value);
     if (!(h > T(0))) return SecondDual<T, N>(angle);
     const T s = (y.value / h) / h;

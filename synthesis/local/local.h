@@ -69,8 +69,9 @@ LocalOutcome minimax(const Program& program, const Eigen::VectorXd& start, const
 LocalOutcome polish(const Program& program, const LocalOutcome& from, const LocalLimits& limits);
 
 /// The part of the objective's gradient that the constraints active at a point do not balance with multipliers of the
-/// right signs: 0 at a local optimum (Karush, Kuhn and Tucker), at most 1. Where none is active, the root of the part
-/// of the objective that a Newton step would gain.
+/// right signs: 0 at a local optimum (Karush, Kuhn and Tucker), at most 1. Where a Newton step would balance it, the
+/// root of the part of the objective that the step would gain, if that is less: where the objective is curved steeply,
+/// the last digit of a variable makes a gradient.
 double unbalanced_part(const Program& program, const Eigen::VectorXd& x);
 
 /// A gradient balanced to this part is that of an optimum: what is left is rounding of the polish.

@@ -125,6 +125,21 @@ NewtonStep newton_step(const MatrixXd& hessian, const VectorXd& gradient, const 
     return step;
 }
 
+/// What of a gradient no multipliers of the active constraints balance.
+VectorXd unbalanced_by(const VectorXd& gradient, const Linearised& active) {
+    if (active.residual.size() == 0) return gradient;
+    const MatrixXd columns = active.gradients.transpose();
+    return gradient - columns * columns.completeOrthogonalDecomposition().solve(gradient);
+}
+
+/// The multipliers of the active constraints as those of all rows.
+VectorXd by_rows(const Program& program, const std::vector<Active>& active, const VectorXd& lambda) {
+    VectorXd on_rows = VectorXd::Zero(static_cast<Index>(program.rows.size()));
+    for (std::size_t i = 0; i < active.size(); ++i)
+        if (active[i].row >= 0) on_rows[active[i].row] += lambda[static_cast<Index>(i)];
+    return on_rows;
+}
+
 /// A violation that rounding explains.
 constexpr double rounding = 4e-15;
 
@@ -155,11 +170,8 @@ LocalOutcome polish(const Program& program, const LocalOutcome& from, const Loca
         std::vector<Active> active = active_constraints(program, best.x, values, within);
         Linearised l;
         const VectorXd lambda = multipliers_of(active, best.x, values, l);
-        VectorXd on_rows = VectorXd::Zero(static_cast<Index>(program.rows.size()));
-        for (std::size_t i = 0; i < active.size(); ++i)
-            if (active[i].row >= 0) on_rows[active[i].row] += lambda[static_cast<Index>(i)];
         ++best.hessians;
-        lagrangian_hessian(program, best.x, 1, on_rows, hessian);
+        lagrangian_hessian(program, best.x, 1, by_rows(program, active, lambda), hessian);
         if (!hessian.value.allFinite()) break;
         const NewtonStep step = newton_step(hessian.value, values.gradient, l);
         // Above the sum of its multipliers a unit of any violation costs more than it gains (exact penalty).
@@ -195,16 +207,16 @@ double unbalanced_part(const Program& program, const VectorXd& x) {
     std::vector<Active> active = active_constraints(program, x, values, active_within);
     Linearised l;
     const VectorXd lambda = multipliers_of(active, x, values, l);
-    if (active.empty()) {
-        // Nothing balances the gradient: what a Newton step would still gain counts, as a part of the objective.
-        LagrangianHessian hessian;
-        lagrangian_hessian(program, x, 1, VectorXd::Zero(static_cast<Index>(program.rows.size())), hessian);
-        if (std::abs(values.objective) < square_of_rounding) return 0;
-        if (!hessian.value.allFinite()) return 1;
-        const VectorXd step = newton_step(hessian.value, values.gradient, l).along;
-        return std::min(1.0, std::sqrt(std::abs(values.gradient.dot(step) / values.objective)));
-    }
-    return std::min(1.0, (values.gradient + l.gradients.transpose() * lambda).norm() / size);
+    const double unbalanced = std::min(1.0, unbalanced_by(values.gradient, l).norm() / size);
+    if (active.empty() && std::abs(values.objective) < square_of_rounding) return 0;
+    LagrangianHessian hessian;
+    lagrangian_hessian(program, x, 1, by_rows(program, active, lambda), hessian);
+    if (!hessian.value.allFinite()) return unbalanced;
+    l.residual.setZero();  // how far the constraints are is not asked here
+    const VectorXd step = newton_step(hessian.value, values.gradient, l).along;
+    const double gain = std::sqrt(std::abs(values.gradient.dot(step) / values.objective));
+    const double left = unbalanced_by(values.gradient + hessian.value * step, l).norm() / size;
+    return std::min(unbalanced, std::max(gain, left));
 }
 
 }  // namespace mechwright

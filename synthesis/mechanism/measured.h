@@ -32,6 +32,14 @@ constexpr auto used_by() {
         return first_indices<Formula::reads>();
 }
 
+template <std::size_t N>
+inline constexpr auto unit_vectors = [] {
+    std::array<std::array<double, N>, N> unit{};
+    for (std::size_t i = 0; i < N; ++i)
+        unit[i][i] = 1;
+    return unit;
+}();
+
 /// The first N dimensions as numbers of type T; where T is a dual number, those whose indices `used` holds are its
 /// variables, in that order.
 template <class T, std::size_t N, auto used = first_indices<N>()>
@@ -39,9 +47,12 @@ std::array<T, N> seeded(std::span<const double> dimensions) {
     std::array<T, N> x;
     for (std::size_t i = 0; i < N; ++i)
         x[i] = T(dimensions[i]);
-    if constexpr (requires { T::variable(0.0, std::size_t(0)); })
+    if constexpr (requires { x[0].partial; })
         for (std::size_t k = 0; k < used.size(); ++k)
-            x[used[k]] = T::variable(dimensions[used[k]], k);
+            x[used[k]].partial = unit_vectors<used.size()>[k];
+    else if constexpr (requires { x[0].first; })
+        for (std::size_t k = 0; k < used.size(); ++k)
+            x[used[k]].first = unit_vectors<used.size()>[k];
     return x;
 }
 

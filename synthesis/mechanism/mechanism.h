@@ -116,7 +116,8 @@ struct Quantity {
 
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
     bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
-    std::string_view section{};            ///< it has a value only in problems with this section
+    bool paired = false;         ///< each second component is the negative of the one before: of absolute values
+    std::string_view section{};  ///< it has a value only in problems with this section
 
     static constexpr std::size_t most_components = 32;
 };

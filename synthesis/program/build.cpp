@@ -208,6 +208,15 @@ struct Builder {
         program.rows.back().requirement = true;
     }
 
+    /// |output| <= limit. Against a limit below the tolerance everything else that the program holds would be huge: of
+    /// such a one half is aimed at, and the tolerance is the other half.
+    void add_absolute_limit(const std::string& name, std::size_t output, double limit) {
+        const double tolerance = problem.solver.tolerance;
+        if (limit == 0 || limit > tolerance) return add_limits(name, output, 1, -limit, limit);
+        add_row(name, {{{output, 2 * tolerance / limit}}, {}}, -tolerance, tolerance);
+        program.rows.back().requirement = true;
+    }
+
     /// The limits that a requirement sets, in the program's unit.
     struct Limits {
         double lower;
@@ -250,6 +259,12 @@ struct Builder {
             for (std::size_t k = 0; k < block.count; ++k) {
                 const double low = all_above || k == one ? lower : -unlimited;
                 const double high = all_below || k == one ? upper : unlimited;
+                if (quantity.paired && low == -unlimited) {
+                    const bool twin_follows = k % 2 == 0;
+                    if (twin_follows && high < unlimited)
+                        add_absolute_limit(std::string(quantity.name), block.first + k, high);
+                    continue;
+                }
                 if (std::isfinite(low) || std::isfinite(high))
                     add_limits(std::string(quantity.name), block.first + k, 1, low, high);
             }

@@ -54,41 +54,45 @@ struct Written {
     }
 };
 
+/// At random arguments, and in both assemblies in turn, compare(assembly, arguments) says whether there was a gradient
+/// to compare.
+template <class Formula, class Compare>
+void expect_at_many_places(const Compare& compare) {
+    std::mt19937 random(3);
+    int compared = 0;
+    for (std::size_t k = 0; k < 1000; ++k)
+        compared += compare(k % 2, random_arguments<Formula::reads + 1>(random));
+    EXPECT_GT(compared, 200);
+}
+
 template <class Formula>
 void expect_gradients_of_points() {
     constexpr std::size_t n = Formula::reads + 1;
-    std::mt19937 random(3);
-    int compared = 0;
-    for (std::size_t k = 0; k < 1000; ++k) {
-        const auto x = random_arguments<n>(random);
-        const auto by_duals = Formula::miss(k % 2, seeded<Dual<double, n>, n>(x), target);
+    expect_at_many_places<Formula>([](std::size_t assembly, const std::array<double, n>& x) {
+        const auto by_duals = Formula::miss(assembly, seeded<Dual<double, n>, n>(x), target);
         Written<n> gradient;
         PathMiss miss = gradient.place();
-        if (!(by_duals.margin > 1e-3) || !Formula::miss_and_gradient(k % 2, x, target, miss)) continue;
-        ++compared;
+        if (!(by_duals.margin > 1e-3) || !Formula::miss_and_gradient(assembly, x, target, miss)) return false;
         EXPECT_EQ(miss.margin, by_duals.margin);
         expect_same(miss, by_duals.miss);
-    }
-    EXPECT_GT(compared, 200);
+        return true;
+    });
 }
 
 template <class Formula>
 void expect_gradients_of_bodies() {
     constexpr std::size_t n = Formula::reads + 1;
-    std::mt19937 random(3);
-    int compared = 0;
-    for (std::size_t k = 0; k < 1000; ++k) {
-        const auto x = random_arguments<n>(random);
-        const auto by_duals = Formula::miss(k % 2, seeded<Dual<double, n>, n>(x), target, facing);
+    expect_at_many_places<Formula>([](std::size_t assembly, const std::array<double, n>& x) {
+        const auto by_duals = Formula::miss(assembly, seeded<Dual<double, n>, n>(x), target, facing);
         Written<n> place, turn;
         PoseMiss miss{place.place(), turn.place()};
-        if (!(by_duals.place.margin > 1e-3) || !Formula::miss_and_gradient(k % 2, x, target, facing, miss)) continue;
-        ++compared;
+        if (!(by_duals.place.margin > 1e-3) || !Formula::miss_and_gradient(assembly, x, target, facing, miss))
+            return false;
         EXPECT_EQ(miss.place.margin, by_duals.place.margin);
         expect_same(miss.place, by_duals.place.miss);
         expect_same(miss.turn, by_duals.turn);
-    }
-    EXPECT_GT(compared, 200);
+        return true;
+    });
 }
 
 TEST(GuidedGradients, OfPointsAreThoseOfDualNumbers) {

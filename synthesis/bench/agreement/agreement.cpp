@@ -78,11 +78,11 @@ std::vector<Row> compared(const Problem& problem, const Effort& effort) {
     return rows;
 }
 
-/// All problems, or every third in a quick look.
+/// All problems, or every fifth in a quick look.
 std::vector<Measurement> measurements(const Effort& effort) {
     std::vector<Measurement> all;
     std::vector<ShippedProblem> shipped = shipped_problems(effort.problems);
-    for (std::size_t i = 0; i < shipped.size(); i += effort.pick<std::size_t>(3, 1))
+    for (std::size_t i = 0; i < shipped.size(); i += effort.pick<std::size_t>(5, 1))
         all.push_back({shipped[i].name,
                        [problem = std::move(shipped[i].problem)](const Effort& e) { return compared(problem, e); }});
     return all;

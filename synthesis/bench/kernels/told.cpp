@@ -154,7 +154,7 @@ std::string against_bound(const Sheet& sheet) {
                within, rows, ratio_text(farthest),
                within == rows ? ""
                               : fmt::format(" Those that are\nfarther than a factor of two take {:.2f} to {:.2f} times "
-                                            "their own chain: it is for that they wait.",
+                                            "their own chain.",
                                             least_of_chain, most_of_chain)) +
            to_markdown(table);
 }

@@ -340,6 +340,21 @@ std::vector<Quantity> force_quantities() {
              reads, has_friction, one_component, measure_at_start<F, JammingAngle>, again::jamming<F>}};
 }
 
+template <template <class> class F, class Derivative, int order>
+Quantity jump_quantity(std::string_view name, Unit unit, std::string_view meaning) {
+    Quantity jump{name,
+                  unit,
+                  meaning,
+                  Reduce::greatest,
+                  dimension_count<F>,
+                  has_program,
+                  Jumps<F, Derivative>::components,
+                  Jumps<F, Derivative>::measure,
+                  again::jump<F, order>};
+    jump.paired = true;
+    return jump;
+}
+
 template <template <class> class F>
 std::vector<Quantity> cam_quantities() {
     const Unit lift = Layout<F>::oscillating ? Unit::angle : Unit::length;
@@ -411,15 +426,11 @@ std::vector<Quantity> cam_quantities() {
         "jerk-max", lift,
         "greatest jerk of the follower, for unit angular velocity of the cam; jumps of the acceleration not counted",
         again::over<F, anywhere, again::LiftDerivative<3>>));
-    all.push_back({"velocity-jump", lift, "greatest jump of the velocity where segments meet", Reduce::greatest,
-                   dimension_count<F>, has_program, Jumps<F, Velocity>::components, Jumps<F, Velocity>::measure,
-                   again::jump<F, 1>});
-    all.push_back({"acceleration-jump", lift, "greatest jump of the acceleration where segments meet", Reduce::greatest,
-                   dimension_count<F>, has_program, Jumps<F, Acceleration>::components, Jumps<F, Acceleration>::measure,
-                   again::jump<F, 2>});
-    all.push_back({"jerk-jump", lift, "greatest jump of the jerk where segments meet", Reduce::greatest,
-                   dimension_count<F>, has_program, Jumps<F, Jerk>::components, Jumps<F, Jerk>::measure,
-                   again::jump<F, 3>});
+    all.push_back(
+        jump_quantity<F, Velocity, 1>("velocity-jump", lift, "greatest jump of the velocity where segments meet"));
+    all.push_back(jump_quantity<F, Acceleration, 2>("acceleration-jump", lift,
+                                                    "greatest jump of the acceleration where segments meet"));
+    all.push_back(jump_quantity<F, Jerk, 3>("jerk-jump", lift, "greatest jump of the jerk where segments meet"));
     if constexpr (Layout<F>::geometry > Layout<F>::shape)
         for (const Quantity& quantity : force_quantities<F>())
             all.push_back(quantity);

@@ -185,6 +185,10 @@ template <int order>
 struct LiftDerivative {
     template <template <class> class Follower, class T>
     static T value(const Follower<T>&, const Lift<T>& lift) {
+        return of(lift);
+    }
+    template <class T>
+    static T of(const Lift<T>& lift) {
         return order == 1 ? lift.v : order == 2 ? lift.a : lift.j;
     }
 };

@@ -83,23 +83,61 @@ struct Extremes {
     }
 };
 
+struct SegmentList {
+    std::array<std::size_t, MotionProgram::most_segments> index{};
+    std::size_t count = 0;
+
+    void add(std::size_t i) { index[count++] = i; }
+};
+
+/// The segment after one, round the turn.
+inline std::size_t following(const Motion& motion, std::size_t index) {
+    return index + 1 == motion.program->segments.size() ? 0 : index + 1;
+}
+
+/// Whether a derivative of the lift differs from zero at an end of a segment for some sizes and coefficients of it.
+template <class Derivative>
+bool moves_at(const Motion& motion, std::size_t index, bool end) {
+    if (motion.program->segments[index].contour != ContourKind::none) return true;
+    SegmentParameters<double> some{.lift = 1, .angle = 1};
+    some.start.fill(0.3);
+    some.end.fill(0.7);
+    some.shape.fill(0.9);
+    const Segment<double> segment = segment_of(*motion.program, motion.assembly, index, some);
+    const std::size_t piece = end ? pieces(segment) - 1 : 0;
+    const double u = break_before(segment, end ? piece + 1 : 0);
+    constexpr double rounding = 1e-9;
+    return std::abs(Derivative::of(lift_at(segment, piece, u, 0.0))) > rounding;
+}
+
+/// The segments at whose ends a derivative of the lift can jump at all; one, where it can at none.
+template <class Derivative>
+SegmentList jumping(const Motion& motion) {
+    SegmentList found;
+    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
+        if (moves_at<Derivative>(motion, i, true) || moves_at<Derivative>(motion, following(motion, i), false))
+            found.add(i);
+    if (found.count == 0) found.add(0);
+    return found;
+}
+
 /// A jump of a derivative of the lift where segments meet: what comes after less what was before, and the reverse.
-template <template <class> class Follower, class Formula>
+template <template <class> class Follower, class Derivative>
 struct Jumps {
-    static std::size_t components(const Motion& motion) { return 2 * motion.program->segments.size(); }
+    static std::size_t components(const Motion& motion) { return 2 * jumping<Derivative>(motion).count; }
 
     static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
-        clear(out, components(motion), dimension_count<Follower>);
-        const auto value = [](const auto& f, const auto& lift) { return Formula::value(f, lift); };
-        const std::size_t n = motion.program->segments.size();
-        for (std::size_t i = 0; i < n; ++i) {
-            const std::size_t next = i + 1 == n ? 0 : i + 1;
+        const SegmentList segments = jumping<Derivative>(motion);
+        clear(out, 2 * segments.count, dimension_count<Follower>);
+        const auto value = [](const auto& f, const auto& lift) { return Derivative::value(f, lift); };
+        for (std::size_t k = 0; k < segments.count; ++k) {
+            const std::size_t i = segments.index[k], next = following(motion, i);
             const Segment<double> before = placed_segment<Follower>(motion, dimensions, i).segment;
             const std::size_t last = pieces(before) - 1;
             const double end = break_before(before, last + 1);
             const double begin = break_before(placed_segment<Follower>(motion, dimensions, next).segment, 0);
             for (const double sign : {1.0, -1.0}) {
-                const std::size_t component = 2 * i + (sign > 0 ? 0 : 1);
+                const std::size_t component = 2 * k + (sign > 0 ? 0 : 1);
                 add_term<Follower>(motion, dimensions, {{next, 0, begin, false}, sign}, value, component, out);
                 add_term<Follower>(motion, dimensions, {{i, last, end, false}, -sign}, value, component, out);
             }
