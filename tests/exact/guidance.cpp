@@ -69,7 +69,7 @@ TEST_P(Guidance, HasTheDerivativesOfItsEquations) {
 /// Monodromy comes to a stop at these numbers, whatever the seed; the loops after the last new one are the evidence.
 TEST_P(Guidance, HasAsManyOrbitsAsMonodromyFinds) {
     const std::size_t expected = orbits_of(system.poses);
-    for (const std::uint64_t seed : {21, 22, 23}) {
+    for (const std::uint64_t seed : {21, 22}) {
         std::size_t known = 0;
         int loops_since_new = 0, loops = 0;
         const int most = system.poses <= 2 ? 18 : 30;

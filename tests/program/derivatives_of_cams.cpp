@@ -33,16 +33,19 @@ law = "spline"
 shape = [{ min = 13, max = 14 }, 8, { min = 1, max = 2 }]
 )";
 
-std::string at_most(const std::vector<std::string>& quantities) {
+/// A limit that every component of a quantity has to keep, far away: from below for what is a least value.
+std::string limited(const std::vector<std::string>& quantities) {
     std::string text;
-    for (const std::string& quantity : quantities)
-        text += "[[require]]\nquantity = \"" + quantity + "\"\nmax = 1000\n";
+    for (const std::string& quantity : quantities) {
+        const bool least = quantity.ends_with("-min") || quantity == "undercut-margin" || quantity == "jump-speed";
+        text += "[[require]]\nquantity = \"" + quantity + (least ? "\"\nmin = -1000\n" : "\"\nmax = 1000\n");
+    }
     return text;
 }
 
 std::string cam(const std::string& kind, const std::string& dimensions, const std::vector<std::string>& quantities) {
     return "schema = 1\nmechanism = \"cam\"\n[cam]\n" + kind + "\n[dimensions]\n" + dimensions + free_motion +
-           at_most(quantities) + "[objective]\nminimize = \"cam-size\"\n";
+           limited(quantities) + "[objective]\nminimize = \"cam-size\"\n";
 }
 
 TEST(Derivatives, OfTranslatingCams) {

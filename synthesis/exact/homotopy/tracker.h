@@ -161,23 +161,22 @@ private:
         return greatest;
     }
 
+    /// The rule of order 4 of Runge and Kutta. Its stages are a loop, which has its body once: with all that it calls
+    /// made part of it, it is long.
     void predict(const T& t, const T& h, Point& out) {
-        Point k1, k2, k3, k4, moved;
-        const auto offset = [&](const T& scale, const Point& slope) {
+        constexpr std::array<double, 4> reach{0.0, 0.5, 0.5, 1.0};
+        std::array<Point, 4> slope;
+        slope[3] = Point{};  // none yet before the first stage
+        for (std::size_t stage = 0; stage < reach.size(); ++stage) {
+            const T part = T(reach[stage]) * h;
+            Point moved;
             for (std::size_t k = 0; k < System::size; ++k)
-                moved[k] = at_[k] + scale * slope[k];
-        };
-        const T half = T(0.5) * h;
-        tangent(at_, t, k1);
-        offset(half, k1);
-        tangent(moved, t + half, k2);
-        offset(half, k2);
-        tangent(moved, t + half, k3);
-        offset(h, k3);
-        tangent(moved, t + h, k4);
+                moved[k] = at_[k] + part * slope[(stage + 3) % 4][k];
+            tangent(moved, t + part, slope[stage]);
+        }
         const T sixth = (T(1.0) / T(6.0)) * h;
         for (std::size_t k = 0; k < System::size; ++k)
-            out[k] = at_[k] + sixth * (k1[k] + T(2.0) * (k2[k] + k3[k]) + k4[k]);
+            out[k] = at_[k] + sixth * (slope[0][k] + T(2.0) * (slope[1][k] + slope[2][k]) + slope[3][k]);
     }
 
     /// One step of every lane: order 4 of Runge and Kutta, then Newton's corrections.
@@ -191,12 +190,13 @@ private:
         Point there;
         predict(t, h, there);
         const Parameters p = parameters_at(t + h);
-        const T first = correct(there, p);
-        const T second = correct(there, p);
+        std::array<T, 2> correction;
+        for (T& greatest : correction)
+            greatest = correct(there, p);
         const T size = size_of(there);
         for (std::size_t i = 0; i < N; ++i)
-            conclude(i, std::sqrt(lane_of(first, i)), std::sqrt(lane_of(second, i)), std::sqrt(lane_of(size, i)),
-                     there);
+            conclude(i, std::sqrt(lane_of(correction[0], i)), std::sqrt(lane_of(correction[1], i)),
+                     std::sqrt(lane_of(size, i)), there);
     }
 
     /// Takes the step of a lane, or makes it shorter.

@@ -99,7 +99,7 @@ struct TransmissionAngleWorst {
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
         const std::size_t least = TransmissionAngleMin::components(motion, x, out);
-        std::array<T, most> greatest;
+        std::array<T, most> greatest{};
         const std::size_t count = TransmissionAngleMax::components<T>(motion, x, greatest);
         for (std::size_t k = 0; k < count; ++k)
             out[least + k] = pi<double>() - greatest[k];
