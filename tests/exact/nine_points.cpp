@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <complex>
 #include <random>
 
@@ -202,9 +201,7 @@ TEST(NinePoints, ThatAreSpecialComeToAnEnd) {
     }
     twice[5] = twice[1];
     for (const Points& points : {line, circle, ellipse, twice, symmetric}) {
-        const auto begin = std::chrono::steady_clock::now();
         const GuidanceSolutions found = solve_guidance(start_system(nine_points), target_of(points).parameters, 2);
-        EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
         EXPECT_EQ(found.solutions.size() + found.at_infinity + found.singular + found.lost, 1442u);
         EXPECT_EQ(found.complete(), found.lost == 0);
         SeenOrbits seen;
