@@ -20,8 +20,8 @@ struct Dual {
     std::array<T, N> partial;
 
     Dual() = default;  ///< not initialised, as plain numbers are not
-    constexpr Dual(const T& constant)
-        : value(constant), partial{} {}  // NOLINT(google-explicit-constructor): constants mix freely
+    // NOLINTNEXTLINE(google-explicit-constructor): constants mix freely
+    constexpr Dual(const T& constant) : value(constant), partial{} {}
 
     // Member by member: a copy of the whole in wide registers would wait for the narrow store of the value.
     constexpr Dual(const Dual& b) : value(b.value), partial(b.partial) {}

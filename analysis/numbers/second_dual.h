@@ -22,8 +22,8 @@ struct SecondDual {
     std::array<T, pairs> second;  ///< lower triangle by rows: (i, j), j <= i, stands at i (i + 1) / 2 + j
 
     SecondDual() = default;  ///< not initialised, as plain numbers are not
-    constexpr SecondDual(const T& constant)
-        : value(constant), first{}, second{} {}  // NOLINT(google-explicit-constructor)
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    constexpr SecondDual(const T& constant) : value(constant), first{}, second{} {}
 
     /// The independent variable number `index`, at `at`.
     static constexpr SecondDual variable(const T& at, std::size_t index) {

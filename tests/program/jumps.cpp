@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/known_optima/solved.h"
 #include "tests/program/derivatives.h"
 
 namespace mechwright::testing {
@@ -13,43 +14,11 @@ namespace {
 /// Half a cycloid, constant velocity, half a cosine to the top, and a return: velocities can jump at both ends of the
 /// constant one, accelerations at the top alone.
 Problem composed_motion(const std::string& limit) {
-    return problem_of(R"(schema = 1
-mechanism = "cam"
-[cam]
-follower = "roller"
-[[segment]]
-kind = "rise"
-angle = { min = 20, max = 120 }
-lift = { min = 1, max = 20 }
-law = "half-cycloidal"
-[[segment]]
-kind = "rise"
-angle = { min = 20, max = 120 }
-lift = { min = 1, max = 20 }
-law = "constant-velocity"
-[[segment]]
-kind = "rise"
-angle = { min = 20, max = 120 }
-lift = { min = 1, max = 20 }
-law = "half-harmonic-to-rest"
-[[segment]]
-kind = "return"
-angle = { min = 60, max = 240 }
-lift = 30
-law = "kloomok-muffley"
-[dimensions]
-prime-radius = 60
-offset = 0
-roller-radius = 8
-[[require]]
-quantity = "velocity-jump"
-max = )" + limit + R"(
-[[require]]
-quantity = "acceleration-jump"
-max = )" + limit + R"(
-[objective]
-minimize = "acceleration-max"
-)");
+    const std::string shipped_limit = "max      = 1e-09";
+    std::string text = shipped("composed-motion.toml", "cam");
+    for (std::size_t at = 0; (at = text.find(shipped_limit, at)) != std::string::npos; ++at)
+        text.replace(at, shipped_limit.size(), limit);
+    return problem_of(text);
 }
 
 std::vector<Row> rows_of(const Program& program, const std::string& name) {
@@ -59,7 +28,7 @@ std::vector<Row> rows_of(const Program& program, const std::string& name) {
 }
 
 TEST(Jumps, AreOneRowForEachPlaceWhereTheyCanBe) {
-    const Problem problem = composed_motion("2");
+    const Problem problem = composed_motion("max = 2");
     const Program program = build_program(problem, variants(problem).front());
     const std::vector<Row> velocity = rows_of(program, "velocity-jump");
     ASSERT_EQ(velocity.size(), 2);
@@ -91,7 +60,7 @@ TEST(Jumps, AreOneRowForEachPlaceWhereTheyCanBe) {
 // In parts of the limit a jump of one would count a milliard times as much as anything else. What the row's limit and
 // the tolerance allow together is the limit.
 TEST(Jumps, WithATinyLimitAreInPartsOfTheTolerance) {
-    const Problem problem = composed_motion("1e-09");
+    const Problem problem = composed_motion("max = 1e-09");
     const Program program = build_program(problem, variants(problem).front());
     for (const Row& row : rows_of(program, "velocity-jump")) {
         EXPECT_EQ(row.lower, -row.upper);
@@ -102,7 +71,15 @@ TEST(Jumps, WithATinyLimitAreInPartsOfTheTolerance) {
     }
 }
 
-TEST(Jumps, DifferentiateExactly) { expect_exact_derivatives(composed_motion("2")); }
+TEST(Jumps, ThatMustBeNoneAreEquations) {
+    const Problem problem = composed_motion("equal = 0");
+    const Program program = build_program(problem, variants(problem).front());
+    ASSERT_EQ(rows_of(program, "velocity-jump").size(), 2);
+    for (const Row& row : rows_of(program, "velocity-jump"))
+        EXPECT_TRUE(row.equality());
+}
+
+TEST(Jumps, DifferentiateExactly) { expect_exact_derivatives(composed_motion("max = 2")); }
 
 }  // namespace
 
