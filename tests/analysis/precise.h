@@ -7,15 +7,13 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "analysis/four_bar/four_bar.h"
+#include "tests/degree.h"
 
 namespace mechwright::test {
 
 using Precise = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-
-constexpr double degree = std::numbers::pi / 180;
 
 inline FourBar<Precise> precise(const FourBar<double>& m) { return converted<Precise>(m); }
 

@@ -10,12 +10,11 @@
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/search/solve.h"
+#include "tests/degree.h"
+#include "tests/exact/all_solutions.h"
 
 namespace mechwright {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
 
 Problem function_problem(const std::string& function, const std::string& ground = "1") {
     const ReadProblem read = parse_problem(R"(schema = 1
@@ -36,12 +35,6 @@ method = "exact"
                                            "p.toml");
     EXPECT_TRUE(read.ok()) << (read.messages.empty() ? "" : read.messages.front().text);
     return read.problem;
-}
-
-Result solved(const Problem& problem) {
-    RunOptions options;
-    options.all = true;
-    return solve(problem, options);
 }
 
 struct Textbook {
@@ -74,7 +67,7 @@ TEST(AccuracyPoints, OfTheTextbookGiveItsLinkages) {
          "5", 0, 0, 0, 5.336221},
     };
     for (const Textbook& c : cases) {
-        const Result result = solved(function_problem(c.function, c.ground));
+        const Result result = all_solutions(function_problem(c.function, c.ground));
         ASSERT_EQ(result.status, Status::solved) << c.name;
         const auto& d = result.best->design.dimensions;
         if (c.crank > 0) {
@@ -101,7 +94,7 @@ TEST(AccuracyPoints, AreSpreadAsTheZerosOfChebyshev) {
 }
 
 TEST(AccuracyPoints, ThatTurnACrankTheOtherWayAreADefectWithItsReason) {
-    const Result result = solved(function_problem(
+    const Result result = all_solutions(function_problem(
         "expression = \"1/x\"\nx = [1, 2]\naccuracy_points = [1, 1.5, 2]\ninput = { start = 210, range = 100 }\n"
         "output = { start = 300, range = 90 }"));
     EXPECT_EQ(result.status, Status::infeasible);
@@ -126,8 +119,8 @@ struct Rows {
     }
     /// The determinant as a cos^2 + b cos sin + c sin^2 of psi, from three values.
     Eigen::Vector3d form(const std::array<std::size_t, 4>& which, double phi) const {
-        const double a = four(which, phi, 0).determinant(), c = four(which, phi, pi / 2).determinant();
-        const double middle = four(which, phi, pi / 4).determinant();
+        const double a = four(which, phi, 0).determinant(), c = four(which, phi, std::numbers::pi / 2).determinant();
+        const double middle = four(which, phi, std::numbers::pi / 4).determinant();
         return {a, 2 * middle - a - c, c};
     }
     /// crank, coupler and rocker for ground 1.
@@ -198,7 +191,7 @@ TEST(AccuracyPoints, FourWithOneStartAreThoseOfAQuadraticEquation) {
                 expected.push_back(
                     rows.links(start * degree, std::atan2(-f[1] + sign * std::sqrt(discriminant), 2 * f[2])));
         real += static_cast<int>(expected.size());
-        const Result result = solved(p);
+        const Result result = all_solutions(p);
         EXPECT_TRUE(result.search.complete);
         expect_same(found_links(result), expected, 1e-6);
     }
@@ -224,7 +217,7 @@ TEST(AccuracyPoints, FiveAreThoseOfAResultant) {
             std::vector<Eigen::Vector3d> expected;
             constexpr int steps = 40000;
             for (int i = 0; i < steps; ++i) {
-                double low = pi * i / steps, high = pi * (i + 1) / steps;
+                double low = std::numbers::pi * i / steps, high = std::numbers::pi * (i + 1) / steps;
                 const bool rises = resultant(low) < 0;
                 if (rises == (resultant(high) < 0)) continue;
                 for (int bisection = 0; bisection < 60; ++bisection) {
@@ -244,7 +237,7 @@ TEST(AccuracyPoints, FiveAreThoseOfAResultant) {
                 const Eigen::Vector3d links = rows.links(low, psi);
                 if (links.allFinite() && links.minCoeff() > 1e-6 && links.maxCoeff() < 1e5) expected.push_back(links);
             }
-            const Result result = solved(p);
+            const Result result = all_solutions(p);
             EXPECT_TRUE(result.search.complete) << expression;
             expect_same(found_links(result), expected, 1e-4);
         }
@@ -253,9 +246,9 @@ TEST(AccuracyPoints, FiveAreThoseOfAResultant) {
 
 /// Fewer points than freedoms: the best of a family, which a minimax optimum bounds.
 TEST(AccuracyPoints, FewerThanTheFreeScalesLeaveAFamily) {
-    const Result four =
-        solved(function_problem("expression = \"log10(x)\"\nx = [1, 2]\naccuracy_points = 4\ninput = " + free_start +
-                                "60 }\noutput = " + free_start + "90 }"));
+    const Result four = all_solutions(
+        function_problem("expression = \"log10(x)\"\nx = [1, 2]\naccuracy_points = 4\ninput = " + free_start +
+                         "60 }\noutput = " + free_start + "90 }"));
     ASSERT_EQ(four.status, Status::solved);
     EXPECT_FALSE(four.search.complete);
     EXPECT_FALSE(four.search.solutions);

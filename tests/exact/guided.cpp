@@ -10,11 +10,11 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/search/solve.h"
+#include "tests/degree.h"
+#include "tests/exact/all_solutions.h"
 
 namespace mechwright {
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180;
 
 const std::string free_dimensions = R"(ground       = { min = 0, max = 1000 }
 crank        = { min = 0, max = 1000 }
@@ -28,21 +28,14 @@ tilt         = { min = 0, max = 360 }
 assembly     = "either"
 )";
 
-Problem problem_of(const std::string& dimensions, const std::string& targets,
-                   const std::string& objective = "maximize = \"transmission-angle-worst\"") {
+Problem guided(const std::string& dimensions, const std::string& targets,
+               const std::string& objective = "maximize = \"transmission-angle-worst\"") {
     const ReadProblem read =
         parse_problem("schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + dimensions + targets +
                           "\n[objective]\n" + objective + "\n[solver]\nmethod = \"exact\"\n",
                       "p.toml");
     EXPECT_TRUE(read.ok()) << (read.messages.empty() ? "" : read.messages.front().text);
     return read.problem;
-}
-
-Result solved(const Problem& problem) {
-    RunOptions options;
-    options.all = true;
-    options.jobs = 2;
-    return solve(problem, options);
 }
 
 struct Made {
@@ -116,8 +109,8 @@ TEST(FivePoses, HaveTheFourBarThatMadeThemAmongTheirSolutions) {
     std::mt19937_64 random(3);
     for (int k = 0; k < 40; ++k) {
         const Made made = random_motion(random, 5);
-        const Problem problem = problem_of(with_body, poses_of(made));
-        const Result result = solved(problem);
+        const Problem problem = guided(with_body, poses_of(made));
+        const Result result = all_solutions(problem);
         ASSERT_EQ(result.status, Status::solved) << k;
         EXPECT_TRUE(result.search.complete);
         EXPECT_TRUE(is_among(made, result)) << k;
@@ -135,8 +128,8 @@ TEST(FiveTimedPoints, HaveTheFourBarThatMadeThemAmongTheirSolutions) {
     std::mt19937_64 random(5);
     for (int k = 0; k < 40; ++k) {
         const Made made = random_motion(random, 5);
-        const Problem problem = problem_of(with_start, timed_points_of(made));
-        const Result result = solved(problem);
+        const Problem problem = guided(with_start, timed_points_of(made));
+        const Result result = all_solutions(problem);
         ASSERT_EQ(result.status, Status::solved) << k;
         EXPECT_TRUE(result.search.complete);
         EXPECT_TRUE(is_among(made, result)) << k;
@@ -152,8 +145,8 @@ TEST(FewerTargets, LeaveFamiliesWhoseMembersMeetThemExactly) {
         const Made made = random_motion(random, places);
         for (const bool timed : {false, true}) {
             const Problem problem =
-                problem_of(timed ? with_start : with_body, timed ? timed_points_of(made) : poses_of(made));
-            const Result result = solved(problem);
+                guided(timed ? with_start : with_body, timed ? timed_points_of(made) : poses_of(made));
+            const Result result = all_solutions(problem);
             ASSERT_EQ(result.status, Status::solved) << places << timed;
             EXPECT_FALSE(result.search.complete);
             EXPECT_FALSE(result.search.solutions);
@@ -181,7 +174,7 @@ TEST(FewerTargets, AndGivenPivotsLeaveOneFourBar) {
             "{:.17g}\norigin-y = {:.17g}\ntilt = {:.17g}\nbody-angle = {{ min = 0, max = 360 }}\nassembly = "
             "\"either\"\n",
             at.origin.x, at.origin.y, at.tilt / degree);
-        const Result result = solved(problem_of(dimensions, poses_of(made)));
+        const Result result = all_solutions(guided(dimensions, poses_of(made)));
         ASSERT_EQ(result.status, Status::solved) << k;
         EXPECT_TRUE(is_among(made, result));
         EXPECT_TRUE(result.alternatives.empty());
@@ -196,8 +189,8 @@ TEST(FewerTargets, AndAPivotOnALineAreMet) {
     const std::string free_y = "origin-y     = { min = -1000, max = 1000 }";
     dimensions.replace(dimensions.find(free_y), free_y.size(),
                        fmt::format("origin-y = {:.17g}", made.linkage.placement.origin.y));
-    const Problem problem = problem_of(dimensions, poses_of(made), "minimize = \"total-length\"");
-    const Result result = solved(problem);
+    const Problem problem = guided(dimensions, poses_of(made), "minimize = \"total-length\"");
+    const Result result = all_solutions(problem);
     for (const Check& check : result.verification)
         EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
     ASSERT_EQ(result.status, Status::solved);
@@ -217,9 +210,9 @@ TEST(SpecialTargets, ComeToAnEndWithATrueAccount) {
         "[poses]\nposes = [[0, 0, 0], [1, 1, 0], [2, 0, 0], [3, 1, 0], [4, 0], [5, 3]]",
     };
     for (const std::string& targets : special) {
-        const Problem problem = problem_of(with_body, targets);
+        const Problem problem = guided(with_body, targets);
         if (!why_not_applicable("exact", problem).empty()) continue;
-        const Result result = solved(problem);
+        const Result result = all_solutions(problem);
         if (result.best && result.best->feasible) expect_met(problem, *result.best);
         if (result.search.solutions) {
             const SolutionCounts& n = *result.search.solutions;
@@ -231,7 +224,7 @@ TEST(SpecialTargets, ComeToAnEndWithATrueAccount) {
 
 TEST(ExactMethod, SaysWhyItDoesNotApplyToPosesAndTimedPoints) {
     const auto why = [](const std::string& dimensions, const std::string& targets) {
-        return why_not_applicable("exact", problem_of(dimensions, targets));
+        return why_not_applicable("exact", guided(dimensions, targets));
     };
     std::mt19937_64 random(13);
     const std::string six = why(with_body, poses_of(random_motion(random, 6)));

@@ -10,13 +10,12 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/search/solve.h"
+#include "tests/degree.h"
 
 namespace mechwright {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
-
-Problem problem_of(const std::string& ground, const std::string& rest) {
+Problem four_bar_problem(const std::string& ground, const std::string& rest) {
     const ReadProblem read =
         parse_problem("schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = " + ground +
                           "\ncrank = { min = 0, max = 100000 }\ncoupler = { min = 0, max = 100000 }\n"
@@ -35,20 +34,21 @@ std::string instant(const std::array<double, 3>& velocity, const std::array<doub
         velocity[0], velocity[1], velocity[2], acceleration[0], acceleration[1], acceleration[2]);
 }
 
-struct Textbook {
+struct InstantOfTextbook {
     std::array<double, 3> velocity, acceleration;
     double crank, coupler, rocker, ground;
 };
 
 /// Theory of Machines, chapter 9: example 9-1, exercises 9-1 and 9-2, each digit as computed from the data.
 TEST(Instants, OfTheTextbookGiveItsLinkages) {
-    const std::vector<Textbook> cases{
+    const std::vector<InstantOfTextbook> cases{
         {{6, 1, 3}, {0, 10, 5}, 25.709920, 61.773781, 67.082039, 30.413813},
         {{6, 1, 4}, {0, 8, 4}, 30.463092, 53.665631, 56.603887, 30.265492},
         {{-3, 1, 3}, {0, 10, 6}, 24.738634, 56.920998, 32.310989, 60},
     };
-    for (const Textbook& c : cases) {
-        const Result result = solve(problem_of(fmt::format("{}", c.ground), instant(c.velocity, c.acceleration)), {});
+    for (const InstantOfTextbook& c : cases) {
+        const Result result =
+            solve(four_bar_problem(fmt::format("{}", c.ground), instant(c.velocity, c.acceleration)), {});
         ASSERT_EQ(result.status, Status::solved);
         EXPECT_TRUE(result.search.complete);
         const auto& d = result.best->design.dimensions;
@@ -76,7 +76,7 @@ TEST(Instants, OfRandomLinkagesGiveThem) {
         const auto v = velocity(m, p, speed);
         const auto a = acceleration(m, p, v, rate);
         const Result result =
-            solve(problem_of("1", instant({speed, v.coupler, v.rocker}, {rate, a.coupler, a.rocker})), {});
+            solve(four_bar_problem("1", instant({speed, v.coupler, v.rocker}, {rate, a.coupler, a.rocker})), {});
         ASSERT_EQ(result.status, Status::solved)
             << k << ' ' << (result.excluded.empty() ? result.note : result.excluded.front().defect);
         const auto& d = result.best->design.dimensions;
@@ -92,7 +92,7 @@ TEST(Instants, OfRandomLinkagesGiveThem) {
 TEST(Instants, AreRequirementsForEveryMethod) {
     const std::string asked = instant({-3, 1, 3}, {0, 10, 6});
     for (const char* method : {"slsqp", "ipopt"}) {
-        Problem problem = problem_of("{ min = 10, max = 100 }", asked);
+        Problem problem = four_bar_problem("{ min = 10, max = 100 }", asked);
         problem.solver.method = method;
         const Result result = solve(problem, {});
         ASSERT_EQ(result.status, Status::solved) << method;
@@ -100,9 +100,10 @@ TEST(Instants, AreRequirementsForEveryMethod) {
         EXPECT_NEAR(d[1] / d[0], 24.738634 / 60, 1e-7);
         EXPECT_NEAR(d[2] / d[0], 56.920998 / 60, 1e-7);
     }
-    const Problem part = problem_of("100",
-                                    "[instant]\nvelocity = { crank = 1, rocker = 0.3 }\nacceleration = { rocker = 0 }\n"
-                                    "[objective]\nmaximize = \"transmission-angle-worst\"\n");
+    const Problem part =
+        four_bar_problem("100",
+                         "[instant]\nvelocity = { crank = 1, rocker = 0.3 }\nacceleration = { rocker = 0 }\n"
+                         "[objective]\nmaximize = \"transmission-angle-worst\"\n");
     EXPECT_NE(why_not_applicable("exact", part), "");
     const Result result = solve(part, {});
     EXPECT_EQ(result.status, Status::solved);
@@ -135,9 +136,10 @@ TEST(ExtremeVelocityRatios, OfTheTextbookIsOneOfTheFamily) {
     EXPECT_NEAR(velocity_ratio(m, 129.523341 * degree, Assembly::open), 0.619, 1e-6);
     EXPECT_NEAR(velocity_ratio_slope(m, 129.523341 * degree, Assembly::open), 0, 1e-6);
     for (const char* objective : {"maximize = \"transmission-angle-worst\"", "minimize = \"link-ratio\""}) {
-        Problem problem = problem_of("16", std::string("[[require]]\nquantity = \"velocity-ratio-max\"\nequal = 0.619\n"
-                                                       "[objective]\n") +
-                                               objective + "\n[solver]\nmethod = \"exact\"\n");
+        Problem problem =
+            four_bar_problem("16", std::string("[[require]]\nquantity = \"velocity-ratio-max\"\nequal = 0.619\n"
+                                               "[objective]\n") +
+                                       objective + "\n[solver]\nmethod = \"exact\"\n");
         problem.dimensions[1].min = 4;
         const Result result = solve(problem, {});
         ASSERT_EQ(result.status, Status::solved);
@@ -155,9 +157,9 @@ TEST(ExtremeVelocityRatios, AreMetExactly) {
          {std::pair{"velocity-ratio-max", 2.2}, std::pair{"velocity-ratio-max", 0.4},
           std::pair{"velocity-ratio-min", -0.7}, std::pair{"velocity-ratio-min", 0.45}}) {
         const Problem problem =
-            problem_of("30", fmt::format("[[require]]\nquantity = \"{}\"\nequal = {}\n[objective]\nmaximize = "
-                                         "\"transmission-angle-worst\"\n[solver]\nmethod = \"exact\"\n",
-                                         quantity, ratio));
+            four_bar_problem("30", fmt::format("[[require]]\nquantity = \"{}\"\nequal = {}\n[objective]\nmaximize = "
+                                               "\"transmission-angle-worst\"\n[solver]\nmethod = \"exact\"\n",
+                                               quantity, ratio));
         const Result result = solve(problem, {});
         ASSERT_EQ(result.status, Status::solved) << quantity << ratio;
         EXPECT_TRUE(result.verified());
@@ -174,9 +176,9 @@ TEST(ExtremeVelocityRatios, AreMetExactly) {
         ASSERT_TRUE(motion_of(problem, result.best->design).full_turn);
         EXPECT_NEAR(std::string(quantity) == "velocity-ratio-max" ? greatest : least, ratio, 1e-6);
     }
-    EXPECT_NE(
-        why_not_applicable("exact", problem_of("30", "[[require]]\nquantity = \"velocity-ratio-max\"\nequal = 1\n")),
-        "");
+    EXPECT_NE(why_not_applicable("exact",
+                                 four_bar_problem("30", "[[require]]\nquantity = \"velocity-ratio-max\"\nequal = 1\n")),
+              "");
 }
 
 }  // namespace

@@ -9,11 +9,11 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/search/solve.h"
+#include "tests/degree.h"
 
 namespace mechwright {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
 const SliderCrank<double> made{1, 3, 0.4};
 const CouplerPoint<double> point{1.5, 1.2};
 
@@ -29,7 +29,7 @@ std::string poses_at(const std::vector<double>& crank_angles) {
     return text;
 }
 
-Problem problem_of(const std::string& origin, const std::string& poses, const std::string& method = "exact") {
+Problem guiding_problem(const std::string& origin, const std::string& poses, const std::string& method = "exact") {
     const ReadProblem read = parse_problem(R"(schema = 1
 mechanism = "slider-crank"
 [dimensions]
@@ -57,7 +57,7 @@ const std::string anywhere = "origin-x = { min = -100, max = 100 }\norigin-y = {
 TEST(SliderCrankPoses, AreMetByMembersOfAFamily) {
     for (const std::vector<double>& angles :
          {std::vector<double>{20, 110, 200, 280}, std::vector<double>{20, 150, 280}, std::vector<double>{20, 200}}) {
-        const Problem problem = problem_of(anywhere, poses_at(angles));
+        const Problem problem = guiding_problem(anywhere, poses_at(angles));
         RunOptions options;
         options.jobs = 2;
         const Result result = solve(problem, options);
@@ -71,7 +71,7 @@ TEST(SliderCrankPoses, AreMetByMembersOfAFamily) {
 /// Four poses and the crank's pivot on its line leave few: one of them made the poses.
 TEST(SliderCrankPoses, HaveTheSliderCrankThatMadeThem) {
     const Problem problem =
-        problem_of("origin-x = 2\norigin-y = { min = -100, max = 100 }", poses_at({20, 110, 200, 280}));
+        guiding_problem("origin-x = 2\norigin-y = { min = -100, max = 100 }", poses_at({20, 110, 200, 280}));
     RunOptions options;
     options.all = true;
     const Result result = solve(problem, options);
@@ -83,9 +83,9 @@ TEST(SliderCrankPoses, HaveTheSliderCrankThatMadeThem) {
                1e-7;
     };
     EXPECT_TRUE(is_it(*result.best) || std::any_of(result.alternatives.begin(), result.alternatives.end(), is_it));
-    EXPECT_NE(
-        why_not_applicable("exact", problem_of(anywhere, poses_at({20, 80, 140, 200, 260}))).find("up to four poses"),
-        std::string::npos);
+    EXPECT_NE(why_not_applicable("exact", guiding_problem(anywhere, poses_at({20, 80, 140, 200, 260})))
+                  .find("up to four poses"),
+              std::string::npos);
 }
 
 /// The derivatives of the pose, against differences: least squares rely on them.
@@ -126,7 +126,7 @@ TEST(SliderCrankPoses, HaveTheDerivativesOfTheirFormula) {
 }
 
 TEST(SliderCrankPoses, AreMetByLeastSquaresToo) {
-    Problem problem = problem_of(anywhere, poses_at({20, 80, 140, 200, 260, 320}), "auto");
+    Problem problem = guiding_problem(anywhere, poses_at({20, 80, 140, 200, 260, 320}), "auto");
     problem.objective->terms = {{static_cast<std::size_t>(find_quantity(*problem.mechanism, "pose-rms")), false, 1}};
     const Result result = solve(problem, {});
     ASSERT_EQ(result.status, Status::solved);

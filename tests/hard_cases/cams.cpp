@@ -14,7 +14,7 @@ namespace mechwright {
 
 namespace {
 
-std::string cam(const std::string& follower, const std::string& law, const std::string& dimensions) {
+std::string cam_text(const std::string& follower, const std::string& law, const std::string& dimensions) {
     return "schema = 1\nmechanism = \"cam\"\n[cam]\nfollower = \"" + follower +
            "\"\n[[segment]]\nkind = \"rise\"\nangle = 60\nlift = 20\nlaw = \"" + law +
            "\"\n[[segment]]\nkind = \"dwell\"\nangle = 30\n[[segment]]\nkind = \"return\"\nangle = 120\nlift = 20\nlaw "
@@ -44,9 +44,9 @@ struct Cam {
 }  // namespace
 
 TEST(HardCams, UndercutBeginsWhereTheRollerIsAsLargeAsTheRadius) {
-    const Cam knife(cam("knife", "cycloidal", "prime-radius = 40\n"));
+    const Cam knife(cam_text("knife", "cycloidal", "prime-radius = 40\n"));
     const double radius = knife.value("pitch-radius-min");
-    const Cam roller(cam("roller", "cycloidal", "prime-radius = 40\nroller-radius = 1\n"));
+    const Cam roller(cam_text("roller", "cycloidal", "prime-radius = 40\nroller-radius = 1\n"));
     EXPECT_NEAR(roller.with("roller-radius", radius).value("undercut-margin"), 0, 1e-15);
     for (int k = 10; k <= 45; k += 5) {
         const double hair = std::ldexp(1, -k);
@@ -59,7 +59,7 @@ TEST(HardCams, UndercutBeginsWhereTheRollerIsAsLargeAsTheRadius) {
 
 // The prime radius at which the pitch curve first turns hollow, by bisection of the motion table's radius.
 TEST(HardCams, APitchCurveMayTurnHollow) {
-    const Cam cams(cam("roller", "cycloidal", "prime-radius = 40\nroller-radius = 5\n"));
+    const Cam cams(cam_text("roller", "cycloidal", "prime-radius = 40\nroller-radius = 5\n"));
     for (double size = 20; size < 4000; size *= 1.01) {
         const Cam one = cams.with("prime-radius", size);
         for (const char* quantity :
@@ -74,7 +74,7 @@ TEST(HardCams, APrimeCircleAHairFromTheLimitIsOnTheRightSide) {
     // Closed form of the in-line cycloidal rise under 30 deg.
     const double t = 2 * std::numbers::pi * std::sqrt(3.0) / (std::numbers::pi / 3);
     const double least = 20 / std::numbers::pi * (t - std::atan(t)), limit = std::numbers::pi / 6;
-    const Cam cams(cam("knife", "cycloidal", "prime-radius = 40\n"));
+    const Cam cams(cam_text("knife", "cycloidal", "prime-radius = 40\n"));
     EXPECT_NEAR(cams.with("prime-radius", least).value("pressure-angle-rise"), limit,
                 4e-16);  // the size itself is rounded
     for (int k = 10; k <= 48; k += 2) {
@@ -87,17 +87,17 @@ TEST(HardCams, APrimeCircleAHairFromTheLimitIsOnTheRightSide) {
 TEST(HardCams, DwellsJoinWithoutATrace) {
     for (const char* law :
          {"cycloidal", "modified-sine", "modified-trapezoid", "3-4-5", "4-5-6-7", "modified-constant-velocity"}) {
-        const Cam one(cam("roller", law, "prime-radius = 60\nroller-radius = 5\n"));
+        const Cam one(cam_text("roller", law, "prime-radius = 60\nroller-radius = 5\n"));
         EXPECT_NEAR(one.value("velocity-jump"), 0, 1e-13) << law;
         EXPECT_NEAR(one.value("acceleration-jump"), 0, 1e-12) << law;
     }
-    const Cam harmonic(cam("roller", "harmonic", "prime-radius = 60\nroller-radius = 5\n"));
+    const Cam harmonic(cam_text("roller", "harmonic", "prime-radius = 60\nroller-radius = 5\n"));
     EXPECT_NEAR(harmonic.value("acceleration-jump"),
                 std::pow(std::numbers::pi, 2) / 2 * 20 / std::pow(std::numbers::pi / 3, 2), 1e-12);
 }
 
 TEST(HardCams, SizesFromTinyToHugeAreTheSameCam) {
-    const Cam one(cam("roller", "modified-sine", "prime-radius = 40\noffset = 4\nroller-radius = 5\n"));
+    const Cam one(cam_text("roller", "modified-sine", "prime-radius = 40\noffset = 4\nroller-radius = 5\n"));
     for (const int k : {-40, -20, 20, 40}) {
         Cam scaled = one;
         const auto& kinds = scaled.problem.mechanism->dimensions;
@@ -112,7 +112,7 @@ TEST(HardCams, SizesFromTinyToHugeAreTheSameCam) {
 
 // Under a flat face the cam comes to a cusp where base radius + s + s'' is zero.
 TEST(HardCams, AFlatFaceMakesACuspAtZeroRadius) {
-    const Cam cams(cam("flat", "cycloidal", "base-radius = 40\n"));
+    const Cam cams(cam_text("flat", "cycloidal", "base-radius = 40\n"));
     const double cusp = 40 - cams.value("profile-radius-min");
     EXPECT_NEAR(cams.with("base-radius", cusp).value("profile-radius-min"), 0, 1e-13);
     EXPECT_LT(cams.with("base-radius", cusp * (1 - 1e-12)).value("undercut-margin"), 0);

@@ -7,6 +7,7 @@
 #include "analysis/cam/contact_force.h"
 #include "analysis/cam/flat_follower.h"
 #include "analysis/cam/roller_follower.h"
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -17,8 +18,7 @@ using testing::shipped;
 using testing::Solved;
 using testing::solved;
 
-constexpr double straight = std::numbers::pi;
-constexpr double degree = straight / 180;
+constexpr double straight = 180 * degree;
 double speed(double rpm) { return rpm * straight / 30; }
 
 using cam::Contour;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -14,14 +15,12 @@ using testing::shipped;
 using testing::Solved;
 using testing::solved;
 
-constexpr double pi = std::numbers::pi;
-
 struct Turn {
     const char* law;
     double lift, rise, top, fall;  ///< degrees
 };
 
-std::string cam(const std::string& head, const Turn& t, const std::string& dimensions, const std::string& rest) {
+std::string cam_text(const std::string& head, const Turn& t, const std::string& dimensions, const std::string& rest) {
     const auto number = [](double x) { return std::to_string(x); };
     const auto moving = [&](const char* kind, double angle) {
         return std::string("[[segment]]\nkind = \"") + kind + "\"\nangle = " + number(angle) +
@@ -63,12 +62,12 @@ void expect_size(const std::string& text, const char* dimension, double known, d
 
 /// P of a cycloidal rise, closed form: (h / pi) (t - atan t), t = 2 pi cot(limit) / angle.
 double cycloidal_support(double lift, double angle, double limit) {
-    const double t = 2 * pi / std::tan(limit * pi / 180) / (angle * pi / 180);
-    return lift / pi * (t - std::atan(t));
+    const double t = 2 * std::numbers::pi / std::tan(limit * degree) / (angle * degree);
+    return lift / std::numbers::pi * (t - std::atan(t));
 }
 
 double harmonic_support(double lift, double angle, double limit) {
-    const double t = pi / std::tan(limit * pi / 180) / (angle * pi / 180);
+    const double t = std::numbers::pi / std::tan(limit * degree) / (angle * degree);
     return lift / 2 * (std::sqrt(1 + t * t) - 1);
 }
 
@@ -78,7 +77,7 @@ struct Corner {
 
 /// Where both limits bind.
 Corner corner(double p, double q, double rise_limit, double fall_limit) {
-    const double a = 1 / std::tan(rise_limit * pi / 180), b = 1 / std::tan(fall_limit * pi / 180);
+    const double a = 1 / std::tan(rise_limit * degree), b = 1 / std::tan(fall_limit * degree);
     const double e = (p - q) / (a + b);
     return {std::hypot(e, p - e * a), e};
 }
@@ -87,7 +86,7 @@ Corner corner(double p, double q, double rise_limit, double fall_limit) {
 
 TEST(CamSize, B1EqualLimitsNeedNoOffset) {
     const std::string text =
-        cam(knife, {"cycloidal", 20, 90, 90, 90}, with_offset, rise_and_return(30, 30) + smallest_prime);
+        cam_text(knife, {"cycloidal", 20, 90, 90, 90}, with_offset, rise_and_return(30, 30) + smallest_prime);
     expect_size(text, "prime-radius", cycloidal_support(20, 90, 30), 1e-9 * 35);
     EXPECT_NEAR(solved(text).dimension("prime-radius"), 35.018891, 5e-7);
     EXPECT_NEAR(solved(text).dimension("offset"), 0, 1e-9);
@@ -107,7 +106,7 @@ TEST(CamSize, B2B3B4WithAnOffset) {
         EXPECT_NEAR(known.prime_radius, c.prime_radius, 5e-7);
         EXPECT_NEAR(known.offset, c.offset, 5e-7);
         const std::string text =
-            cam(knife, c.turn, with_offset, rise_and_return(c.rise_limit, c.fall_limit) + smallest_prime);
+            cam_text(knife, c.turn, with_offset, rise_and_return(c.rise_limit, c.fall_limit) + smallest_prime);
         expect_size(text, "prime-radius", known.prime_radius, 1e-9 * known.prime_radius);
         EXPECT_NEAR(solved(text).dimension("offset"), known.offset, 1e-9 * known.prime_radius);
         EXPECT_NE(solved(text).result.search.argument.find("none negative"), std::string::npos);
@@ -122,8 +121,8 @@ TEST(CamSize, OffsetExamplesOfUnitLift) {
     };
     for (const Case& c : {Case{"cycloidal", 60, 2.029600, 0.503681}, Case{"cycloidal", 90, 1.225614, 0.329323},
                           Case{"harmonic", 90, 0.904101, 0.250633}}) {
-        const Solved s =
-            solved(cam(knife, {c.law, 1, c.angle, 60, c.angle}, with_offset, rise_and_return(30, 45) + smallest_prime));
+        const Solved s = solved(
+            cam_text(knife, {c.law, 1, c.angle, 60, c.angle}, with_offset, rise_and_return(30, 45) + smallest_prime));
         EXPECT_NEAR(s.dimension("prime-radius"), c.prime_radius, 5.1e-7);
         EXPECT_NEAR(s.dimension("offset"), c.offset, 5.1e-7);
     }
@@ -143,8 +142,8 @@ TEST(CamSize, TableOfSixLaws) {
                            Row{"constant-velocity", 2.205316, 1.653987, 1.102658, 0.826993}}) {
         const std::pair<double, double> columns[] = {{45, row.at45}, {60, row.at60}, {90, row.at90}, {120, row.at120}};
         for (const auto& [angle, known] : columns) {
-            const Solved s = solved(cam(knife, {row.law, 1, angle, 90, angle}, in_line,
-                                        at_most("pressure-angle-rise", 30) + smallest_prime));
+            const Solved s = solved(cam_text(knife, {row.law, 1, angle, 90, angle}, in_line,
+                                             at_most("pressure-angle-rise", 30) + smallest_prime));
             EXPECT_NEAR(s.dimension("prime-radius"), known, 5.1e-7) << row.law << " " << angle;
             EXPECT_TRUE(s.result.search.complete);
         }
@@ -156,13 +155,13 @@ TEST(CamSize, FlatFaces) {
     const std::string task =
         "[[require]]\nquantity = \"profile-radius-min\"\nmin = 5\n[objective]\nminimize = \"base-radius\"\n";
     for (const double angle : {60.0, 90.0, 120.0}) {
-        const double beta = angle * pi / 180;
+        const double beta = angle * degree, pi = std::numbers::pi;
         const double harmonic = 5 + 20 * std::max(0.0, pi * pi / (2 * beta * beta) - 1);
-        expect_size(cam(flat, {"harmonic", 20, angle, 60, angle}, base, task), "base-radius", harmonic,
+        expect_size(cam_text(flat, {"harmonic", 20, angle, 60, angle}, base, task), "base-radius", harmonic,
                     1e-9 * harmonic);
         const double k = beta * beta / (4 * pi * pi - beta * beta);
         const double cycloidal = 5 + 20 / (2 * pi) * (std::sqrt(1 - k * k) / k + std::acos(-k) - 2 * pi);
-        expect_size(cam(flat, {"cycloidal", 20, angle, 60, angle}, base, task), "base-radius", cycloidal,
+        expect_size(cam_text(flat, {"cycloidal", 20, angle, 60, angle}, base, task), "base-radius", cycloidal,
                     1e-9 * cycloidal);
     }
 }
@@ -179,9 +178,9 @@ TEST(CamSize, FlatFacesOfUnitLift) {
           Row{"3-4-5", 4.333690, 1.411385, 0.391765}}) {
         const std::pair<double, double> columns[] = {{60, row.at60}, {90, row.at90}, {120, row.at120}};
         for (const auto& [angle, known] : columns) {
-            const Solved s =
-                solved(cam("follower = \"flat\"", {row.law, 1, angle, 60, angle},
-                           "base-radius = { min = 0.01, max = 300 }\n", "[objective]\nminimize = \"base-radius\"\n"));
+            const Solved s = solved(cam_text("follower = \"flat\"", {row.law, 1, angle, 60, angle},
+                                             "base-radius = { min = 0.01, max = 300 }\n",
+                                             "[objective]\nminimize = \"base-radius\"\n"));
             EXPECT_NEAR(s.dimension("base-radius"), known, 5.1e-7) << row.law << " " << angle;
         }
     }
@@ -196,21 +195,22 @@ TEST(CamSize, OscillatingRollers) {
     const Turn even{"cycloidal", 25, 120, 30, 120};
     const std::string pivot = "[objective]\nminimize = \"pivot-distance\"\n";
     // The greatest of l (1 + v) cos(limit), with v = 2 lift / angle.
-    expect_size(cam(arm + "\"ccw\"", even, dimensions(80), at_most("pressure-angle-max", 35) + pivot), "pivot-distance",
-                80 * (1 + 2 * 25 / 120.0) * std::cos(35 * pi / 180), 1e-9 * 92);
+    expect_size(cam_text(arm + "\"ccw\"", even, dimensions(80), at_most("pressure-angle-max", 35) + pivot),
+                "pivot-distance", 80 * (1 + 2 * 25 / 120.0) * std::cos(35 * degree), 1e-9 * 92);
     for (const char* rotation : {"\"ccw\"", "\"cw\""})
-        expect_size(cam(arm + rotation, even, dimensions(80), at_most("pressure-angle-max", 35) + smallest_prime),
+        expect_size(cam_text(arm + rotation, even, dimensions(80), at_most("pressure-angle-max", 35) + smallest_prime),
                     "prime-radius", 34.478422, 5.1e-7);
     // Turning alike, the peak is on the return: 60 (1 + v) cos 45 deg.
-    expect_size(cam(arm + "\"cw\"", {"cycloidal", 30, 100, 40, 140}, dimensions(60), rise_and_return(30, 45) + pivot),
-                "pivot-distance", 60 * (1 + 2 * 30 / 140.0) * std::cos(45 * pi / 180), 1e-9 * 60);
-    EXPECT_NEAR(60 * (1 + 2 * 30 / 140.0) * std::cos(45 * pi / 180), 60.609153, 5e-7);
+    expect_size(
+        cam_text(arm + "\"cw\"", {"cycloidal", 30, 100, 40, 140}, dimensions(60), rise_and_return(30, 45) + pivot),
+        "pivot-distance", 60 * (1 + 2 * 30 / 140.0) * std::cos(45 * degree), 1e-9 * 60);
+    EXPECT_NEAR(60 * (1 + 2 * 30 / 140.0) * std::cos(45 * degree), 60.609153, 5e-7);
 }
 
 // Everything scales with the arm: the shortest one makes the smallest cam.
 TEST(CamSize, AnArmOfFreeLengthIsTheShortest) {
     const auto text = [](const char* arm) {
-        return cam(
+        return cam_text(
             "follower = \"roller\"\nmotion = \"oscillating\"", {"cycloidal", 25, 120, 30, 120},
             std::string(
                 "prime-radius = { min = 5, max = 200 }\npivot-distance = { min = 20, max = 200 }\narm-length = ") +
@@ -256,9 +256,10 @@ TEST(CamSize, ALawIsChosen) {
     ASSERT_EQ(s.result.status, Status::solved);
     double best = 1e300;
     for (const char* law : {"cycloidal", "modified-sine", "modified-trapezoid", "3-4-5"})
-        best = std::min(best, solved(cam("follower = \"roller\"", {law, 20, 90, 90, 90},
-                                         with_offset + "roller-radius = 5\n", rise_and_return(30, 45) + smallest_prime))
-                                  .dimension("prime-radius"));
+        best = std::min(
+            best, solved(cam_text("follower = \"roller\"", {law, 20, 90, 90, 90}, with_offset + "roller-radius = 5\n",
+                                  rise_and_return(30, 45) + smallest_prime))
+                      .dimension("prime-radius"));
     EXPECT_LE(s.dimension("prime-radius"), best * (1 + 1e-12));
 }
 
@@ -269,7 +270,7 @@ TEST(CamSize, UnderALimitOnCurvatureAlone) {
     for (const auto& [law, known] : {std::pair{"cycloidal", 16.0120}, {"harmonic", 15.0}, {"3-4-5", 15.0289}})
         for (const char* method : {"slsqp", "ipopt"}) {
             const Solved s =
-                solved(cam(knife, {law, 20, 90, 90, 90}, "prime-radius = { min = 5, max = 200 }\n", task), method);
+                solved(cam_text(knife, {law, 20, 90, 90, 90}, "prime-radius = { min = 5, max = 200 }\n", task), method);
             ASSERT_EQ(s.result.status, Status::solved) << law;
             EXPECT_NEAR(s.dimension("prime-radius"), known, 5.1e-5) << law << " " << method;
         }
@@ -277,7 +278,8 @@ TEST(CamSize, UnderALimitOnCurvatureAlone) {
 
 TEST(CamSize, RadiiOfCurvatureAndInLineSizes) {
     const auto at = [](double radius) {
-        return solved(cam(knife, {"cycloidal", 20, 90, 90, 90}, "prime-radius = " + std::to_string(radius) + "\n", ""))
+        return solved(cam_text(knife, {"cycloidal", 20, 90, 90, 90}, "prime-radius = " + std::to_string(radius) + "\n",
+                               ""))
             .value("pitch-radius-min");
     };
     EXPECT_NEAR(at(24.512289), 20.4625, 5.1e-5);
@@ -286,7 +288,7 @@ TEST(CamSize, RadiiOfCurvatureAndInLineSizes) {
                                      {"4-5-6-7", 39.0632},
                                      {"modified-sine", 30.0010},
                                      {"modified-trapezoid", 34.6984}})
-        EXPECT_NEAR(solved(cam(knife, {law, 20, 90, 90, 90}, in_line, rise_and_return(30, 30) + smallest_prime))
+        EXPECT_NEAR(solved(cam_text(knife, {law, 20, 90, 90, 90}, in_line, rise_and_return(30, 30) + smallest_prime))
                         .dimension("prime-radius"),
                     known, 5.1e-5)
             << law;
@@ -302,8 +304,8 @@ TEST(CamSize, LeastSumsUnderFlatFaces) {
                                      {"4-5-6-7", 42.9365},
                                      {"modified-constant-velocity", 45.0978}})
         EXPECT_NEAR(
-            solved(cam("follower = \"flat\"", {law, 20, 90, 90, 90}, "base-radius = { min = 0.01, max = 300 }\n",
-                       "[objective]\nminimize = \"base-radius\"\n"))
+            solved(cam_text("follower = \"flat\"", {law, 20, 90, 90, 90}, "base-radius = { min = 0.01, max = 300 }\n",
+                            "[objective]\nminimize = \"base-radius\"\n"))
                 .dimension("base-radius"),
             known, 5.1e-5)
             << law;
@@ -314,24 +316,25 @@ TEST(CamSize, WithCurvatureAndEnvelope) {
     const std::string limits = rise_and_return(30, 45) + "[[require]]\nquantity = \"profile-radius-min\"\nmin = ";
     const std::string dimensions = with_offset + "roller-radius = 5\n";
     const Turn turn{"cycloidal", 20, 90, 90, 90};
-    const Solved loose = solved(cam("follower = \"roller\"", turn, dimensions, limits + "10\n" + smallest_prime));
+    const Solved loose = solved(cam_text("follower = \"roller\"", turn, dimensions, limits + "10\n" + smallest_prime));
     EXPECT_TRUE(loose.result.search.complete);
-    const Solved tight = solved(cam("follower = \"roller\"", turn, dimensions, limits + "25\n" + smallest_prime));
+    const Solved tight = solved(cam_text("follower = \"roller\"", turn, dimensions, limits + "25\n" + smallest_prime));
     ASSERT_EQ(tight.result.status, Status::solved);
     EXPECT_FALSE(tight.result.search.complete);
     EXPECT_NEAR(tight.value("profile-radius-min"), 25, 1e-7);
     EXPECT_GT(tight.dimension("prime-radius"), loose.dimension("prime-radius"));
     const Solved other =
-        solved(cam("follower = \"roller\"", turn, dimensions, limits + "25\n" + smallest_prime), "ipopt");
+        solved(cam_text("follower = \"roller\"", turn, dimensions, limits + "25\n" + smallest_prime), "ipopt");
     EXPECT_NEAR(other.dimension("prime-radius"), tight.dimension("prime-radius"), 1e-8 * 40);
-    const Solved narrow = solved(cam("follower = \"roller\"", turn, dimensions,
-                                     limits + "25\n[[require]]\nquantity = \"cam-size\"\nmax = 40\n" + smallest_prime));
+    const Solved narrow =
+        solved(cam_text("follower = \"roller\"", turn, dimensions,
+                        limits + "25\n[[require]]\nquantity = \"cam-size\"\nmax = 40\n" + smallest_prime));
     EXPECT_EQ(narrow.result.status, Status::infeasible);
 }
 
 // Between the parabola's 4, which no motion undercuts, and the 3-4-5's 5.774 h / beta^2.
 TEST(CamMotion, ASplineHasALowerPeakOfAcceleration) {
-    const double unit = 20 / std::pow(pi / 2, 2);
+    const double unit = 20 / std::pow(std::numbers::pi / 2, 2);
     const Solved a = solved(shipped("spline-peak.toml", "cam"), "slsqp"),
                  b = solved(shipped("spline-peak.toml", "cam"), "ipopt");
     ASSERT_EQ(a.result.status, Status::solved);

@@ -10,6 +10,7 @@
 
 #include "analysis/four_bar.h"
 #include "synthesis/exact/crank_rocker.h"
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -18,8 +19,6 @@ namespace {
 
 using testing::Solved;
 using testing::solved;
-
-constexpr double degree = std::numbers::pi / 180;
 
 struct Row {
     double forward_stroke;  ///< deg

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -19,7 +20,7 @@ TEST(Agreement, DragLinkOfGivenVelocityRatio) {
     ASSERT_EQ(a.result.status, Status::solved);
     EXPECT_NEAR(a.value("velocity-ratio-max"), 2.2, 1e-11);
     EXPECT_NEAR(a.value("transmission-angle-worst"), b.value("transmission-angle-worst"), 1e-9);
-    EXPECT_NEAR(a.value("transmission-angle-worst"), 34.20927035 * std::numbers::pi / 180, 1e-9);
+    EXPECT_NEAR(a.value("transmission-angle-worst"), 34.20927035 * degree, 1e-9);
 }
 
 TEST(Agreement, BestTransmissionAloneIsTheCentricLinkageOnItsLimits) {
@@ -29,7 +30,7 @@ TEST(Agreement, BestTransmissionAloneIsTheCentricLinkageOnItsLimits) {
     EXPECT_NEAR(a.value("transmission-angle-worst"), b.value("transmission-angle-worst"), 1e-9);
     // The two extremes of the transmission angle are equally far from 90 deg.
     EXPECT_NEAR(a.value("transmission-angle-min") + a.value("transmission-angle-max"), std::numbers::pi, 1e-9);
-    EXPECT_NEAR(a.value("swing") * 180 / std::numbers::pi, 50, 1e-9);
+    EXPECT_NEAR(a.value("swing") / degree, 50, 1e-9);
     EXPECT_NEAR(a.value("link-ratio"), 4, 1e-9);
 }
 
@@ -38,8 +39,8 @@ TEST(Agreement, WeightedSumCountsInTheUnitsOfTheFile) {
     const Solved b = solved(shipped("crank-rocker-compact.toml"), "ipopt");
     ASSERT_EQ(a.result.status, Status::solved);
     EXPECT_NEAR(a.result.best->objective, b.result.best->objective, 1e-8);
-    EXPECT_NEAR(a.result.best->objective,
-                -a.value("transmission-angle-worst") * 180 / std::numbers::pi + 0.1 * a.value("total-length"), 1e-12);
+    EXPECT_NEAR(a.result.best->objective, -a.value("transmission-angle-worst") / degree + 0.1 * a.value("total-length"),
+                1e-12);
     // Along the one-parameter family with the crank at its limit no neighbour is better.
     EXPECT_NEAR(a.result.best->objective, -28.4525553735, 1e-8);
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "synthesis/mechanism/four_bar/function.h"
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -35,7 +36,7 @@ double scanned_error(const Solved& s, double (*y)(double), double from, double t
         const double error = rocker - radians("output-start") - radians("output-range") * part;
         greatest = std::max(greatest, std::abs(std::remainder(error, 2 * std::numbers::pi)));
     }
-    return greatest * 180 / std::numbers::pi;
+    return greatest / degree;
 }
 
 struct FunctionCase {
@@ -67,8 +68,8 @@ TEST_P(KnownFunctions, HaveTheirLeastGreatestError) {
 INSTANTIATE_TEST_SUITE_P(
     Source, KnownFunctions,
     ::testing::Values(FunctionCase{"power.toml", 0.610531, 5e-7, [](double x) { return std::pow(x, 1.5); }, 1, 4, 4},
-                      FunctionCase{"tangent.toml", 0.2503, 5e-5,
-                                   [](double x) { return std::tan(x * std::numbers::pi / 180); }, 0, 45, 4},
+                      FunctionCase{"tangent.toml", 0.2503, 5e-5, [](double x) { return std::tan(x * degree); }, 0, 45,
+                                   4},
                       FunctionCase{"reciprocal.toml", 1.247067, 5e-7, [](double x) { return 1 / x; }, 1, 2, 4},
                       FunctionCase{"logarithm.toml", 0.0069708, 5e-8, [](double x) { return std::log10(x); }, 1, 2, 6}),
     [](const auto& test) { return std::string(test.param.file, std::string(test.param.file).find('.')); });
@@ -90,7 +91,7 @@ x = [1, 4]
 input = { start = 210, range = 90 }
 output = { start = 270, range = 90 }
 )");
-    EXPECT_NEAR(s.value("function-max") * 180 / std::numbers::pi, 0.831477, 1e-5);
+    EXPECT_NEAR(s.value("function-max") / degree, 0.831477, 1e-5);
 }
 
 TEST(Functions, LeastSquaresBySlsqpAndByIpoptAgree) {
@@ -124,10 +125,10 @@ TEST(Functions, OfARamAlternateToo) {
             const double position = a * std::cos(angle) + std::sqrt(l * l - height * height);
             const double asked = s.dimension("output-start") + s.dimension("output-range") * (x * x - 1) / 8;
             greatest = std::max(greatest, std::abs(position - asked));
-            worst = std::min(worst, std::acos(std::abs(height) / l) * 180 / std::numbers::pi);
+            worst = std::min(worst, std::acos(std::abs(height) / l) / degree);
         }
         EXPECT_NEAR(greatest / s.result.best->objective, 1, 1e-6);
-        EXPECT_NEAR(worst, s.value("transmission-angle-worst") * 180 / std::numbers::pi, 1e-6);
+        EXPECT_NEAR(worst, s.value("transmission-angle-worst") / degree, 1e-6);
     }
 }
 
@@ -136,11 +137,11 @@ TEST(Functions, OfAFreeInputRangeKeepALimitOnTheTransmissionAngle) {
     std::string text = shipped("logarithm.toml", "function");
     const Solved free = solved(text);
     const double limit = 45;
-    ASSERT_LT(free.value("transmission-angle-worst") * 180 / std::numbers::pi, limit);
+    ASSERT_LT(free.value("transmission-angle-worst") / degree, limit);
     text += "\n[[require]]\nquantity = \"transmission-angle-worst\"\nmin = 45\n";
     const Solved limited = solved(text);
     ASSERT_EQ(limited.result.status, Status::solved);
-    EXPECT_NEAR(limited.value("transmission-angle-worst") * 180 / std::numbers::pi, limit, 1e-6);
+    EXPECT_NEAR(limited.value("transmission-angle-worst") / degree, limit, 1e-6);
     EXPECT_GT(limited.result.best->objective, free.result.best->objective);
 }
 

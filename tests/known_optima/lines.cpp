@@ -1,8 +1,8 @@
 // Straight stretches of a coupler path: the lambda linkages, and what a minimax optimum must look like.
 
 #include <cmath>
-#include <numbers>
 
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -61,7 +61,6 @@ TEST_P(KnownLambdas, AreFoundToEveryDigit) {
     EXPECT_EQ(json["line"]["alternating"], 7);
     EXPECT_EQ(s.dimension("rocker"), coupler);
     EXPECT_EQ(s.dimension("point-along"), 2 * coupler);
-    const double degree = std::numbers::pi / 180;
     EXPECT_NEAR(scanned_half_band(ground, coupler, (180 - known.range / 2) * degree, known.range * degree) /
                     s.result.best->objective,
                 1, 1e-6);
@@ -94,7 +93,7 @@ TEST(Lines, OfAFreeStretchMeetTheirRequirements) {
     const Solved s = solved(shipped("stroke-100.toml", "line"));
     ASSERT_EQ(s.result.status, Status::solved);
     EXPECT_GE(s.value("line-length"), 100 * (1 - 1e-9));
-    EXPECT_GE(s.value("transmission-angle-worst"), 40 * std::numbers::pi / 180 * (1 - 1e-9));
+    EXPECT_GE(s.value("transmission-angle-worst"), 40 * degree * (1 - 1e-9));
     EXPECT_LT(s.result.best->objective, 0.02);
 }
 
@@ -139,7 +138,7 @@ minimize = "arc-deviation"
     EXPECT_NEAR(s.dimension("arc-x"), 7, 1e-8);
     EXPECT_NEAR(s.dimension("arc-y"), -3, 1e-8);
     EXPECT_NEAR(s.dimension("arc-radius"), 40, 1e-8);
-    EXPECT_NEAR(s.value("arc-angle") * 180 / std::numbers::pi, 100, 1e-8);
+    EXPECT_NEAR(s.value("arc-angle") / degree, 100, 1e-8);
 }
 
 /// The other end of a link of the arc's radius stays within the deviation of the arc's centre.

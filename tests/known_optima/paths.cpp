@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "analysis/quick_return.h"
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -16,15 +17,12 @@ using testing::shipped;
 using testing::Solved;
 using testing::solved;
 
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
-
 std::string quick_return(const std::string& name) { return shipped(name, "quick-return"); }
 
 /// The best transmission angle (deg) of a slider-crank with this time ratio: for each crank over rod the offset that
 /// gives the ratio, by bisection; the best crank by golden section.
 double best_transmission_by_scan(double ratio) {
-    const double wanted = pi * (ratio - 1) / (ratio + 1);
+    const double wanted = std::numbers::pi * (ratio - 1) / (ratio + 1);
     const auto transmission = [&](double crank) {
         double low = 0, high = 1 - crank;  // rod 1
         for (int i = 0; i < 200; ++i) {
@@ -69,7 +67,7 @@ TEST_P(EveryDriveMethod, FindsTheSliderCrankThatAScanFinds) {
 
 TEST_P(EveryDriveMethod, FindsCrankAndCentreDistanceForTheRatio) {
     for (const double ratio : {1.2, 1.5, 1.6, 2.0, 2.5, 3.0}) {
-        const double k = std::cos(pi / (1 + ratio));
+        const double k = std::cos(std::numbers::pi / (1 + ratio));
         const std::string require = "[[require]]\nquantity = \"time-ratio\"\nequal = " + std::to_string(ratio) +
                                     "\n[[require]]\nquantity = \"stroke\"\nequal = 100\n"
                                     "[objective]\nmaximize = \"transmission-angle-worst\"\n";
@@ -83,7 +81,7 @@ TEST_P(EveryDriveMethod, FindsCrankAndCentreDistanceForTheRatio) {
         EXPECT_NEAR(shaper.dimension("crank") / 200, k, 1e-12) << ratio;
         EXPECT_NEAR(shaper.dimension("lever"), 50 / k, 1e-9) << ratio;
         EXPECT_NEAR(shaper.dimension("rod"), 400, 1e-9) << ratio;
-        const double slope = 0.5 * (50 / k) * (1 - std::sin(pi / (1 + ratio))) / 400;
+        const double slope = 0.5 * (50 / k) * (1 - std::sin(std::numbers::pi / (1 + ratio))) / 400;
         EXPECT_NEAR(shaper.value("transmission-angle-worst"), std::acos(slope), 1e-9) << ratio;
         const Solved whitworth = solved(
             "schema = 1\nmechanism = \"whitworth\"\n[dimensions]\ncentre-distance = 50\n"

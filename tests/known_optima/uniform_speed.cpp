@@ -11,6 +11,7 @@
 
 #include "analysis/quick_return.h"
 #include "synthesis/mechanism/quick_return/drive.h"
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -21,7 +22,6 @@ using testing::shipped;
 using testing::Solved;
 using testing::solved;
 
-constexpr double pi = std::numbers::pi;
 constexpr double share = 0.6;
 constexpr int samples = 1440;
 
@@ -35,7 +35,7 @@ double variation_by_scan(const std::vector<double>& position) {
     const bool outward = 2 * out >= n;
     const int begin = outward ? bottom : top, length = outward ? out : n - out;
     const double stroke = at(top) - at(bottom), sign = outward ? 1 : -1;
-    const double h = 2 * pi / n;
+    const double h = 2 * std::numbers::pi / n;
     const auto travelled = [&](int i) { return sign * (at(begin + i) - at(begin)) / stroke; };
     const auto speed = [&](int i) { return sign * (at(begin + i + 1) - at(begin + i - 1)) / (2 * h); };
     const double margin = 0.5 * (1 - share);
@@ -60,7 +60,7 @@ double variation_by_scan(const std::vector<double>& position) {
 std::vector<double> turn_of(const std::function<double(double)>& position) {
     std::vector<double> all;
     for (int i = 0; i < samples; ++i)
-        all.push_back(position(2 * pi * i / samples));
+        all.push_back(position(2 * std::numbers::pi * i / samples));
     return all;
 }
 
@@ -145,11 +145,12 @@ TEST(UniformSpeed, OfAWhitworthDrive) {
     const Solved a = solved(shipped("uniform-speed-whitworth.toml", "quick-return"), "slsqp");
     const Solved b = solved(shipped("uniform-speed-whitworth.toml", "quick-return"), "ipopt");
     const double scanned = least_on_grids<2>({150, 31}, {500, 149}, 24, 4, [](const std::array<double, 2>& x) {
-        const double rod = x[0], slide = x[1] * pi / 180;
+        const double rod = x[0], slide = x[1] * degree;
         const double crank = 2 * std::sin(slide);  // centre distance 1; time ratio 2
         if (crank < 1.05) return 1e300;
         return variation_by_scan(turn_of([&](double angle) {
-            const double arm = std::atan2(crank * std::sin(angle), 1 + crank * std::cos(angle)) + pi - slide;
+            const double arm =
+                std::atan2(crank * std::sin(angle), 1 + crank * std::cos(angle)) + std::numbers::pi - slide;
             const double across = 100 * std::sin(arm);
             return 100 * std::cos(arm) + std::sqrt(rod * rod - across * across);
         }));
@@ -167,17 +168,17 @@ std::vector<double> follower_turn(double crank, double coupler, double follower)
     };
     const double near = transmission(crank - 100), far = transmission(crank + 100);
     constexpr double rounding = 1e-9;  // at the optimum itself the transmission angle is at its limit
-    if (!(near >= pi / 4 - rounding && far <= 3 * pi / 4 + rounding)) return {};
+    if (!(near >= std::numbers::pi / 4 - rounding && far <= 3 * std::numbers::pi / 4 + rounding)) return {};
     std::vector<double> angles;
     for (int i = 0; i < samples; ++i) {
-        const double x = 2 * pi * i / samples;
+        const double x = 2 * std::numbers::pi * i / samples;
         const double dx = 100 - crank * std::cos(x), dy = -crank * std::sin(x), q = dx * dx + dy * dy;
         const double along = (1 + (coupler * coupler - follower * follower) / q) / 2;
         const double across =
             std::sqrt(std::pow(coupler + follower, 2) - q) * std::sqrt(q - std::pow(coupler - follower, 2)) / (2 * q);
         const double px = along * dx - across * dy - dx, py = along * dy + across * dx - dy;
         double angle = std::atan2(py, px);
-        if (!angles.empty()) angle = angles.back() + std::remainder(angle - angles.back(), 2 * pi);
+        if (!angles.empty()) angle = angles.back() + std::remainder(angle - angles.back(), 2 * std::numbers::pi);
         angles.push_back(angle);
     }
     return angles;
@@ -187,10 +188,12 @@ std::vector<double> follower_turn(double crank, double coupler, double follower)
 double best_slide(const std::vector<double>& follower, double rod) {
     const int n = static_cast<int>(follower.size());
     // The crank takes 240 deg from a follower angle to the opposite one, or 120: at samples beside such places.
-    const auto turned = [&](int i) { return follower[static_cast<std::size_t>(i % n)] + 2 * pi * (i / n); };
+    const auto turned = [&](int i) {
+        return follower[static_cast<std::size_t>(i % n)] + 2 * std::numbers::pi * (i / n);
+    };
     double least = 1e300;
     for (const int slow : {2 * n / 3, n / 3}) {
-        const auto off = [&](int i) { return turned(i + slow) - turned(i) - pi; };
+        const auto off = [&](int i) { return turned(i + slow) - turned(i) - std::numbers::pi; };
         for (int i = 0; i < n; ++i) {
             if ((off(i) > 0) == (off(i + 1) > 0)) continue;
             const double part = off(i) / (off(i) - off(i + 1));

@@ -1,13 +1,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/degree.h"
 #include "tests/problem/problem_text.h"
 
 namespace mechwright::test {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 const std::string everything = R"(schema    = 1
 title     = "Everything a file can say: ä°"

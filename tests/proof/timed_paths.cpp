@@ -3,7 +3,6 @@
 
 #include <Eigen/Dense>
 #include <complex>
-#include <numbers>
 #include <random>
 
 #include "analysis/four_bar.h"

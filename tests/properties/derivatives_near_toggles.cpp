@@ -14,7 +14,7 @@
 namespace mechwright::test {
 namespace {
 
-constexpr int linkages = 1000;
+constexpr int near_toggles = 1000;
 constexpr double allowed = 16 * std::numeric_limits<double>::epsilon();
 
 /// A linkage with one to three small margins, its crank near the ground line or anywhere.
@@ -90,7 +90,7 @@ template <class SampleOf, class MeasureOf>
 void expect_well_rounded(std::uint64_t seed, const SampleOf& sample_of, const MeasureOf& measure_of) {
     Random random(seed);
     Errors worst;
-    for (int i = 0; i < linkages; ++i) {
+    for (int i = 0; i < near_toggles; ++i) {
         const Sample sample = sample_of(random);
         const Errors errors = compare_conditioned(measure_of(sample), sample, random);
         worst.add(errors.gradient, errors.hessian);
@@ -104,7 +104,7 @@ template <class MeasureOf>
 Errors plain_errors(std::uint64_t seed, bool crank_rocker_only, const MeasureOf& measure_of) {
     Random random(seed);
     Errors worst;
-    for (int i = 0; i < linkages; ++i) {
+    for (int i = 0; i < near_toggles; ++i) {
         const Sample sample = near_change_point(random, crank_rocker_only);
         const auto measure = measure_of(sample);
         constexpr std::size_t n = decltype(measure)::variables;

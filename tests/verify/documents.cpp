@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "synthesis/mechanism/mechanism.h"
+#include "tests/degree.h"
 
 namespace mechwright::test {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 const Mechanism& four_bar() { return *find_mechanism("four-bar"); }
 

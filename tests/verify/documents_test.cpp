@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numbers>
+
+#include "tests/degree.h"
 
 namespace mechwright {
 
@@ -12,8 +13,6 @@ namespace {
 
 using namespace test;
 using Names = std::vector<std::string>;
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Stroke 160 deg, swing 40 deg: time ratio 200/160; transmission angle 31.85420 deg by the table of the classical
 /// problem.

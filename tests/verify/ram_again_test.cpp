@@ -83,7 +83,7 @@ RC_GTEST_PROP(RamAgain, MeasuresOverAFullTurnWhatTheAnalysisMeasures, ()) {
         const auto dimensions = dimensions_of(m);
         Motion motion = mechanism.motion(dimensions, assembly_of(m), nullptr);
         motion.settings[working_share] = share;
-        RC_ASSERT(motion.family == full_turn);
+        RC_ASSERT(motion.family == quick_return::full_turn);
         expect_measured_alike(mechanism, motion, dimensions, 1e-9);
         for (const Check& check : mechanism.check_motion(motion, precise_of(dimensions))) {
             if (!check.passed) RC_LOG() << check.name << ": " << check.detail << " of " << listed(dimensions) << '\n';
