@@ -85,16 +85,15 @@ ScoreAndSize<T> eliminated(const PathMoments<T>& moments, const PathFreedom& fre
     return {select(size > none, score, T(1.0)), size};
 }
 
-/// The screening of a mechanism whose guiding link starts at the crank pin, N candidates at a time. `Guide` has
-/// `static constexpr std::size_t lengths` and, for a number type T, `template <class T> static auto
-/// direction(std::size_t assembly, const std::array<T, lengths>&, const HalfTurn<T>&)`, which gives `pin`, `link` and
-/// `margin`, < 0 where the mechanism does not assemble.
-template <class Guide, std::size_t N>
+/// The screening of a mechanism whose guiding link starts at the crank pin, as many candidates at a time as T has
+/// lanes. `Guide` has `static constexpr std::size_t lengths` and `template <class T> static auto direction(std::size_t
+/// assembly, const std::array<T, lengths>&, const HalfTurn<T>&)`, which gives `pin`, `link` and `margin`, < 0 where the
+/// mechanism does not assemble.
+template <class Guide, class T>
 Screened screened(std::size_t assembly, std::span<const Group> lengths, std::span<const ScreenedPoint> points,
                   const PathFreedom& free) {
-    using T = Lanes<N>;
     Screened out;
-    for (std::size_t first = 0; first < out.score.size(); first += N) {
+    for (std::size_t first = 0; first < out.score.size(); first += T::count) {
         std::array<T, Guide::lengths> links;
         for (std::size_t i = 0; i < Guide::lengths; ++i)
             links[i].read(lengths[i].data() + first);

@@ -86,6 +86,7 @@ void settle_best(const Problem& problem, Found& found, const RunOptions& options
     limits.stop = options.stop;
     NearbyOptimum at = settled(problem, found.candidates.front().design, limits);
     found.report.evaluations += at.evaluations;
+    found.stopped = !at.stationary && limits.reached();
     if (at.solution && preferred(problem, *at.solution, found.candidates.front()))
         found.candidates.front() = *std::move(at.solution);
 }

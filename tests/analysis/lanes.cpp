@@ -17,7 +17,7 @@ namespace {
 template <class T>
 class LanesOf : public ::testing::Test {};
 
-using Widths = ::testing::Types<Lanes<2>, Lanes<4>, Lanes<8>>;
+using Widths = ::testing::Types<Lanes<2>, Lanes<4>, Lanes<8>, Lanes<4, 2>, Lanes<8, 2>>;
 TYPED_TEST_SUITE(LanesOf, Widths);
 
 TYPED_TEST(LanesOf, CalculateLikePlainNumbers) {

@@ -26,13 +26,12 @@ std::vector<Group> groups_of(const std::vector<Kernel::Input>& inputs) {
     return groups;
 }
 
-template <int order, std::size_t N>
+template <int order, class T>
 [[gnu::always_inline]] inline void in_lanes(const std::vector<Group>& groups, const HalfTurn<double>& half,
                                             std::vector<Points>& out) {
-    using T = Lanes<N>;
     const HalfTurn<T> at{T(half.cosine), T(half.sine)};
     for (std::size_t g = 0; g < groups.size(); ++g)
-        for (std::size_t first = 0; first < widest; first += N) {
+        for (std::size_t first = 0; first < widest; first += T::count) {
             std::array<T, Kernel::size> x;
             for (std::size_t i = 0; i < Kernel::size; ++i)
                 x[i].read(groups[g].x[i].data() + first);
@@ -56,18 +55,18 @@ void one_by_one(const std::vector<Group>& groups, const HalfTurn<double>& half, 
 
 template <int order>
 [[gnu::flatten]] void baseline(const std::vector<Group>& g, const HalfTurn<double>& half, std::vector<Points>& out) {
-    in_lanes<order, 2>(g, half, out);
+    in_lanes<order, BaselineLanes>(g, half, out);
 }
 #if defined(__x86_64__)
 template <int order>
 [[gnu::flatten, gnu::target("avx2")]] void avx2(const std::vector<Group>& g, const HalfTurn<double>& half,
                                                 std::vector<Points>& out) {
-    in_lanes<order, 4>(g, half, out);
+    in_lanes<order, Avx2Lanes>(g, half, out);
 }
 template <int order>
 [[gnu::flatten, gnu::target("avx512f")]] void avx512(const std::vector<Group>& g, const HalfTurn<double>& half,
                                                      std::vector<Points>& out) {
-    in_lanes<order, 8>(g, half, out);
+    in_lanes<order, Avx512Lanes>(g, half, out);
 }
 #endif
 
@@ -93,7 +92,9 @@ Body body_of(InstructionSet set) {
 }
 
 std::size_t lanes_of(InstructionSet set) {
-    return set == InstructionSet::avx512 ? 8 : set == InstructionSet::avx2 ? 4 : 2;
+    return set == InstructionSet::avx512 ? Avx512Lanes::count
+           : set == InstructionSet::avx2 ? Avx2Lanes::count
+                                         : BaselineLanes::count;
 }
 
 template <int order>

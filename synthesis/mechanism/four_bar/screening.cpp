@@ -28,24 +28,23 @@ struct CouplerGuide {
     }
 };
 
-template <std::size_t N>
-Lanes<N> loaded(const Group& group, std::size_t first) {
-    Lanes<N> lanes;
+template <class T>
+T loaded(const Group& group, std::size_t first) {
+    T lanes;
     lanes.read(group.data() + first);
     return lanes;
 }
 
-template <std::size_t N>
+template <class T>
 void points_in_lanes(Assembly assembly, std::span<const FourBarGroup> linkages, const HalfTurn<double>& half,
                      std::span<PointGroup> out) {
-    using T = Lanes<N>;
     const HalfTurn<T> at{T(half.cosine), T(half.sine)};
     for (std::size_t i = 0; i < linkages.size(); ++i)
-        for (std::size_t first = 0; first < std::tuple_size_v<Group>; first += N) {
+        for (std::size_t first = 0; first < std::tuple_size_v<Group>; first += T::count) {
             const auto& m = linkages[i].links;
-            const FourBar<T> links{loaded<N>(m[0], first), loaded<N>(m[1], first), loaded<N>(m[2], first),
-                                   loaded<N>(m[3], first)};
-            const CouplerPoint<T> point{loaded<N>(linkages[i].along, first), loaded<N>(linkages[i].across, first)};
+            const FourBar<T> links{loaded<T>(m[0], first), loaded<T>(m[1], first), loaded<T>(m[2], first),
+                                   loaded<T>(m[3], first)};
+            const CouplerPoint<T> point{loaded<T>(linkages[i].along, first), loaded<T>(linkages[i].across, first)};
             const Vector<T> reached = position(links, point, pose(links, at, assembly));
             reached.x.write(out[i].x.data() + first);
             reached.y.write(out[i].y.data() + first);
@@ -56,12 +55,12 @@ void points_in_lanes(Assembly assembly, std::span<const FourBarGroup> linkages, 
 
 [[gnu::flatten]] Screened screened_baseline(std::size_t assembly, std::span<const Group> lengths,
                                             std::span<const ScreenedPoint> points, const PathFreedom& free) {
-    return screened<CouplerGuide, 2>(assembly, lengths, points, free);
+    return screened<CouplerGuide, BaselineLanes>(assembly, lengths, points, free);
 }
 
 [[gnu::flatten]] void points_baseline(Assembly assembly, std::span<const FourBarGroup> linkages,
                                       const HalfTurn<double>& half, std::span<PointGroup> out) {
-    points_in_lanes<2>(assembly, linkages, half, out);
+    points_in_lanes<BaselineLanes>(assembly, linkages, half, out);
 }
 
 #if defined(__x86_64__)
@@ -69,23 +68,23 @@ void points_in_lanes(Assembly assembly, std::span<const FourBarGroup> linkages, 
 [[gnu::flatten, gnu::target("avx2")]] Screened screened_avx2(std::size_t assembly, std::span<const Group> lengths,
                                                              std::span<const ScreenedPoint> points,
                                                              const PathFreedom& free) {
-    return screened<CouplerGuide, 4>(assembly, lengths, points, free);
+    return screened<CouplerGuide, Avx2Lanes>(assembly, lengths, points, free);
 }
 
 [[gnu::flatten, gnu::target("avx2")]] void points_avx2(Assembly assembly, std::span<const FourBarGroup> linkages,
                                                        const HalfTurn<double>& half, std::span<PointGroup> out) {
-    points_in_lanes<4>(assembly, linkages, half, out);
+    points_in_lanes<Avx2Lanes>(assembly, linkages, half, out);
 }
 
 [[gnu::flatten, gnu::target("avx512f")]] Screened screened_avx512(std::size_t assembly, std::span<const Group> lengths,
                                                                   std::span<const ScreenedPoint> points,
                                                                   const PathFreedom& free) {
-    return screened<CouplerGuide, 8>(assembly, lengths, points, free);
+    return screened<CouplerGuide, Avx512Lanes>(assembly, lengths, points, free);
 }
 
 [[gnu::flatten, gnu::target("avx512f")]] void points_avx512(Assembly assembly, std::span<const FourBarGroup> linkages,
                                                             const HalfTurn<double>& half, std::span<PointGroup> out) {
-    points_in_lanes<8>(assembly, linkages, half, out);
+    points_in_lanes<Avx512Lanes>(assembly, linkages, half, out);
 }
 
 #endif
