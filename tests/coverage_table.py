@@ -1,6 +1,6 @@
 """Line and branch coverage by folder, and what is not covered with the reason why, from gcovr's JSON.
 
-    coverage_table.py COVERAGE.json REASONS.txt COMMIT REPORT.md
+    coverage_table.py COVERAGE.json REASONS.txt COMMIT LastTestsFailed.log REPORT.md
 
 Exit code 1 where a function is never called and no reason is given."""
 
@@ -118,13 +118,23 @@ def uncovered_lines(files, reasons):
             yield reason, f"`{file['file']}`: {missed} of {len(code_lines(file))}"
 
 
-def main(coverage, reasons, commit, report):
+def failed_tests(log):
+    """What ctest wrote of tests that failed: a number and a name in each line."""
+    names = [line.partition(":")[2] for line in log.splitlines() if ":" in line]
+    if not names:
+        return ["All tests passed while lines were counted.", ""]
+    return ["These tests failed while lines were counted, which takes time, memory and room on the disk; `./bootstrap test`",
+            "judges them:", "", *(f"* `{name}`" for name in names), ""]
+
+
+def main(coverage, reasons, commit, failed, report):
     files = [file for file in json.loads(pathlib.Path(coverage).read_text())["files"] if file["lines"]]
     reasons = reasons_of(pathlib.Path(reasons).read_text())
     functions = list(uncalled_functions(files, reasons))
     text = ["# What the tests run", "",
-            f"Made by `tests/coverage.sh` of commit {commit}: the lines that all tests together run, and the branches that",
-            "they take, but for those that the compiler adds for exceptions.", "", *table(files), "",
+            f"Made by `tests/coverage.sh` of commit {commit}: the lines that all tests and `mechwright bench` together run,",
+            "and the branches that they take, but for those that the compiler adds for exceptions.", "",
+            *failed_tests(pathlib.Path(failed).read_text()), *table(files), "",
             "## Functions that no test calls", "",
             *by_reason((reason or "No reason written down", entry) for reason, entry in functions),
             "## Lines that no test runs", "", *by_reason(uncovered_lines(files, reasons))]

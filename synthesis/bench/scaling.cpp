@@ -26,31 +26,48 @@ constexpr const char* untimed_value = "value of an untimed path";
 constexpr const char* untimed_gradient = "gradient of an untimed path";
 constexpr const char* untimed_hessian = "Hessian of an untimed path";
 constexpr const char* solve_points = "solution of a timed path";
+constexpr const char* gradient_of_free = "gradient of a path of 24 points";
+constexpr const char* solve_free = "solution of a path of 24 points";
 constexpr const char* solve_starts = "solution of a drag link";
 constexpr const char* solve_threads = "solution of a path";
 constexpr const char* study_points = "study of four-bars";
 
-/// An ellipse that no four-bar draws, by all ten dimensions.
-Problem ellipse(int count, bool is_timed) {
-    std::string points, angles;
+struct FreeDimension {
+    std::string_view name;
+    double min, max;
+    double given;  ///< where it is not free
+};
+
+/// Those of a timed path, in the order in which they come to be free.
+constexpr std::array<FreeDimension, 10> path_dimensions{{{"origin-x", -100, 100, 0},
+                                                         {"origin-y", -100, 100, 0},
+                                                         {"tilt", 0, 360, 20},
+                                                         {"crank-start", 0, 360, 40},
+                                                         {"point-along", -100, 100, 50},
+                                                         {"point-across", -100, 100, 30},
+                                                         {"coupler", 20, 200, 100},
+                                                         {"rocker", 20, 200, 100},
+                                                         {"ground", 20, 200, 110},
+                                                         {"crank", 5, 60, 30}}};
+
+/// An ellipse that no four-bar draws, by as many of the dimensions as are free.
+Problem ellipse(int count, bool is_timed, std::size_t free = path_dimensions.size()) {
+    std::string points, angles, dimensions;
     for (int i = 0; i < count; ++i) {
         const double t = 2 * std::numbers::pi * i / count;
         points += fmt::format("[{:.17g}, {:.17g}], ", 40 * std::cos(t), 25 * std::sin(t));
         angles += fmt::format("{:.17g}, ", 360.0 * i / count);
     }
+    for (std::size_t i = 0; i < path_dimensions.size(); ++i) {
+        const FreeDimension& d = path_dimensions[i];
+        if (d.name == "crank-start" && !is_timed) continue;
+        dimensions += i < free ? fmt::format("{} = {{ min = {}, max = {} }}\n", d.name, d.min, d.max)
+                               : fmt::format("{} = {}\n", d.name, d.given);
+    }
     const std::string text = fmt::format(
         R"(schema = 1
 mechanism = "four-bar"
 [dimensions]
-ground = {{ min = 20, max = 200 }}
-crank = {{ min = 5, max = 60 }}
-coupler = {{ min = 20, max = 200 }}
-rocker = {{ min = 20, max = 200 }}
-point-along = {{ min = -100, max = 100 }}
-point-across = {{ min = -100, max = 100 }}
-origin-x = {{ min = -100, max = 100 }}
-origin-y = {{ min = -100, max = 100 }}
-tilt = {{ min = 0, max = 360 }}
 {}[path]
 closed = true
 points = [{}]
@@ -58,7 +75,7 @@ points = [{}]
 [objective]
 minimize = "path-sse"
 )",
-        is_timed ? "crank-start = { min = 0, max = 360 }\n" : "", points,
+        dimensions, points,
         is_timed ? "timing = \"prescribed\"\ncrank_angles = [" + angles + "]" : "timing = \"free\"");
     return parse_problem(text, "ellipse.toml").problem;
 }
@@ -75,6 +92,14 @@ std::vector<Row> evaluations(const Effort& effort, int points) {
     return {row_of(timed_value, points, t[0]), row_of(timed_gradient, points, t[1]),
             row_of(untimed_value, points, t[2]), row_of(untimed_gradient, points, t[3]),
             row_of(untimed_hessian, points, t[4])};
+}
+
+std::vector<Row> gradient_of(const Effort& effort, std::size_t free) {
+    const Problem path = ellipse(24, true, free);
+    const auto at = program_point(path);
+    if (!at) return {};
+    const auto t = timed({values_and_gradients(*at)}, effort.pick(5, 9), effort.pick(0.04, 0.5));
+    return {row_of(gradient_of_free, static_cast<double>(free), t[0])};
 }
 
 std::vector<Row> solutions(const Effort& effort, const char* series, double size, const Problem& problem, int jobs) {
@@ -139,6 +164,14 @@ std::vector<Measurement> measurements(const Effort& effort) {
         all.push_back({fmt::format("{} of {} points", solve_points, points), [points](const Effort& e) {
                            return solutions_on_one_core(e, solve_points, points, ellipse(points, true));
                        }});
+    for (const std::size_t free : {2, 4, 6, 8, 10}) {
+        all.push_back({fmt::format("{}, {} free", gradient_of_free, free),
+                       [free](const Effort& e) { return gradient_of(e, free); }});
+        all.push_back({fmt::format("{}, {} free", solve_free, free), [free](const Effort& e) {
+                           return solutions_on_one_core(e, solve_free, static_cast<double>(free),
+                                                        ellipse(24, true, free));
+                       }});
+    }
     for (const int starts : {8, 16, 32, 64, 128})
         all.push_back({fmt::format("{}, {}", solve_starts, starts), [starts](const Effort& e) -> std::vector<Row> {
                            auto problem = shipped_problem(e.problems, "quick-return/uniform-speed-drag-link");
@@ -169,6 +202,8 @@ constexpr std::array all_series{Series{timed_value, "points"},
                                 Series{untimed_gradient, "points"},
                                 Series{untimed_hessian, "points"},
                                 Series{solve_points, "points"},
+                                Series{gradient_of_free, "free dimensions"},
+                                Series{solve_free, "free dimensions"},
                                 Series{solve_starts, "local searches"},
                                 Series{solve_threads, "threads"},
                                 Series{study_points, "points of the study"}};
@@ -208,16 +243,15 @@ std::string threads_text(const Sheet& sheet) {
 }
 
 std::string told(const Sheet& sheet) {
-    return "How times grow with the size of what is asked. An untimed path has a variable more for each point. Powers "
-           "are "
-           "fitted over all sizes that were measured; 1 is in proportion.\n\n" +
+    return "How times grow with the size of what is asked. An untimed path has a variable more for each point. Where "
+           "few "
+           "dimensions are free, they come to be so in this order: place, tilt and crank angle, coupler point, links. "
+           "Powers are fitted over all sizes that were measured; 1 is in proportion.\n\n" +
            to_markdown(table(sheet)) +
            fmt::format(
                "\nThe gradient of a timed path grows with the power {} of its points, that of an untimed one, which "
-               "has "
-               "as many more variables, with the power {}.{} The time of a study is that of the whole program, from "
-               "its "
-               "start to the data on disk.\n",
+               "has as many more variables, with the power {}.{} The time of a study is that of the whole program, "
+               "from its start to the data on disk.\n",
                significant(fitted_power(points_of(sheet, timed_gradient)).exponent, 2),
                significant(fitted_power(points_of(sheet, untimed_gradient)).exponent, 2), threads_text(sheet));
 }
@@ -238,8 +272,9 @@ Diagram diagram(const Sheet& sheet, const char* name, const char* title, const c
 std::vector<Diagram> drawn(const Sheet& sheet) {
     return {diagram(sheet, "scaling-points", "Time over the points of a path", "points",
                     {timed_value, timed_gradient, untimed_value, untimed_gradient, untimed_hessian, solve_points}),
-            diagram(sheet, "scaling-runs", "Time of whole runs", "local searches, threads, points of the study",
-                    {solve_starts, solve_threads, study_points})};
+            diagram(sheet, "scaling-runs", "Time of whole runs",
+                    "free dimensions, local searches, threads, points of the study",
+                    {solve_free, solve_starts, solve_threads, study_points})};
 }
 
 }  // namespace

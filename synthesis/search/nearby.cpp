@@ -71,7 +71,6 @@ NearbyOptimum nearby(const Problem& problem, const Design& from, const LocalLimi
 
 NearbyOptimum settled(const Problem& problem, const Design& from, const LocalLimits& limits) {
     NearbyOptimum best;
-    if (!problem.objective) return best;
     LocalLimits near = limits;
     near.near_optimum = true;
     for (const Variant& variant : variants(problem)) {

@@ -22,6 +22,9 @@ constexpr double widest_ratio = 1e-2;
 constexpr std::size_t shape_count = 2048;
 /// Draws for one shape until the conditions of motion hold.
 constexpr int most_draws = 60;
+/// Where lengths or guided point are given, starts are drawn among so many for each variable: few variables are filled
+/// by few.
+constexpr int candidates_per_variable = 12;
 
 bool is_free(const Program& program, std::size_t dimension) { return program.variable_of[dimension] >= 0; }
 
@@ -142,11 +145,22 @@ std::vector<ScreenedPoint> ScreenedStarts::points() const {
     return all;
 }
 
+/// Variables that are drawn and not fitted.
+int ScreenedStarts::drawn_variables() const {
+    const PathRoles& roles = program_.problem->mechanism->path_roles;
+    const auto fitted = [&](std::size_t i, std::size_t j) {
+        return is_free(program_, i) && is_free(program_, j) ? 2 : 0;
+    };
+    return static_cast<int>(program_.size()) - fitted(roles.origin_x, roles.origin_y) -
+           fitted(roles.along, roles.across);
+}
+
 std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) const {
     std::vector<VectorXd> starts;
     if (!can_screen_) {
+        const int candidates = std::min(groups, 1 + candidates_per_variable * drawn_variables());
         for (int i = 0; i < keep; ++i)
-            starts.push_back(start_point(program_, seed_, round * keep + i, groups));
+            starts.push_back(start_point(program_, seed_, round * keep + i, candidates));
         return starts;
     }
     const LowDiscrepancy of_timing(path_timing_numbers, seed_, stream_);

@@ -80,7 +80,7 @@ bool found_feasible(const Found& found) { return !found.candidates.empty() && fo
 
 /// The best design at the very optimum that its search ended near.
 void settle_best(const Problem& problem, Found& found, const RunOptions& options, Clock::time_point deadline) {
-    if (found.stopped || !found_feasible(found) || found.report.complete) return;
+    if (found.stopped || !problem.objective || !found_feasible(found) || found.report.complete) return;
     LocalLimits limits;
     limits.deadline = deadline;
     limits.stop = options.stop;
