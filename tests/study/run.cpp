@@ -2,6 +2,8 @@
 
 #include "synthesis/study/run.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -192,6 +194,50 @@ TEST(Data, AreTheSameForAnyNumberOfThreadsAndAfterAnyNumberOfStops) {
         break;
     }
     EXPECT_EQ(rows_of(folder / "stopped.sqlite"), once);
+}
+
+/// A strand that was interrupted after its last point had turned out better without its neighbour's help, with a design
+/// in it that such help spoilt: the optimum of a greater swing, which meets the requirement and is worse.
+TEST(Data, OfPointsThatANeighbourMisledAreMadeGood) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("swing.toml", R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 1
+crank = { min = 0.05, max = 1 }
+coupler = { min = 0.05, max = 5 }
+rocker = { min = 0.05, max = 5 }
+[[require]]
+quantity = "swing"
+min = 40
+[[require]]
+quantity = "time-ratio"
+equal = 1.2
+[objective]
+maximize = "transmission-angle-worst"
+[solver]
+method = "slsqp"
+[study]
+"require.swing.min" = { from = 30, to = 60, count = 12 }
+)");
+    const std::filesystem::path data = folder / "study.sqlite";
+    const Json once = run_to_end(file, data);
+    ASSERT_EQ(once.size(), 12u);
+    constexpr std::size_t misled = 3;
+    ASSERT_EQ(once[misled]["start"], "neighbour");
+    ASSERT_GT(once[misled]["objective"], once[11]["objective"]);
+    {
+        SQLite::Database database(data, SQLite::OPEN_READWRITE);
+        database.exec("UPDATE designs SET numbers = (SELECT numbers FROM designs WHERE point = 11) WHERE point = 3");
+        database.exec("UPDATE points SET objective = (SELECT objective FROM points WHERE point = 11) WHERE point = 3");
+        ASSERT_EQ(database.exec("UPDATE strands SET differed = 1, finished = 0"), 1);
+    }
+    const Json again = run_to_end(file, data);
+    ASSERT_EQ(again.size(), 12u);
+    for (std::size_t i = 0; i < 12; ++i)
+        EXPECT_NEAR(again[i]["objective"], once[i]["objective"], 1e-7) << i;
+    EXPECT_EQ(again[misled]["start"], "both");
+    EXPECT_EQ(standing_of_study(data).differed, 1u);
 }
 
 TEST(Data, OfAnotherStudyAreNotMixed) {
