@@ -223,14 +223,14 @@ method = "slsqp"
     const std::filesystem::path data = folder / "study.sqlite";
     const Json once = run_to_end(file, data);
     ASSERT_EQ(once.size(), 12u);
-    constexpr std::size_t misled = 3;
+    constexpr std::size_t misled = 2;  // not the last of its strand, which is solved both ways anyhow
     ASSERT_EQ(once[misled]["start"], "neighbour");
     ASSERT_GT(once[misled]["objective"], once[11]["objective"]);
     {
         SQLite::Database database(data, SQLite::OPEN_READWRITE);
-        database.exec("UPDATE designs SET numbers = (SELECT numbers FROM designs WHERE point = 11) WHERE point = 3");
-        database.exec("UPDATE points SET objective = (SELECT objective FROM points WHERE point = 11) WHERE point = 3");
-        ASSERT_EQ(database.exec("UPDATE strands SET differed = 1, finished = 0"), 1);
+        database.exec("UPDATE designs SET numbers = (SELECT numbers FROM designs WHERE point = 11) WHERE point = 2");
+        database.exec("UPDATE points SET objective = (SELECT objective FROM points WHERE point = 11) WHERE point = 2");
+        ASSERT_EQ(database.exec("UPDATE strands SET differed = 1, finished = 0 WHERE strand = 0"), 1);
     }
     const Json again = run_to_end(file, data);
     ASSERT_EQ(again.size(), 12u);
