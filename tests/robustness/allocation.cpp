@@ -32,5 +32,14 @@ void* operator new(std::size_t size) {
     return memory;
 }
 
+// The library's would do; the address sanitizer's own takes memory that the `delete` below may not return.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    try {
+        return operator new(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
