@@ -1,3 +1,8 @@
+#include <cmath>
+#include <set>
+
+#include "synthesis/mechanism/mechanism.h"
+#include "synthesis/mechanism/possible_values.h"
 #include "tests/problem/problem_text.h"
 
 namespace mechwright::test {
@@ -60,6 +65,15 @@ TEST(Requirements, WhatNoMechanismReachesIsAnError) {
     EXPECT_TRUE(accepted(read_requirement("quantity = \"transmission-angle-max\"\nmax = 200")));
     EXPECT_TRUE(accepted(read_requirement("quantity = \"velocity-ratio-min\"\nequal = -3")));
     EXPECT_TRUE(accepted(read("units = { angle = \"rad\" }\n" + valid + equal("swing", "3.14159265358979324"))));
+}
+
+/// A name in the list of possible values that no mechanism has would be one that changed.
+TEST(Requirements, EveryQuantityOfBoundedValuesIsOneOfAMechanism) {
+    std::set<std::string_view> bounded;
+    for (const Mechanism* mechanism : mechanisms())
+        for (const Quantity& quantity : mechanism->quantities)
+            if (std::isfinite(possible_values(quantity.name).least)) bounded.insert(quantity.name);
+    EXPECT_EQ(bounded.size(), 28u);
 }
 
 TEST(Requirements, RequirementsThatExcludeEachOtherAreAnError) {
