@@ -161,8 +161,8 @@ Lanes<N, Registers> root_or_zero(const Lanes<N, Registers>& x) {
     return sqrt(select(x > none, x, none));
 }
 
-/// As many at a time as each instruction set calculates the fastest in formulas with roots and quotients: see
-/// results/README.md.
+/// Of the eight candidates of a group, as many at a time as each instruction set calculates the fastest in formulas
+/// with roots and quotients: one, two and four registers were compared, as far as they make eight.
 using BaselineLanes = Lanes<4, 2>;
 using Avx2Lanes = Lanes<8, 2>;
 using Avx512Lanes = Lanes<8>;

@@ -20,7 +20,7 @@ NearbyOptimum nearby(const Problem& problem, const Design& from, const LocalLimi
 
 /// The local optimum that a search ended near but not at: both local methods in turn, from the design and from close to
 /// it, until one ends where the gradient is balanced or none gains any more. The design itself where it is
-/// such an optimum already.
+/// such an optimum already. The problem has an objective.
 NearbyOptimum settled(const Problem& problem, const Design& from, const LocalLimits& limits);
 
 }  // namespace mechwright

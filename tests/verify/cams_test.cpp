@@ -6,6 +6,7 @@
 #include <random>
 
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/possible_values.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/document.h"
@@ -101,6 +102,8 @@ TEST(CamsAgain, RandomCamsMeasureTheSame) {
                 const Json json = document(problem, result);
                 ASSERT_TRUE(json.contains("quantities")) << text;
                 compared += static_cast<int>(json["quantities"].size());
+                for (const auto& [name, value] : json["quantities"].items())
+                    EXPECT_GE(value.get<double>(), possible_values(name).least) << name << "\n" << text;
                 for (const Check& check : result.verification)
                     EXPECT_TRUE(check.passed || check.name == "the cam is not undercut")
                         << check.name << ": " << check.detail << "\n"

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "synthesis/mechanism/possible_values.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/layout.h"
 #include "tests/properties/drives.h"
@@ -64,6 +65,8 @@ void expect_measured_alike(const Mechanism& mechanism, const Motion& motion, con
         if (quantity.path != PathMeasure::none || !quantity.defined(motion)) continue;
         const double value = measured(quantity, motion, dimensions);
         const double again = quantity.measure_again(motion, precise_of(dimensions)).convert_to<double>();
+        const PossibleValues possible = possible_values(quantity.name);
+        RC_ASSERT(again >= possible.least && again <= possible.greatest);
         const double rounding = quantity.unit == Unit::length ? 1e-13 * longest
                                 : quantity.unit == Unit::none ? part
                                                               : 0;
