@@ -148,8 +148,11 @@ void evaluate_path(const Program& program, const VectorXd& x, bool derivatives, 
         sum += w * t.square;
         const auto square_row = static_cast<Index>(path.squares.value_or(0) + i);
         const auto distance_row = static_cast<Index>(path.distances.value_or(0) + i);
+        const auto miss_row = static_cast<Index>(path.misses.value_or(0) + i * t.count);
         if (path.squares) out.value[square_row] = t.square;
         if (path.distances) out.value[distance_row] = distance;
+        for (std::size_t c = 0; path.misses && c < t.count; ++c)
+            out.value[miss_row + static_cast<Index>(c)] = t.residuals[c].value;
         if (!derivatives) continue;
         for (std::size_t k = 0; k < t.arguments; ++k) {
             if (t.variable[k] < 0) continue;
@@ -157,6 +160,8 @@ void evaluate_path(const Program& program, const VectorXd& x, bool derivatives, 
             sum_gradient[t.variable[k]] += w * g;
             if (path.squares) out.jacobian(square_row, t.variable[k]) += g;
             if (path.distances && distance > 0) out.jacobian(distance_row, t.variable[k]) += g / (2 * distance);
+            for (std::size_t c = 0; path.misses && c < t.count; ++c)
+                out.jacobian(miss_row + static_cast<Index>(c), t.variable[k]) += t.residuals[c].gradient[k];
         }
     }
     const double weights = weight_sum(program);
@@ -181,6 +186,7 @@ void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessi
     const double on_sum = weight_at(path.sum, 0);
     const double on_rms = weight_at(path.rms, 0);
     const double total = weight_sum(program);
+    const std::size_t each = residuals_per_point(program);
     PointTerms t;
     double rms = 0;
     if (on_rms != 0) {
@@ -197,7 +203,11 @@ void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessi
         const double w = target.weights[i];
         const double on_square = weight_at(path.squares, i);
         const double on_distance = weight_at(path.distances, i);
-        if (on_sum == 0 && on_rms == 0 && on_square == 0 && on_distance == 0) continue;
+        std::array<double, 4> on_miss{};
+        for (std::size_t c = 0; c < each; ++c)
+            on_miss[c] = weight_at(path.misses, i * each + c);
+        const bool misses = std::any_of(on_miss.begin(), on_miss.end(), [](double weight) { return weight != 0; });
+        if (on_sum == 0 && on_rms == 0 && on_square == 0 && on_distance == 0 && !misses) continue;
         evaluate_point(program, out.dimensions, x, i, 2, t);
         const double distance = std::sqrt(t.square);
         const double on_q = on_sum * w + on_square + (rms > 0 ? on_rms * w / (2 * total * rms) : 0) +
@@ -216,7 +226,9 @@ void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessi
                 double q = 0;
                 for (const Residual& r : t.all())
                     q += 2 * (r.gradient[k] * r.gradient[l] + r.value * r.hessian[at]);
-                const double h = on_q * q - on_gradient_square * g[k] * g[l];
+                double h = on_q * q - on_gradient_square * g[k] * g[l];
+                for (std::size_t c = 0; misses && c < each; ++c)
+                    h += on_miss[c] * t.residuals[c].hessian[at];
                 hessian(a, b) += h;
                 if (k != l) hessian(b, a) += h;
             }

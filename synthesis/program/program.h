@@ -65,6 +65,8 @@ struct PathBlock {
     std::optional<std::size_t> rms;        ///< root of its weighted mean; not smooth at zero
     std::optional<std::size_t> squares;    ///< squared distances, one per point
     std::optional<std::size_t> distances;  ///< distances, one per point; not smooth at zero
+    std::optional<std::size_t> misses;     ///< `residuals_per_point` per point, not weighted: those of a point are next
+                                           ///< to each other
 };
 
 /// A variable that bounds outputs from one side so that the worst of them can be optimised smoothly.
@@ -110,6 +112,12 @@ Program relaxed(Program program);
 /// The same program with its objective, and what bounds the objective's outputs, in units of `size`: for an objective
 /// that is small against what the program was scaled for.
 Program magnified(Program program, double size);
+
+/// The same program of an untimed path with limits on the distances of its points that are far below its size, in
+/// terms of what is missed: nothing along the curve, and no more than the limit along the normal that the curve has at
+/// x. Its variables are the same, and its feasible points are feasible for the program. Nothing where not every point
+/// has a limit that small, or the curve has a cusp at one.
+std::optional<Program> met_along_normals(Program program, const Eigen::VectorXd& x);
 
 /// The outputs at a point, and what they are computed from. Kept with the values, so that the next evaluation of the
 /// same program finds its memory and allocates none.

@@ -1,6 +1,9 @@
 #include "synthesis/search/polished_search.h"
 
 #include <cmath>
+#include <optional>
+
+#include "synthesis/search/small_distances.h"
 
 namespace mechwright {
 
@@ -39,11 +42,17 @@ LocalOutcome levelled(const Program& program, LocalOutcome outcome, const LocalL
     return outcome;
 }
 
+LocalOutcome searched(const Program& program, const Eigen::VectorXd& start, LocalMethod method,
+                      const LocalLimits& limits) {
+    const auto close = limits.near_optimum ? std::nullopt : within_small_distances(program, start, limits);
+    return close ? *close : method(program, start, limits);
+}
+
 }  // namespace
 
 LocalOutcome polished_search(const Program& program, const Eigen::VectorXd& start, LocalMethod method,
                              const LocalLimits& limits) {
-    LocalOutcome outcome = levelled(program, polish(program, method(program, start, limits), limits), limits);
+    LocalOutcome outcome = levelled(program, polish(program, searched(program, start, method, limits), limits), limits);
     if (asks_for_one_worst(program)) return outcome;
     LocalLimits near = limits;
     near.near_optimum = true;

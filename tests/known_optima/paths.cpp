@@ -46,6 +46,15 @@ TEST(Paths, CaseTwoIsFoundByIpoptToo) {
     EXPECT_NEAR(s.value("path-sse") / 7.415751307e-7, 1, 1e-9);
 }
 
+TEST(Paths, CaseOneWithTheBestTransmissionIsFoundFromEverySeed) {
+    for (const std::uint64_t seed : {1, 5}) {
+        const Solved s = solved(shipped("case-1-transmission.toml", "path"), "auto", seed);
+        EXPECT_EQ(s.result.status, Status::solved);
+        EXPECT_NEAR(s.result.best->objective, 67.903602671, 1e-8) << "seed " << seed;
+        EXPECT_GE(s.result.search.hits, 10) << "seed " << seed;
+    }
+}
+
 struct PathCase {
     const char* file;
     double known;   ///< the objective; lower is a win
