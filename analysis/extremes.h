@@ -3,6 +3,7 @@
 /// Stationary points of a measure along a motion: every bracket found, each polished to rounding; and the derivatives
 /// of the extreme value with respect to the design, by the envelope theorem.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -113,15 +114,25 @@ void zeros_on_grid(const Function& g, std::span<const double> grid, const Found&
 
 /// The value of a measure at a point where it is stationary in the last of N + 1 variables, as a function of the first
 /// N: at such a point the first derivatives with respect to the design are the partial ones, and the second ones lose
-/// f_iz f_jz / f_zz (envelope theorem, differentiated once more).
+/// f_iz f_jz / f_zz (envelope theorem, differentiated once more). Where f changes along z by rounding alone, as the
+/// curvature along an arc does, every z is as good, and this one stays.
 template <class T, std::size_t M>
 SecondDual<T, M - 1> stationary_value(const SecondDual<T, M>& f) {
+    using std::abs, std::max;
     constexpr std::size_t n = M - 1;
+    constexpr double rounding = 1e-12;
+    T size = abs(f.value);
+    for (std::size_t i = 0; i < n; ++i)
+        size = max(size, T(abs(f.first[i])));
+    const bool moves = abs(f.mixed(n, n)) > rounding * size;
     SecondDual<T, n> r(f.value);
     for (std::size_t i = 0; i < n; ++i) {
         r.first[i] = f.first[i];
-        for (std::size_t j = 0; j <= i; ++j)
-            r.second[i * (i + 1) / 2 + j] = f.mixed(i, j) - f.mixed(n, i) * f.mixed(n, j) / f.mixed(n, n);
+        for (std::size_t j = 0; j <= i; ++j) {
+            T& second = r.second[i * (i + 1) / 2 + j];
+            second = f.mixed(i, j);
+            if (moves) second -= f.mixed(n, i) * f.mixed(n, j) / f.mixed(n, n);
+        }
     }
     return r;
 }

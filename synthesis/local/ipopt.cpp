@@ -135,6 +135,7 @@ struct IpoptProgram final : Ipopt::TNLP {
         if (!at(point)) return false;
         ++best.hessians;
         lagrangian_hessian(program, x, weight, Eigen::Map<const VectorXd>(multipliers, m), second);
+        if (!second.value.allFinite()) return false;
         for (Ipopt::Index i = 0, k = 0; i < n; ++i)
             for (Ipopt::Index j = 0; j <= i; ++j, ++k)
                 hessian[k] = second.value(i, j);

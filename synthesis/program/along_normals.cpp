@@ -7,33 +7,29 @@ namespace mechwright {
 
 namespace {
 
-/// A limit on distances below this length of the program is far below the size of the path.
-constexpr double far_below = 1e-3;
-
-/// Takes the limits on squared distances that are far below the size of the path out of the rows: the least one, as a
-/// distance, or nothing where not every point has one.
-std::optional<double> take_small_limit(Program& program) {
+/// Takes the limits on squared distances out of the rows: the least one, as a distance, or nothing where not every
+/// point has one.
+std::optional<double> take_limit(Program& program) {
     if (!program.path->squares) return std::nullopt;
     const std::size_t first = *program.path->squares;
     const std::size_t points = program.targets.size();
-    double greatest_factor = 0;
+    double least = unlimited;
     const std::size_t taken = std::erase_if(program.rows, [&](const Row& row) {
         if (!row.requirement || row.form.outputs.size() != 1) return false;
         const LinearTerm& output = row.form.outputs.front();
-        const bool is_square = output.index >= first && output.index < first + points;
-        if (!is_square || output.factor * (far_below * far_below) < 1) return false;
-        greatest_factor = std::max(greatest_factor, output.factor);
+        if (output.index < first || output.index >= first + points) return false;
+        least = std::min(least, std::sqrt(row.upper / output.factor));
         return true;
     });
     if (taken < points) return std::nullopt;
-    return 1 / std::sqrt(greatest_factor);
+    return least;
 }
 
 }  // namespace
 
 std::optional<Program> met_along_normals(Program program, const Eigen::VectorXd& x) {
     if (!program.path || !program.untimed_path() || residuals_per_point(program) != 2) return std::nullopt;
-    const std::optional<double> limit = take_small_limit(program);
+    const std::optional<double> limit = take_limit(program);
     if (!limit) return std::nullopt;
     program.path->misses = program.outputs;
     program.outputs += 2 * program.targets.size();

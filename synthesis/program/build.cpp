@@ -229,8 +229,15 @@ struct Builder {
         return {r.min ? *r.min / unit : -unlimited, r.max ? *r.max / unit : unlimited};
     }
 
+    /// A limit on a distance, less what the rounding of a design's dimensions can add to it; half of it at the least.
+    static double within_rounding(double limit) {
+        constexpr double rounding = 1.5e-14;  // some rounding units of positions, of a program's order one
+        return std::max(limit - rounding, 0.5 * limit);
+    }
+
     void add_path_requirement(const Quantity& quantity, const Requirement& r) {
-        const auto [lower, upper] = limits_of(quantity, r);
+        const Limits limits = limits_of(quantity, r);
+        const double lower = limits.lower, upper = r.equal ? limits.upper : within_rounding(limits.upper);
         const std::string name(quantity.name);
         if (quantity.path == PathMeasure::sum_of_squares)
             return add_limits(name, place(program.path->sum, 1), 1, lower, upper);

@@ -113,10 +113,10 @@ Program relaxed(Program program);
 /// that is small against what the program was scaled for.
 Program magnified(Program program, double size);
 
-/// The same program of an untimed path with limits on the distances of its points that are far below its size, in
-/// terms of what is missed: nothing along the curve, and no more than the limit along the normal that the curve has at
-/// x. Its variables are the same, and its feasible points are feasible for the program. Nothing where not every point
-/// has a limit that small, or the curve has a cusp at one.
+/// The same program of an untimed path with a limit on the distances of its points, in terms of what is missed: nothing
+/// along the curve, and no more than the limit along the normal that the curve has at x. Its variables are the same,
+/// and its feasible points are feasible for the program. Nothing where there is no such limit, or the curve has a cusp
+/// at a point.
 std::optional<Program> met_along_normals(Program program, const Eigen::VectorXd& x);
 
 /// The outputs at a point, and what they are computed from. Kept with the values, so that the next evaluation of the

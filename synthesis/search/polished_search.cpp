@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "synthesis/search/small_distances.h"
+#include "synthesis/search/limited_distances.h"
 
 namespace mechwright {
 
@@ -44,7 +44,7 @@ LocalOutcome levelled(const Program& program, LocalOutcome outcome, const LocalL
 
 LocalOutcome searched(const Program& program, const Eigen::VectorXd& start, LocalMethod method,
                       const LocalLimits& limits) {
-    const auto close = limits.near_optimum ? std::nullopt : within_small_distances(program, start, limits);
+    const auto close = limits.near_optimum ? std::nullopt : within_limited_distances(program, start, limits);
     return close ? *close : method(program, start, limits);
 }
 

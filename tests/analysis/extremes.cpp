@@ -131,5 +131,16 @@ TEST(StationaryValue, HasTheDerivativesOfTheExtremeItself) {
     }
 }
 
+TEST(StationaryValue, OfWhatDoesNotChangeAlongTheMotionIsThatOfAnyPlace) {
+    using Wide = SecondDual<double, 2>;
+    const Wide p = Wide::variable(0.7, 0), z = Wide::variable(0.3, 1);
+    for (const Wide& along : {Wide(z * 0.0), Wide(z * z * 1e-17)}) {  // nothing, and what rounding makes of nothing
+        const auto value = stationary_value(Wide(p * p * p + along * p));
+        EXPECT_NEAR(value.value, 0.343, 1e-15);
+        EXPECT_NEAR(value.first[0], 1.47, 1e-15);
+        EXPECT_NEAR(value.mixed(0, 0), 4.2, 1e-14);
+    }
+}
+
 }  // namespace
 }  // namespace mechwright::test

@@ -55,6 +55,23 @@ TEST(Paths, CaseOneWithTheBestTransmissionIsFoundFromEverySeed) {
     }
 }
 
+/// The points met exactly, to less than the rounding of a design's dimensions against the limit, and loosely.
+TEST(Paths, CaseOneWithTheBestTransmissionIsFoundUnderAnyLimit) {
+    struct Limit {
+        const char* text;
+        double best;  ///< from several seeds
+        double within;
+    };
+    for (const Limit& limit :
+         {Limit{"0", 67.15520158, 1e-6}, {"1e-7", 67.1552847285, 1e-8}, {"0.05", 81.634741439, 1e-8}}) {
+        std::string text = shipped("case-1-transmission.toml", "path");
+        text.replace(text.find("0.001"), 5, limit.text);
+        const Solved s = solved(text + "\n[solver]\nstarts = 8\n");
+        EXPECT_EQ(s.result.status, Status::solved);
+        EXPECT_NEAR(s.result.best->objective, limit.best, limit.within) << limit.text;
+    }
+}
+
 struct PathCase {
     const char* file;
     double known;   ///< the objective; lower is a win

@@ -1,4 +1,4 @@
-#include "synthesis/search/small_distances.h"
+#include "synthesis/search/limited_distances.h"
 
 #include <cmath>
 
@@ -14,8 +14,8 @@ constexpr double gains_from = 1e-9;
 
 }  // namespace
 
-std::optional<LocalOutcome> within_small_distances(const Program& program, const Eigen::VectorXd& start,
-                                                   const LocalLimits& limits) {
+std::optional<LocalOutcome> within_limited_distances(const Program& program, const Eigen::VectorXd& start,
+                                                     const LocalLimits& limits) {
     LocalOutcome best;
     best.x = start;
     LocalLimits few = limits;
