@@ -14,6 +14,7 @@ from pathlib import Path
 from common import PROBLEMS, Results, browser, complaints_of, requests_of, run, succeed
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
 
 SOLVED = ["four-bar/crank-rocker.toml", "exact/problem-3.toml", "cam/roller-offset.toml",
           "quick-return/uniform-speed-drag-link.toml", "quick-return/uniform-speed-crank-shaper.toml",
@@ -40,7 +41,9 @@ def tearDownModule():  # pylint: disable=invalid-name
 
 
 def open_page(page):
+    """The page, once its script has run: `get` has come back before that, on a busy machine."""
     driver.get(f"file://{page}")
+    WebDriverWait(driver, 60).until(lambda d: d.execute_script("return document.readyState") == "complete")
     return driver
 
 
