@@ -17,7 +17,7 @@ constexpr double far_off_from = 1e-3;
 
 /// Starts of a round, as parts of every variable away from the design.
 constexpr std::array<double, 4> away{0, 1e-3, 1e-4, 1e-2};
-constexpr int most_rounds = 24;  ///< path/case-1-transmission takes more than six
+constexpr int most_rounds = 24;  ///< in flat valleys each gains a little
 /// A round that gains less than this part is the last.
 constexpr double gains_from = 1e-9;
 

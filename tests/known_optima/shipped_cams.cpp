@@ -27,6 +27,18 @@ TEST(ShippedCams, AreSolvedAndVerified) {
     EXPECT_GE(count, 12);
 }
 
+/// Hessians that were not a number made Ipopt read memory that it had not written: what it found depended on what other
+/// threads had left there.
+TEST(ShippedCams, AreFoundByIpoptFromEveryStartOnAnyNumberOfThreads) {
+    for (const std::string name : {"valve-from-lift.toml", "composed-motion.toml"}) {
+        const auto one = solved(shipped(name, "cam"), "ipopt", 1, 1);
+        EXPECT_EQ(one.result.search.hits, one.result.search.starts) << name;
+        const auto three = solved(shipped(name, "cam"), "ipopt", 1, 3);
+        EXPECT_EQ(one.result.search.evaluations, three.result.search.evaluations) << name;
+        EXPECT_EQ(one.result.best->design.dimensions, three.result.best->design.dimensions) << name;
+    }
+}
+
 }  // namespace
 
 }  // namespace mechwright
