@@ -7,10 +7,13 @@ namespace mechwright {
 
 namespace {
 
+bool has_limits_along_normals(const Program& program) {
+    return program.path && program.path->squares && program.untimed_path() && residuals_per_point(program) == 2;
+}
+
 /// Takes the limits on squared distances out of the rows: the least one, as a distance, or nothing where not every
 /// point has one.
 std::optional<double> take_limit(Program& program) {
-    if (!program.path->squares) return std::nullopt;
     const std::size_t first = *program.path->squares;
     const std::size_t points = program.targets.size();
     double least = unlimited;
@@ -27,8 +30,9 @@ std::optional<double> take_limit(Program& program) {
 
 }  // namespace
 
-std::optional<Program> met_along_normals(Program program, const Eigen::VectorXd& x) {
-    if (!program.path || !program.untimed_path() || residuals_per_point(program) != 2) return std::nullopt;
+std::optional<Program> met_along_normals(const Program& limited, const Eigen::VectorXd& x) {
+    if (!has_limits_along_normals(limited)) return std::nullopt;
+    Program program = limited;
     const std::optional<double> limit = take_limit(program);
     if (!limit) return std::nullopt;
     program.path->misses = program.outputs;

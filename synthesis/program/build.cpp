@@ -236,11 +236,11 @@ struct Builder {
     }
 
     void add_path_requirement(const Quantity& quantity, const Requirement& r) {
-        const Limits limits = limits_of(quantity, r);
-        const double lower = limits.lower, upper = r.equal ? limits.upper : within_rounding(limits.upper);
+        auto [lower, upper] = limits_of(quantity, r);
         const std::string name(quantity.name);
         if (quantity.path == PathMeasure::sum_of_squares)
             return add_limits(name, place(program.path->sum, 1), 1, lower, upper);
+        if (!r.equal) upper = within_rounding(upper);
         if (quantity.path == PathMeasure::root_mean_square)
             return add_limits(name, place(program.path->sum, 1), 1 / total_weight(), lower * std::abs(lower),
                               upper * std::abs(upper));

@@ -117,7 +117,7 @@ Program magnified(Program program, double size);
 /// along the curve, and no more than the limit along the normal that the curve has at x. Its variables are the same,
 /// and its feasible points are feasible for the program. Nothing where there is no such limit, or the curve has a cusp
 /// at a point.
-std::optional<Program> met_along_normals(Program program, const Eigen::VectorXd& x);
+std::optional<Program> met_along_normals(const Program& program, const Eigen::VectorXd& x);
 
 /// The outputs at a point, and what they are computed from. Kept with the values, so that the next evaluation of the
 /// same program finds its memory and allocates none.

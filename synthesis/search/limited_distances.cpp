@@ -16,32 +16,31 @@ constexpr double gains_from = 1e-9;
 
 std::optional<LocalOutcome> within_limited_distances(const Program& program, const Eigen::VectorXd& start,
                                                      const LocalLimits& limits) {
-    LocalOutcome best;
-    best.x = start;
+    if (limits.reached()) return std::nullopt;
+    LocalOutcome outcome;
+    Eigen::VectorXd x = start;
+    double objective = unlimited;
     LocalLimits few = limits;
     few.most_evaluations = most_evaluations;
     for (int time = 0; time < most_times && !limits.reached(); ++time) {
-        const std::optional<Program> beside = met_along_normals(program, best.x);
+        const std::optional<Program> beside = met_along_normals(program, x);
         if (!beside) return std::nullopt;
-        LocalOutcome next = ipopt(*beside, best.x, few);
-        next.evaluations += best.evaluations;
-        next.hessians += best.hessians;
+        const LocalOutcome next = ipopt(*beside, x, few);
+        outcome.evaluations += next.evaluations;
+        outcome.hessians += next.hessians;
         if (next.violation > LocalOutcome::feasible_below) return std::nullopt;
-        const bool gains = time == 0 || next.objective < best.objective - gains_from * std::abs(best.objective);
-        if (time == 0 || next.objective < best.objective) best = next;
-        best.evaluations = next.evaluations;
-        best.hessians = next.hessians;
+        const bool gains = time == 0 || next.objective < objective - gains_from * std::abs(objective);
+        if (time == 0 || next.objective < objective) {
+            x = next.x;
+            objective = next.objective;
+        }
         if (!gains) break;
         few.near_optimum = true;
     }
-    const LocalOutcome work = best;
     ProgramValues values;
-    evaluate(program, work.x, false, values);
-    best = {};
-    best.consider(program, work.x, values);
-    best.evaluations += work.evaluations;
-    best.hessians = work.hessians;
-    return best;
+    evaluate(program, x, false, values);
+    outcome.consider(program, x, values);
+    return outcome;
 }
 
 }  // namespace mechwright

@@ -13,6 +13,7 @@ namespace mechwright {
 
 /// From a start to close to an optimum of the program, by interior points in terms of the misses along the normals,
 /// which are taken anew several times. Nothing where there is no such limit, or where no feasible design was found.
+/// Methods that go on from there have this way in common.
 std::optional<LocalOutcome> within_limited_distances(const Program& program, const Eigen::VectorXd& start,
                                                      const LocalLimits& limits);
 

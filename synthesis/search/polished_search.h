@@ -6,7 +6,8 @@
 
 namespace mechwright {
 
-/// The method, then Newton's polish; where the objective is small against what the program was scaled for, both again
+/// The method (for limits on the distances of an untimed path within_limited_distances, where it finds a design), then
+/// Newton's polish; where the objective is small against what the program was scaled for, both again
 /// in units of what was reached, as long as that pays.
 LocalOutcome polished_search(const Program& program, const Eigen::VectorXd& start, LocalMethod method,
                              const LocalLimits& limits);
