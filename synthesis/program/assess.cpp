@@ -85,7 +85,7 @@ Solution assess(const Problem& problem, Design design) {
         s.violation = std::max(s.violation, missed);
         if (r.equal) on_equalities = std::max(on_equalities, missed);
     }
-    if (std::isnan(s.objective)) s.violation = without_limit;
+    if (std::isnan(s.objective) || !assembles_over_range(problem, design)) s.violation = without_limit;
     s.misses_inequalities_only = on_equalities <= problem.solver.tolerance && s.violation < without_limit;
     s.feasible = s.violation <= problem.solver.tolerance;
     s.design = std::move(design);

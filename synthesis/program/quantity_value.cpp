@@ -54,10 +54,39 @@ Motion motion_of(const Problem& problem, const Design& design) {
     return motion;
 }
 
+namespace {
+
+bool assembles_over(const Problem& problem, const Motion& motion, const Design& design) {
+    constexpr double rounding = 1e-12;  // of margins over the longest length
+    if (!problem.crank_range || motion.full_turn) return true;
+    const auto& families = problem.mechanism->families;
+    const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
+    if (limited == families.end() || limited->assembly_margin == nullptr) return true;
+    const Quantity& margin = *limited->assembly_margin;
+    Motion over = motion;
+    over.family = static_cast<std::size_t>(limited - families.begin());
+    std::array<double, Quantity::most_components> components{};
+    Measurement measurement;
+    measurement.value = components;
+    margin.measure(over, design.dimensions, measurement);
+    double longest = 0;
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+        if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
+            longest = std::max(longest, std::abs(design.dimensions[i]));
+    return std::all_of(components.begin(), components.begin() + static_cast<std::ptrdiff_t>(margin.components(over)),
+                       [&](double c) { return c >= -rounding * longest; });
+}
+
+}  // namespace
+
+bool assembles_over_range(const Problem& problem, const Design& design) {
+    return assembles_over(problem, motion_of(problem, design), design);
+}
+
 std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design) {
     const Quantity& q = problem.mechanism->quantities[quantity];
     const Motion motion = motion_of(problem, design);
-    if (!(motion.from <= motion.to)) return std::nullopt;
+    if (!(motion.from <= motion.to) || !assembles_over(problem, motion, design)) return std::nullopt;
 
     std::optional<double> value;
     if (q.path != PathMeasure::none) {

@@ -20,8 +20,12 @@ std::optional<std::array<double, 2>> crank_range_of(const Mechanism& mechanism,
 /// The motion over which the problem judges a design; from > to if it assembles nowhere.
 Motion motion_of(const Problem& problem, const Design& design);
 
+/// Whether a design assembles at every crank angle of a given range; true where none is given. Toggles at its ends
+/// count as assembled in spite of their rounding.
+bool assembles_over_range(const Problem& problem, const Design& design);
+
 /// The value of a quantity of a finished design, or nothing where it is not defined (see Quantity::defined) or the
-/// design does not assemble.
+/// design does not assemble over its motion.
 std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design);
 
 /// Where a design comes to lie at each target point, and where a guided body faces there. The distance of a body is

@@ -151,15 +151,16 @@ Check check_nearest(const Rebuilt& design) {
     constexpr int steps = 720;
     std::vector<Vector<double>> curve;
     for (int i = 0; i <= steps; ++i) {
+        // The very ends of a limited motion may be out of reach by their rounding.
         const Vector<Digits50> p = reached(from + i * (to - from) / steps);
-        curve.push_back({plain(p.x), plain(p.y)});
+        if (isfinite(p.x) && isfinite(p.y)) curve.push_back({plain(p.x), plain(p.y)});
     }
     for (std::size_t i = 0; i < claim.path->points.size(); ++i) {
         const Vector<double>& target = claim.path->points[i];
         const auto away = [&](const Vector<double>& p) { return std::hypot(p.x - target.x, p.y - target.y); };
-        const auto nearest = std::min_element(curve.begin(), curve.end(), [&](const auto& a, const auto& b) {
-            return away(a) < away(b);  // a sample that does not assemble is never the nearest
-        });
+        const auto nearest = std::min_element(curve.begin(), curve.end(),
+                                              [&](const auto& a, const auto& b) { return away(a) < away(b); });
+        if (nearest == curve.end()) return {check.name, false, "the mechanism assembles nowhere"};
         const double stated = plain(design.path->distances[i]);
         if (stated <= away(*nearest) + angular * plain(design.path->size)) continue;
         check.passed = false;

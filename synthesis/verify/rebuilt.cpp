@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <limits>
 
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
@@ -88,7 +90,9 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
         if (!design.path) return std::nullopt;
         return measured_path(*design.path, design.claim->path->weights, quantity.path);
     }
-    if (!quantity.defined(design.motion)) return std::nullopt;
+    // Over a given range in which the mechanism comes apart nothing has a value.
+    if (!quantity.defined(design.motion) || (design.claim->crank_range && !all_passed(design.of_motion)))
+        return std::nullopt;
     const Digits50 value = quantity.measure_again(design.motion, design.dimensions);
     if (!isfinite(value)) return std::nullopt;
     switch (quantity.unit) {
@@ -106,7 +110,7 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
 
 Rebuilt rebuilt(const Claim& claim) {
     const Mechanism& mechanism = *claim.mechanism;
-    Rebuilt design{&claim, {}, {}, {}, 0, 0, {}};
+    Rebuilt design{&claim, {}, {}, {}, {}, 0, 0, {}};
     for (std::size_t i = 0; i < claim.design.size(); ++i) {
         const DimensionKind kind = mechanism.dimensions[i].kind;
         design.dimensions.push_back(from_document(claim.design[i], unit_of(kind), claim.units));
@@ -132,6 +136,7 @@ Rebuilt rebuilt(const Claim& claim) {
     design.motion.function = claim.function.get();
     design.motion.followed = claim.followed ? claim.followed->shape : Followed::nothing;
     design.motion.has_instant = claim.has_instant;
+    design.of_motion = mechanism.check_motion(design.motion, design.dimensions);
     if (claim.path && claim.path->crank_angles.size() == claim.path->points.size()) design.path = rebuilt_path(design);
     return design;
 }
@@ -143,6 +148,21 @@ const std::optional<Measured>& Measurements::of(std::size_t quantity) {
     auto& entry = known[quantity];
     if (!entry) entry.emplace(measured(*design, design->claim->mechanism->quantities[quantity]));
     return *entry;
+}
+
+Digits50 Measurements::end_rounding(std::size_t quantity) {
+    const Quantity& q = design->claim->mechanism->quantities[quantity];
+    const auto& value = of(quantity);
+    const Motion& motion = design->motion;
+    if (!value || motion.full_turn || q.path != PathMeasure::none) return 0;
+    const double step =
+        8 * std::numeric_limits<double>::epsilon() * std::max({1.0, std::abs(motion.from), std::abs(motion.to)});
+    Motion inside = motion;
+    inside.from += step;
+    inside.to -= step;
+    if (!(inside.from < inside.to)) return 0;
+    const Digits50 there = q.measure_again(inside, design->dimensions);
+    return isfinite(there) ? Digits50(abs(there - value->value)) : Digits50(0);
 }
 
 Digits50 from_document(double number, Unit unit, const Units& units) {

@@ -30,6 +30,7 @@ struct Rebuilt {
     std::vector<Digits50> dimensions;
     std::vector<double> rounded;  ///< the same, rounded
     Motion motion;
+    std::vector<Check> of_motion;     ///< of assembly, circuit and branch over the motion
     Digits50 longest;                 ///< of the lengths
     Digits50 strongest;               ///< of the forces, those of springs over the longest length among them
     std::optional<RebuiltPath> path;  ///< only with one crank angle for each point
@@ -45,6 +46,8 @@ struct Measurements {
     explicit Measurements(const Rebuilt& rebuilt);
     /// Nothing where the quantity is not defined for the design, or has no finite value.
     const std::optional<Measured>& of(std::size_t quantity);
+    /// By how much the rounding of the ends of a limited motion can change a value: at a toggle by the root of it.
+    Digits50 end_rounding(std::size_t quantity);
 };
 
 /// A number of the document as it counts inside, and the other way round. Degrees are multiplied by pi/180 in fifty

@@ -77,22 +77,30 @@ void search_dip(const Function& f, Bracket dip, bool positive, std::vector<Brack
 }
 
 /// A zero between a and b, where f has the values fa and fb of different signs (zero counts as negative), to `error`
-/// times the crank angle or one radian, whichever is greater.
+/// times the crank angle or one radian, whichever is greater. Where f has no value it counts as negative; with values
+/// that bracket nothing the middle.
 template <class T, class Function>
 T zero_between_signs(const Function& f, const T& a, const T& b, const T& fa, const T& fb, double error) {
-    using std::abs, std::max;
+    using std::abs, std::isfinite, std::max;
     if (fa == 0) return a;
     if (fb == 0) return b;
+    if (!(a < b) || !isfinite(fa) || !isfinite(fb) || (fa > 0) == (fb > 0)) return (a + b) / 2;
+    // The method interpolates: it must meet no number that is not finite.
+    const auto finite = [&](const T& x) {
+        const T y = f(x);
+        return isfinite(y) ? y : T(y > 0 ? 1 : -1);
+    };
     const auto near = [&](const T& x, const T& y) { return y - x <= error * max(T(1), T(abs(x))); };
     std::uintmax_t most = 300;
-    const auto [left, right] = boost::math::tools::toms748_solve(f, a, b, fa, fb, near, most);
+    const auto [left, right] = boost::math::tools::toms748_solve(finite, a, b, fa, fb, near, most);
     return (left + right) / 2;
 }
 
 }  // namespace detail
 
 /// All brackets of zeros of f between samples (increasing): changes of sign (zero counts as negative), and pairs of
-/// zeros between samples where |f| dips without changing its sign.
+/// zeros between samples where |f| dips without changing its sign. Where f has no finite value at a sample, as at the
+/// very end of a motion, nothing is bracketed there.
 template <class Function>
 std::vector<Bracket> brackets_of_zeros(const Function& f, const std::vector<double>& samples) {
     std::vector<Bracket> found;
@@ -101,12 +109,13 @@ std::vector<Bracket> brackets_of_zeros(const Function& f, const std::vector<doub
     for (const double x : samples)
         values.push_back(f(x));
     for (std::size_t i = 1; i < samples.size(); ++i) {
+        if (!std::isfinite(values[i - 1]) || !std::isfinite(values[i])) continue;
         const bool positive = values[i] > 0;
         if ((values[i - 1] > 0) != positive) {
             found.push_back({samples[i - 1], samples[i]});
             continue;
         }
-        if (i + 1 == samples.size() || (values[i + 1] > 0) != positive) continue;
+        if (i + 1 == samples.size() || !std::isfinite(values[i + 1]) || (values[i + 1] > 0) != positive) continue;
         const double size = std::abs(values[i]);
         if (size <= std::abs(values[i - 1]) && size <= std::abs(values[i + 1]))
             detail::search_dip(f, {samples[i - 1], samples[i + 1]}, positive, found);
@@ -118,7 +127,8 @@ std::vector<Bracket> brackets_of_zeros(const Function& f, const std::vector<doub
 /// show no change of sign (the one seen in double was rounding) the place found in double.
 template <class Rough, class Fine>
 Digits50 polished_zero(const Rough& rough, const Fine& fine, const Bracket& bracket) {
-    const auto changes = [](const auto& a, const auto& b) { return (a > 0) != (b > 0); };
+    using std::isfinite;
+    const auto changes = [](const auto& a, const auto& b) { return isfinite(a) && isfinite(b) && (a > 0) != (b > 0); };
     double middle = 0.5 * (bracket.left + bracket.right);
     const double rough_left = rough(bracket.left), rough_right = rough(bracket.right);
     if (changes(rough_left, rough_right))

@@ -17,14 +17,22 @@ constexpr std::size_t two_strokes = 0;  // family
 
 const Digits50& full_turn_angle() { return boost::math::constants::two_pi<Digits50>(); }
 
+/// A place where a measure of the ram can be extreme.
+struct Candidate {
+    Digits50 crank_angle;
+    bool end;  ///< of a limited motion
+};
+
 /// Stationary crank angles, and the ends of a limited motion.
 template <class Geometry>
-std::vector<Digits50> candidates(const Rebuilt<Geometry>& m, const Motion& motion, Slope what) {
+std::vector<Candidate> candidates(const Rebuilt<Geometry>& m, const Motion& motion, Slope what) {
     const Sweep sweep = sweep_of(motion);
-    auto all = stationary_crank_angles(m, sweep, what);
+    std::vector<Candidate> all;
+    for (const Digits50& x : stationary_crank_angles(m, sweep, what))
+        all.push_back({x, false});
     if (motion.full_turn) return all;
-    all.emplace_back(sweep.from);
-    all.emplace_back(sweep.to);
+    all.push_back({Digits50(sweep.from), true});
+    all.push_back({Digits50(sweep.to), true});
     return all;
 }
 
@@ -37,8 +45,9 @@ struct Limits {
 template <class Geometry>
 Limits limits(const Rebuilt<Geometry>& m, const Motion& motion) {
     Limits found;
-    for (const Digits50& x : candidates(m, motion, Slope::position)) {
-        const Digits50 position = m.at(x).position.c[0];
+    for (const auto& [x, end] : candidates(m, motion, Slope::position)) {
+        const auto s = m.at(x);
+        const Digits50 position = end && m.rod_is_square(s) ? s.pin.c[0] : s.position.c[0];
         if (isnan(position)) continue;
         if (!(position >= found.inner)) {
             found.inner = position;
@@ -75,8 +84,10 @@ SlowStroke slow_stroke(const Limits& l) {
 template <class Geometry>
 Digits50 greatest(const Rebuilt<Geometry>& m, const Motion& motion, std::size_t order) {
     Digits50 most = nothing;
-    for (const Digits50& x : candidates(m, motion, order == 1 ? Slope::velocity : Slope::acceleration)) {
-        const Digits50 value = abs(m.at(x).position.c[order]) * (order == 1 ? 1 : 2);
+    for (const auto& [x, end] : candidates(m, motion, order == 1 ? Slope::velocity : Slope::acceleration)) {
+        const auto s = m.at(x);
+        if (end && m.is_dead_position(s, x)) return std::numeric_limits<Digits50>::infinity();
+        const Digits50 value = abs(s.position.c[order]) * (order == 1 ? 1 : 2);
         if (!isnan(value) && !(value <= most)) most = value;
     }
     return m.unit * most;
@@ -126,9 +137,10 @@ template <class Geometry>
 AtRam at_ram(const Rebuilt<Geometry>& m, const Motion& motion) {
     AtRam found;
     bool rising = false, falling = false;  // the rod
-    for (const Digits50& x : candidates(m, motion, Slope::rod_height)) {
+    for (const auto& [x, end] : candidates(m, motion, Slope::rod_height)) {
         const auto s = m.at(x);
-        const Digits50 angle = atan2(s.run.c[0], abs(s.height.c[0]));
+        const Digits50 angle =
+            end && m.rod_is_square(s) ? Digits50(0) : Digits50(atan2(s.run.c[0], abs(s.height.c[0])));
         if (isnan(angle)) continue;
         if (!(angle >= found.least)) found.least = angle;
         if (!(angle <= found.greatest)) found.greatest = angle;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "synthesis/mechanism/quick_return/places.h"
 
@@ -43,9 +44,13 @@ struct Stroke {
         const auto inside =
             stationary_places<turning_points>(ram_position_extremes(plain, range_of(motion)), motion.from,
                                               [&](double angle) { return ram_position(plain, angle); });
+        const auto at_end = [&](double angle) {
+            return rod_is_square(plain, angle) ? square_position(Layout<Drive>::make(x, motion.assembly), T(angle))
+                                               : position(x, T(angle));
+        };
         std::array<T, turning_points + 2> at;
-        at[0] = position(x, T(motion.from));
-        at[1] = position(x, T(motion.to));
+        at[0] = at_end(motion.from);
+        at[1] = at_end(motion.to);
         for (std::size_t k = 0; k < turning_points; ++k)
             at[k + 2] = value_at(x, inside[k], position);
         return differences(at, out);
@@ -54,10 +59,12 @@ struct Stroke {
 
 namespace detail {
 
-/// Absolute values of a measure of the ram at its stationary points, and at the ends of a limited motion.
-template <std::size_t stationary_points, class T, std::size_t reads, class Measure>
-std::size_t absolute_values(const Motion& motion, const std::array<T, reads>& x, const RamExtremes& extremes,
-                            const std::array<double, reads>& plain, const Measure& measure, Components<T> out) {
+/// Absolute values of a measure of the ram at its stationary points, and at the ends of a limited motion: infinite
+/// where those are dead positions of `drive`.
+template <std::size_t stationary_points, class Drive, class T, std::size_t reads, class Measure>
+std::size_t absolute_values(const Motion& motion, const Drive& drive, const std::array<T, reads>& x,
+                            const RamExtremes& extremes, const std::array<double, reads>& plain, const Measure& measure,
+                            Components<T> out) {
     using std::abs;
     const auto places = stationary_places<stationary_points>(
         extremes, motion.from, [&](double angle) { return std::abs(measure(plain, angle)); });
@@ -66,7 +73,8 @@ std::size_t absolute_values(const Motion& motion, const std::array<T, reads>& x,
         out[count++] = abs(value_at(x, place, measure));
     if (motion.full_turn) return count;
     for (const double end : {motion.from, motion.to})
-        out[count++] = abs(measure(x, T(end)));
+        out[count++] =
+            is_dead_position(drive, end) ? T(std::numeric_limits<double>::infinity()) : T(abs(measure(x, T(end))));
     return count;
 }
 
@@ -92,8 +100,9 @@ struct RamSpeedMax {
             return ram_velocity(Layout<Drive>::make(dimensions, motion.assembly), angle);
         };
         const auto plain = detail::plain_of(x);
-        const auto extremes = ram_velocity_extremes(Layout<Drive>::make(plain, motion.assembly), range_of(motion));
-        return detail::absolute_values<stationary_points>(motion, x, extremes, plain, speed, out);
+        const auto drive = Layout<Drive>::make(plain, motion.assembly);
+        const auto extremes = ram_velocity_extremes(drive, range_of(motion));
+        return detail::absolute_values<stationary_points>(motion, drive, x, extremes, plain, speed, out);
     }
 };
 
@@ -109,8 +118,9 @@ struct RamAccelerationMax {
             return ram_acceleration(Layout<Drive>::make(dimensions, motion.assembly), angle);
         };
         const auto plain = detail::plain_of(x);
-        const auto extremes = ram_acceleration_extremes(Layout<Drive>::make(plain, motion.assembly), range_of(motion));
-        return detail::absolute_values<stationary_points>(motion, x, extremes, plain, acceleration_at, out);
+        const auto drive = Layout<Drive>::make(plain, motion.assembly);
+        const auto extremes = ram_acceleration_extremes(drive, range_of(motion));
+        return detail::absolute_values<stationary_points>(motion, drive, x, extremes, plain, acceleration_at, out);
     }
 };
 

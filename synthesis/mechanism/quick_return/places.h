@@ -56,6 +56,30 @@ T value_at(const std::array<T, N>& x, const Place& place, const Function& f) {
     return place.stationary ? at_stationary(x, place.angle, f) : f(x, T(place.angle));
 }
 
+/// Whether the rod stands square to the slide at a crank angle, but for the rounding of that angle.
+template <class Drive>
+bool rod_is_square(const Drive& m, double crank_angle) {
+    constexpr double rounding = 8e-15;
+    const SliderCrank<double> output = output_of(m);
+    const SliderCrankPose<double> p = ram_of(pose_at(m, crank_angle));
+    return !(std::min(p.left, p.right) > rounding * (output.crank + output.rod + std::abs(output.offset)));
+}
+
+/// Whether a drive stands at a dead position, where the ram is infinitely fast, as at the ends of a limited motion: its
+/// rod square to the slide, or the four-bar of a drag link at a toggle.
+template <class Drive>
+bool is_dead_position(const Drive& m, double crank_angle) {
+    if constexpr (std::is_same_v<Drive, DragLink<double>>)
+        if (is_toggle(m.links, half_turn(crank_angle))) return true;
+    return rod_is_square(m, crank_angle);
+}
+
+/// The position of the ram where the rod stands square to the slide.
+template <class Drive, class T>
+T square_position(const Drive& m, const T& crank_angle) {
+    return output_of(m).crank * ram_of(pose_at(m, crank_angle)).crank.x;
+}
+
 /// Every difference of two of some values: the greatest of them is greatest less least.
 template <class T, std::size_t count>
 std::size_t differences(const std::array<T, count>& values, Components<T> out) {

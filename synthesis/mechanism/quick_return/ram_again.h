@@ -35,6 +35,7 @@ struct RamState {
     Jet<T> position;
     Jet<T> height;
     Jet<T> right, left;
+    Jet<T> pin;  ///< along the slide, from the pivot of the arm to the rod pin
     Jet<T> run;  ///< along the slide, from rod pin to ram
 };
 
@@ -52,7 +53,8 @@ RamState<T> ram_state(const Rod<T>& m, const Vector<Jet<T>>& arm) {
     s.right = J(m.spare_right) + J(m.arm) * (down ? near : far);
     s.left = J(m.spare_left) + J(m.arm) * (down ? far : near);
     s.run = sqrt(s.right * s.left);
-    s.position = J(m.arm) * arm.x + s.run;
+    s.pin = J(m.arm) * arm.x;
+    s.position = s.pin + s.run;
     return s;
 }
 
@@ -178,6 +180,7 @@ struct DragLinkGeometry {
 /// A mechanism in fifty digits and in double, lengths over a power of two.
 template <class Geometry>
 struct Rebuilt {
+    static constexpr double rounding = 8e-15;  ///< of margins, relative to the links
     Digits50 unit;
     typename Geometry::template Input<Digits50> input;
     Rod<Digits50> rod;
@@ -200,6 +203,19 @@ struct Rebuilt {
     RamState<Digits50> at(const Digits50& crank_angle) const {
         return ram_state(rod, Geometry::arm_direction(input, Jet<Digits50>::crank_angle(crank_angle)));
     }
+    /// Whether the rod stands square to the slide, but for the rounding of a crank angle.
+    bool rod_is_square(const RamState<Digits50>& s) const {
+        return !(std::min(s.right.c[0], s.left.c[0]) > rounding * (rod.arm + rod.rod + abs(rod.offset)));
+    }
+    /// Whether that is so, or the four-bar of a drag link is at a toggle: the ram is infinitely fast.
+    bool is_dead_position(const RamState<Digits50>& s, const Digits50& crank_angle) const {
+        if constexpr (std::is_same_v<Geometry, DragLinkGeometry>) {
+            const auto p = four_bar::again::pose(input.linkage, crank_angle);
+            if (abs(p.stretch) < rounding || abs(p.fold) < rounding) return true;
+        }
+        return rod_is_square(s);
+    }
+
     RamState<double> at(double crank_angle) const {
         return ram_state(plain_rod, Geometry::arm_direction(plain_input, Jet<double>::crank_angle(crank_angle)));
     }

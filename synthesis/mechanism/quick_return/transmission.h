@@ -64,8 +64,8 @@ std::size_t at_ram_in_range(const Motion& motion, const std::array<T, Layout<Dri
     const Drive<double> plain = converted<double>(Layout<Drive>::make(x, motion.assembly));
     const auto slope = [&](double crank_angle) { return ram_of(pose_at(plain, crank_angle)).rod.y; };
     const auto inside = stationary_places<turning_points>(rod_extremes(plain, range_of(motion)), motion.from, slope);
-    out[0] = angle_at(x, T(motion.from));
-    out[1] = angle_at(x, T(motion.to));
+    out[0] = rod_is_square(plain, motion.from) ? T(0) : angle_at(x, T(motion.from));
+    out[1] = rod_is_square(plain, motion.to) ? T(0) : angle_at(x, T(motion.to));
     for (std::size_t k = 0; k < turning_points; ++k)
         out[k + 2] = value_at(x, inside[k], angle_at);
     return limited_places;
