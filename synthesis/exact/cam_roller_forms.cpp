@@ -26,33 +26,22 @@ struct AngleLimit {
 };
 
 /// Of a translating follower in (offset, guide height): tan of the angle is (s' - e) / (d + s).
-template <class T>
-struct GuideRow {
-    T x, y, level;
-};
-
-template <class T>
-GuideRow<T> row_of(const TranslatingRoller<double>&, const AngleLimit& limit, const Lift<T>& lift) {
-    const double cot = 1 / std::tan(limit.limit);
-    return {T(limit.sign * cot), T(1), T(limit.sign * cot) * lift.v - lift.s};
+template <class T, class U>
+HalfPlane<T> row_of(const TranslatingRoller<U>&, int sign, const U& tangent, const Lift<T>& lift) {
+    const T cot(sign / tangent);
+    return {{cot, T(1)}, cot * lift.v - lift.s};
 }
 
 /// Of an oscillating follower in the position of the cam centre seen from the pivot, x along the arm at its lowest
 /// position: tan of the angle is (l v + sigma l - sigma c cos psi) / (c sin psi).
-template <class T>
-GuideRow<T> row_of(const OscillatingRoller<double>& f, const AngleLimit& limit, const Lift<T>& lift) {
+template <class T, class U>
+HalfPlane<T> row_of(const OscillatingRoller<U>& f, int sign, const U& tangent, const Lift<T>& lift) {
     using std::cos, std::sin;
-    const double tangent = std::tan(limit.limit), side = limit.sign * f.sense;
+    const double side = sign * f.sense;
     const T c = cos(lift.s), s = sin(lift.s);
-    return {T(tangent) * s + T(side) * c, T(tangent) * c - T(side) * s,
-            T(limit.sign * f.arm_length) * (lift.v + T(static_cast<double>(f.sense)))};
+    return {{T(tangent) * s + T(side) * c, T(tangent) * c - T(side) * s},
+            T(sign * f.arm_length) * (lift.v + T(static_cast<double>(f.sense)))};
 }
-
-/// What the problem asks beside the size, as far as half-planes can say it.
-struct SizeTask {
-    std::vector<AngleLimit> limits;
-    bool pivot_distance = false;  ///< it is to be least, not the prime radius
-};
 
 template <template <class> class F>
 std::optional<std::size_t> size_asked(const Problem& problem) {
@@ -100,48 +89,90 @@ bool covers(const Problem& problem) {
     return !Layout<F>::oscillating || !problem.dimensions[1].fixed();
 }
 
-std::vector<HalfPlane> fixed_rows(const Problem& problem, const TranslatingRoller<double>&) {
+/// A half-plane of the region that the cam centre has to lie in, and where it comes from.
+struct Row {
+    std::optional<AngleLimit> limit;  ///< none: where the guide may stand
+    Place place{};                    ///< on the segment of the limit
+    HalfPlane<double> plane;
+};
+
+std::vector<Row> fixed_rows(const Problem& problem, const TranslatingRoller<double>&) {
     const DimensionRange& offset = problem.dimensions[1];
-    return {{{0, 1}, 0}, {{1, 0}, offset.min}, {{-1, 0}, -offset.max}};
+    return {{{}, {}, {{0, 1}, 0}}, {{}, {}, {{1, 0}, offset.min}}, {{}, {}, {{-1, 0}, -offset.max}}};
 }
 
-std::vector<HalfPlane> fixed_rows(const Problem&, const OscillatingRoller<double>&) { return {{{0, 1}, 0}}; }
+std::vector<Row> fixed_rows(const Problem&, const OscillatingRoller<double>&) { return {{{}, {}, {{0, 1}, 0}}}; }
+
+struct Centre {
+    ClosestPoint closest;
+    std::vector<Row> rows;
+};
 
 /// Rows are added where the cam centre violates them most, until none is violated but by rounding. Each step is the
-/// optimum of fewer half-planes than there are, so that the last one, which violates none, is the optimum of all.
+/// optimum of fewer half-planes than there are, so that the last one, which violates none, is the optimum of all; and
+/// where these few have no point, there is none.
 template <template <class> class F>
-std::optional<ClosestPoint> closest_centre(const Problem& problem, const Motion& motion, std::span<const double> d,
-                                           const std::vector<AngleLimit>& limits, const Vector<double>& target) {
+Centre closest_centre(const Problem& problem, const Motion& motion, std::span<const double> d,
+                      const std::vector<AngleLimit>& limits, const Vector<double>& target) {
     constexpr int most_steps = 100;
     constexpr double rounding = 1e-14;
     const auto follower = follower_of<F, double>(d, motion.assembly);
-    std::vector<HalfPlane> rows = fixed_rows(problem, follower);
-    ClosestPoint centre{target};
+    Centre centre{{.at = target}, fixed_rows(problem, follower)};
+    std::vector<Row>& rows = centre.rows;
+    std::vector<HalfPlane<double>> planes;
+    for (const Row& row : rows)
+        planes.push_back(row.plane);
     for (int step = 0; step < most_steps; ++step) {
+        const Vector<double>& at = centre.closest.at;
+        double scale = std::hypot(at.x, at.y);
+        for (const HalfPlane<double>& plane : planes)
+            scale = std::max(scale, std::abs(plane.level) / std::hypot(plane.normal.x, plane.normal.y));
         bool added = false;
-        double scale = std::hypot(centre.at.x, centre.at.y);
-        for (const HalfPlane& row : rows)
-            scale = std::max(scale, std::abs(row.level) / std::hypot(row.normal.x, row.normal.y));
         for (const AngleLimit& limit : limits) {
+            const double tangent = std::tan(limit.limit);
             const PlacedSegment placed = placed_segment<F>(motion, d, limit.segment);
             const auto violation = [&]<class T>(const Lift<T>& lift) {
-                const auto row = row_of(follower, limit, lift);
-                return T(row.level - row.x * T(centre.at.x) - row.y * T(centre.at.y));
+                const auto row = row_of(follower, limit.sign, tangent, lift);
+                return T(row.level - row.normal.x * T(at.x) - row.normal.y * T(at.y));
             };
             const Place place = greatest_places<1>(placed.segment, limit.segment, placed.start_lift, violation)[0];
-            const auto row = row_of(follower, limit, lift_at(placed.segment, place.piece, place.u, placed.start_lift));
-            const double size = std::hypot(row.x, row.y);
-            const double missed = row.level - row.x * centre.at.x - row.y * centre.at.y;
-            if (step > 0 && !(missed > rounding * scale * size)) continue;
-            rows.push_back({{row.x, row.y}, row.level});
+            const auto row =
+                row_of(follower, limit.sign, tangent, lift_at(placed.segment, place.piece, place.u, placed.start_lift));
+            const double missed = row.level - dot(row.normal, at);
+            if (step > 0 && !(missed > rounding * scale * std::hypot(row.normal.x, row.normal.y))) continue;
+            rows.push_back({limit, place, row});
+            planes.push_back(row);
             added = true;
         }
         if (!added) return centre;
-        const auto next = closest_point(target, rows, rounding * scale);
-        if (!next) return std::nullopt;
-        centre = *next;
+        centre.closest = closest_point(target, planes);
+        if (centre.closest.region != Region::holds_the_point) return centre;
     }
     return centre;
+}
+
+/// The distance from the target that no cam centre can have less of, by the binding rows, in fifty digits.
+template <template <class> class F>
+Digits50 certified_distance(const Motion& motion, std::span<const double> d, const Centre& centre,
+                            const Vector<double>& target) {
+    const std::vector<Digits50> dimensions(d.begin(), d.end());
+    const std::span<const Digits50> fine(dimensions);
+    const auto follower = follower_of<F, Digits50>(fine, motion.assembly);
+    std::vector<HalfPlane<Digits50>> planes;
+    std::vector<Digits50> weights;
+    for (std::size_t i = 0; i < centre.closest.binding_count; ++i) {
+        const auto& [limit, place, plane] = centre.rows[centre.closest.binding[i]];
+        weights.emplace_back(centre.closest.weight[i]);
+        if (!limit) {
+            planes.push_back({{plane.normal.x, plane.normal.y}, plane.level});
+            continue;
+        }
+        const auto p = parameters_of<Digits50>(*motion.program, slots<F>, fine, limit->segment);
+        const auto segment = segment_of(*motion.program, motion.assembly, limit->segment, p);
+        planes.push_back(row_of(follower, limit->sign, Digits50(tan(Digits50(limit->limit))),
+                                lift_at(segment, place.piece, Digits50(place.u), p.start_lift)));
+    }
+    return distance_by_weights<Digits50>({target.x, target.y}, planes, weights);
 }
 
 void place_centre(std::vector<double>& d, const TranslatingRoller<double>&, const Vector<double>& centre) {
@@ -154,76 +185,128 @@ void place_centre(std::vector<double>& d, const OscillatingRoller<double>& f, co
     d[1] = std::hypot(centre.x, centre.y);
 }
 
-std::string certificate(const ClosestPoint& centre, const Problem& problem) {
+std::string region_of(const Problem& problem) {
+    return problem.mechanism->dimensions[1].name == "offset" ? "offset and height of the guide"
+                                                             : "position of the cam centre";
+}
+
+std::string argument_of(const Centre& centre, const Problem& problem) {
+    const ClosestPoint& closest = centre.closest;
     std::string text = fmt::format(
         "half-planes: for every cam angle a limit on the pressure angle is a half-plane for the {}, so that the least "
         "size is the distance to a convex region; {} half-plane{} bind{}, multiplier{}",
-        problem.mechanism->dimensions[1].name == "offset" ? "offset and height of the guide"
-                                                          : "position of the cam centre",
-        centre.binding_count, centre.binding_count == 1 ? "" : "s", centre.binding_count == 1 ? "s" : "",
-        centre.binding_count == 1 ? "" : "s");
-    for (std::size_t i = 0; i < centre.binding_count; ++i)
-        text += fmt::format("{} {:.6g}", i == 0 ? "" : " and", centre.multiplier[i]);
+        region_of(problem), closest.binding_count, closest.binding_count == 1 ? "" : "s",
+        closest.binding_count == 1 ? "s" : "", closest.binding_count == 1 ? "" : "s");
+    for (std::size_t i = 0; i < closest.binding_count; ++i)
+        text += fmt::format("{} {:.6g}", i == 0 ? "" : " and", closest.weight[i]);
     return text + ", none negative";
 }
 
-template <template <class> class F>
-std::optional<ClosedFormOutcome> solve(const Problem& problem) {
-    const bool pivot = *size_asked<F>(problem) == 1;
-    const auto limits = angle_limits<F>(problem);
-    std::optional<ClosedFormOutcome> best;
-    bool undecided = false;
-    for (const std::size_t assembly : problem.assemblies) {
-        const Motion motion = motion_of(problem, 0, assembly);
-        Design design = smallest_design(problem, assembly);
-        std::vector<double>& d = design.dimensions;
-        const auto follower = follower_of<F, double>(std::span<const double>(d), assembly);
-        Vector<double> target{};
-        if constexpr (Layout<F>::oscillating)
-            if (!pivot) target.x = follower.arm_length;
-        const auto centre = closest_centre<F>(problem, motion, d, limits, target);
-        ClosedFormOutcome outcome;
-        if (!centre) {
-            outcome.infeasible = true;
-            outcome.argument =
-                "half-planes: no position of the cam centre meets the limits on the pressure angle at every "
-                "cam angle";
-            for (std::size_t i = 0; i < d.size(); ++i)
-                d[i] =
-                    problem.dimensions[i].start.value_or(0.5 * (problem.dimensions[i].min + problem.dimensions[i].max));
-            outcome.best = assess(problem, std::move(design));
-        } else {
-            place_centre(d, follower, centre->at);
-            outcome.argument = certificate(*centre, problem);
-            const std::size_t size = pivot ? 1 : 0;
-            if (d[size] > problem.dimensions[size].max * (1 + problem.solver.tolerance)) {
-                outcome.infeasible = true;
-                outcome.argument +=
-                    fmt::format("; the least {} is {:.9g}", problem.mechanism->dimensions[size].name, d[size]);
-                d[size] = problem.dimensions[size].max;
-            } else if (!Layout<F>::oscillating && d[0] < problem.dimensions[0].min) {
-                d[0] = problem.dimensions[0].min;  // a higher guide meets the limits too
-            }
-            outcome.best = assess(problem, std::move(design));
-            if (!outcome.infeasible && !outcome.best->feasible) {
-                undecided = true;
-                continue;
-            }
-        }
-        keep_smaller(best, std::move(outcome));
+/// Limits that hold for everything that still counts as meeting them.
+std::optional<std::vector<AngleLimit>> loosened(std::vector<AngleLimit> limits, double tolerance) {
+    for (AngleLimit& limit : limits) {
+        limit.limit += 2 * tolerance * std::max(limit.limit, 1.0);
+        if (!(limit.limit < std::numbers::pi / 2)) return std::nullopt;
     }
-    return undecided ? std::nullopt : best;
+    return limits;
+}
+
+Problem loosened(Problem problem) {
+    for (DimensionRange& range : problem.dimensions) {
+        if (range.fixed()) continue;
+        const double slack = 2 * problem.solver.tolerance * std::max(std::abs(range.min), std::abs(range.max));
+        range.min -= slack;
+        range.max += slack;
+    }
+    return problem;
+}
+
+template <template <class> class F>
+Vector<double> target_of(std::span<const double> d, std::size_t size) {
+    return {Layout<F>::oscillating && size == 0 ? d[2] : 0, 0};
+}
+
+/// Whether no design is small enough, whatever the tolerance lets pass. Nothing where that is not proven. `asked` is
+/// the least size by the limits as they stand, or infinite.
+template <template <class> class F>
+std::optional<std::string> why_none(const Problem& given, std::size_t assembly, std::size_t size, double asked) {
+    const auto limits = loosened(angle_limits<F>(given), given.solver.tolerance);
+    if (!limits) return std::nullopt;
+    const Problem problem = loosened(given);
+    const Motion motion = motion_of(problem, 0, assembly);
+    const std::vector<double> d = smallest_design(problem, assembly).dimensions;
+    const Vector<double> target = target_of<F>(d, size);
+    const Centre centre = closest_centre<F>(problem, motion, d, *limits, target);
+    const Digits50 least = certified_distance<F>(motion, d, centre, target);
+    if (!(least > problem.dimensions[size].max)) return std::nullopt;
+    if (centre.closest.region == Region::is_empty)
+        return fmt::format(
+            "half-planes: for every cam angle a limit on the pressure angle is a half-plane for the {}, and {} of them "
+            "exclude each other",
+            region_of(problem), centre.closest.binding_count);
+    return argument_of(centre, problem) + fmt::format("; the least {} is {:.9g}",
+                                                      problem.mechanism->dimensions[size].name,
+                                                      std::isfinite(asked) ? asked : least.convert_to<double>());
+}
+
+/// Every dimension at its preferred value, or in the middle of its range.
+Design middle_design(const Problem& problem, std::size_t assembly) {
+    Design design;
+    design.assembly = assembly;
+    for (const DimensionRange& range : problem.dimensions)
+        design.dimensions.push_back(range.start.value_or(0.5 * (range.min + range.max)));
+    return design;
+}
+
+/// The smallest cam of one assembly, or a proof that there is none; nothing where neither can be said.
+template <template <class> class F>
+std::optional<ClosedFormOutcome> solve(const Problem& problem, std::size_t assembly) {
+    const std::size_t size = *size_asked<F>(problem);
+    const Motion motion = motion_of(problem, 0, assembly);
+    Design design = smallest_design(problem, assembly);
+    std::vector<double>& d = design.dimensions;
+    const Vector<double> target = target_of<F>(d, size);
+    const Centre centre = closest_centre<F>(problem, motion, d, angle_limits<F>(problem), target);
+    double least = std::numeric_limits<double>::infinity();
+    if (centre.closest.region == Region::holds_the_point) {
+        place_centre(d, follower_of<F, double>(std::span<const double>(d), assembly), centre.closest.at);
+        const double bound = certified_distance<F>(motion, d, centre, target).template convert_to<double>();
+        least = d[size];
+        const bool proven = d[size] - bound <= 1e-12 * d[size];
+        if (!Layout<F>::oscillating && d[0] < problem.dimensions[0].min)
+            d[0] = problem.dimensions[0].min;  // a higher guide meets the limits too
+        Solution best = assess(problem, design);
+        if (best.feasible && proven) return ClosedFormOutcome{std::move(best), false, argument_of(centre, problem)};
+    }
+    const auto why = why_none<F>(problem, assembly, size, least);
+    if (!why) return std::nullopt;
+    if (centre.closest.region == Region::holds_the_point)
+        d[size] = problem.dimensions[size].max;
+    else
+        design = middle_design(problem, assembly);
+    return ClosedFormOutcome{assess(problem, std::move(design)), true, *why};
+}
+
+template <template <class> class F>
+std::optional<ClosedFormOutcome> solve_all(const Problem& problem) {
+    std::optional<ClosedFormOutcome> best;
+    for (const std::size_t assembly : problem.assemblies) {
+        auto outcome = solve<F>(problem, assembly);
+        if (!outcome) return std::nullopt;
+        keep_smaller(best, *std::move(outcome));
+    }
+    return best;
 }
 
 }  // namespace
 
 ClosedForm translating_cam_closed_form() {
     return {
-        covers<TranslatingRoller>, solve<TranslatingRoller>,
+        covers<TranslatingRoller>, solve_all<TranslatingRoller>,
         "cams with roller or knife-edge followers under limits on the pressure angle, of least prime radius or pivot "
         "distance"};
 }
 
-ClosedForm oscillating_cam_closed_form() { return {covers<OscillatingRoller>, solve<OscillatingRoller>, {}}; }
+ClosedForm oscillating_cam_closed_form() { return {covers<OscillatingRoller>, solve_all<OscillatingRoller>, {}}; }
 
 }  // namespace mechwright

@@ -137,16 +137,17 @@ std::optional<ClosedFormOutcome> solve_crank_shaper(const Problem& problem) {
     Design design = preferred_design(problem);
     std::vector<double>& d = design.dimensions;
     if (!set_pair(problem, design, centre_distance, crank, ratio)) return std::nullopt;
-    if (task.stroke > 0)
-        d[lever] = task.stroke / (2 * ratio);
-    else if (best)
-        d[lever] = problem.dimensions[lever].min;
     // The height of the rod pin varies between that of the upright lever and that at the ends of its swing; the slope
     // of the rod is least for a ram line half way and the longest rod.
-    const double at_ends = d[lever] * std::sqrt((1 - ratio) * (1 + ratio));
-    if (best || !problem.dimensions[ram_distance].start)
-        d[ram_distance] = within(problem.dimensions[ram_distance], 0.5 * (d[lever] + at_ends));
+    const double ends = std::sqrt((1 - ratio) * (1 + ratio)), half_way = 0.5 * (1 + ends);
+    const DimensionRange &levers = problem.dimensions[lever], &ram_lines = problem.dimensions[ram_distance];
+    if (task.stroke > 0)
+        d[lever] = task.stroke / (2 * ratio);
+    else if (best)  // as short as it can be, but as long as brings its pin to the lowest ram line
+        d[lever] = within(levers, ram_lines.min / half_way);
+    if (best || !ram_lines.start) d[ram_distance] = within(ram_lines, half_way * d[lever]);
     if (best) d[rod] = problem.dimensions[rod].max;
+    const double at_ends = d[lever] * ends;
     const double slope = std::max(d[lever] - d[ram_distance], d[ram_distance] - at_ends) / d[rod];
     return concluded(
         problem, task, std::acos(std::clamp(slope, -1.0, 1.0)), std::move(design),

@@ -1,6 +1,7 @@
 #include "synthesis/program/assess.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -50,6 +51,24 @@ double path_violation(const Problem& problem, const Design& design) {
     return std::max(worst, turn - 2 * std::numbers::pi);
 }
 
+/// Of cams: a follower that is not held, and an undercut, relative to the radius of the cam. Linkages are judged by the
+/// quantities that have a value.
+double existence_violation(const Problem& problem, const Design& design) {
+    if (!problem.program) return 0;
+    const Quantity& margin = *problem.mechanism->families[0].assembly_margin;
+    const Motion motion = motion_of(problem, design);
+    std::array<double, Quantity::most_components> components{};
+    Measurement measurement;
+    measurement.value = components;
+    margin.measure(motion, design.dimensions, measurement);
+    double worst = 0;
+    for (std::size_t i = 0; i < margin.components(motion); ++i) {
+        const double missed = -components[i] / design.dimensions[0];
+        worst = std::max(worst, std::isnan(missed) ? without_limit : missed);
+    }
+    return worst;
+}
+
 /// The objective in the file's units; NaN where a term has no value.
 double objective_of(const Problem& problem, const Design& design) {
     if (!problem.objective) return 0;
@@ -78,7 +97,8 @@ Solution assess(const Problem& problem, Design design) {
     Solution s;
     if (problem.path && problem.path->any_order) meet_nearest_points(problem, design);
     s.objective = objective_of(problem, design);
-    s.violation = std::max(range_violation(problem, design), path_violation(problem, design));
+    s.violation = std::max(
+        {range_violation(problem, design), path_violation(problem, design), existence_violation(problem, design)});
     double on_equalities = s.violation;
     for (const Requirement& r : problem.requirements) {
         const double missed = standing_of(problem, r, design).violation.value_or(without_limit);
