@@ -50,9 +50,10 @@ LocalOutcome slsqp(const Program& program, const Eigen::VectorXd& start, const L
 /// Interior point by Ipopt 3.11.9 with MUMPS and the exact Hessian. Runs one at a time: calls from other threads wait.
 LocalOutcome ipopt(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
 
-/// Levenberg and Marquardt's method on the sum of squared distances from a path, within the bounds of the variables;
-/// rows are not looked at. Each step is a linear least-squares problem solved by orthogonal transformations, out of
-/// which the crank angles of an untimed path are eliminated point by point. Thread-safe.
+/// Levenberg and Marquardt's method on the sum of squared distances from a path, within the bounds of the variables.
+/// The rows that do not speak of the path (rows_beside_path) go along by an augmented Lagrangian (path_fit.h), so that
+/// its ends assemble along the path and meet requirements to about 1e-9. The outcome's objective is the sum, and the
+/// squares of what those rows are missed by. Thread-safe.
 LocalOutcome levenberg_marquardt(const Program& program, const Eigen::VectorXd& start, const LocalLimits& limits);
 
 /// Whether a program asks for nothing but the least greatest, or the greatest least, of some outputs.

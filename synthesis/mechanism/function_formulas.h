@@ -227,6 +227,11 @@ inline bool passes(double from, double to, double angle) {
     return std::ceil((low - angle) / turn) * turn + angle <= std::max(from, to);
 }
 
+/// Whether an angle that a crank does not pass is nearer to the one it starts from than to the one it ends at.
+inline bool nearer_to_first(double from, double to, double angle) {
+    return std::cos(angle - from) >= std::cos(angle - to);
+}
+
 /// The transmission angle over the input range, whose ends are design variables: `Transmission` has `reads`, and
 /// `template <class T> static std::array<T, 4> angles(std::size_t assembly, const std::array<T, reads>&)`, which gives
 /// it wherever it can be extreme. The worst is the least of the angle and its supplement.

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "synthesis/problem/units.h"
 #include "synthesis/program/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
+#include "synthesis/program/validity.h"
 
 namespace mechwright {
 
@@ -30,41 +30,12 @@ double range_violation(const Problem& problem, const Design& design) {
     return worst;
 }
 
-/// Points that the mechanism cannot reach assembled, untimed points out of order, and a crank that does not go round a
-/// closed path.
-double path_violation(const Problem& problem, const Design& design) {
-    if (!problem.path) return 0;
-    const Motion whole = problem.mechanism->motion(design.dimensions, design.assembly, nullptr);
-    if (problem.path->closed && !whole.full_turn) return without_limit;
+/// What makes the design useless: by how much it misses where that is tolerated, else without limit.
+double validity_violation(const Problem& problem, const Design& design) {
     double worst = 0;
-    for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
-        PathMiss miss{};
-        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], problem.path->points[i],
-                                     miss);
-        if (!(miss.margin >= 0)) return without_limit;
-    }
-    if (problem.path->prescribed_timing || problem.path->any_order || design.path_angles.size() < 3) return worst;
-    const double direction = design.path_angles.back() > design.path_angles.front() ? 1 : -1;
-    for (std::size_t i = 1; i < design.path_angles.size(); ++i)
-        worst = std::max(worst, -direction * (design.path_angles[i] - design.path_angles[i - 1]));
-    const double turn = std::abs(design.path_angles.back() - design.path_angles.front());
-    return std::max(worst, turn - 2 * std::numbers::pi);
-}
-
-/// Of cams: a follower that is not held, and an undercut, relative to the radius of the cam. Linkages are judged by the
-/// quantities that have a value.
-double existence_violation(const Problem& problem, const Design& design) {
-    if (!problem.program) return 0;
-    const Quantity& margin = *problem.mechanism->families[0].assembly_margin;
-    const Motion motion = motion_of(problem, design);
-    std::array<double, Quantity::most_components> components{};
-    Measurement measurement;
-    measurement.value = components;
-    margin.measure(motion, design.dimensions, measurement);
-    double worst = 0;
-    for (std::size_t i = 0; i < margin.components(motion); ++i) {
-        const double missed = -components[i] / design.dimensions[0];
-        worst = std::max(worst, std::isnan(missed) ? without_limit : missed);
+    for (const ValidityMargin& m : validity_margins(problem, design)) {
+        if (m.margin >= 0) continue;
+        worst = std::max(worst, m.tolerated ? -m.margin : without_limit);
     }
     return worst;
 }
@@ -97,15 +68,14 @@ Solution assess(const Problem& problem, Design design) {
     Solution s;
     if (problem.path && problem.path->any_order) meet_nearest_points(problem, design);
     s.objective = objective_of(problem, design);
-    s.violation = std::max(
-        {range_violation(problem, design), path_violation(problem, design), existence_violation(problem, design)});
+    s.violation = std::max(range_violation(problem, design), validity_violation(problem, design));
     double on_equalities = s.violation;
     for (const Requirement& r : problem.requirements) {
         const double missed = standing_of(problem, r, design).violation.value_or(without_limit);
         s.violation = std::max(s.violation, missed);
         if (r.equal) on_equalities = std::max(on_equalities, missed);
     }
-    if (std::isnan(s.objective) || !assembles_over_range(problem, design)) s.violation = without_limit;
+    if (std::isnan(s.objective)) s.violation = without_limit;
     s.misses_inequalities_only = on_equalities <= problem.solver.tolerance && s.violation < without_limit;
     s.feasible = s.violation <= problem.solver.tolerance;
     s.design = std::move(design);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "synthesis/program/program.h"
+#include "synthesis/program/stretch.h"
 
 namespace mechwright {
 
@@ -17,19 +18,19 @@ constexpr double least_length = 1e-6;
 /// The least crank angle between neighbouring points of an untimed path.
 constexpr double least_step = 1e-6;
 
-/// The power of two below a length.
-double power_of_two(double length) { return std::exp2(std::floor(std::log2(length))); }
-
+/// Twice the root mean square distance of the points from their centre: it does not depend on how a path is turned.
 double path_extent(const PathTarget& path) {
-    const auto [left, right] = std::minmax_element(path.points.begin(), path.points.end(),
-                                                   [](const auto& a, const auto& b) { return a.x < b.x; });
-    const auto [low, high] = std::minmax_element(path.points.begin(), path.points.end(),
-                                                 [](const auto& a, const auto& b) { return a.y < b.y; });
-    return std::hypot(right->x - left->x, high->y - low->y);
+    const auto n = static_cast<double>(path.points.size());
+    Vector<double> centre{0, 0};
+    for (const Vector<double>& p : path.points)
+        centre = centre + Vector<double>{p.x / n, p.y / n};
+    double sum = 0;
+    for (const Vector<double>& p : path.points)
+        sum += dot(p - centre, p - centre) / n;
+    return 2 * std::sqrt(sum);
 }
 
-/// The power of two close to the size that the problem speaks of: its longest fixed link, else its path, else its
-/// ranges.
+/// The size that the problem speaks of: its longest fixed link, else its path, else its ranges.
 double length_scale(const Problem& problem) {
     double fixed = 0;
     double ranged = 0;
@@ -39,9 +40,9 @@ double length_scale(const Problem& problem) {
         if (d.fixed()) fixed = std::max(fixed, d.max);
         ranged = std::max(ranged, std::sqrt(std::max(d.min, 0.01 * d.max) * d.max));
     }
-    if (fixed > 0) return power_of_two(fixed);
+    if (fixed > 0) return fixed;
     const double extent = problem.path ? path_extent(*problem.path) : 0;
-    return power_of_two(extent > 0 ? extent : ranged);
+    return extent > 0 ? extent : ranged;
 }
 
 bool is_angle(const Dimension& d) { return d.kind == DimensionKind::angle; }
@@ -157,27 +158,28 @@ struct Builder {
             add_row(std::string(condition.name), std::move(form), condition_margin, unlimited);
         }
         if (has_input_range(problem)) {
-            const QuantityBlock block = block_of(*problem.mechanism->input_margin);
-            for (std::size_t k = 0; k < block.count; ++k)
-                add_row(std::string(block.quantity->name), {{{block.first + k, 1}}, {}}, condition_margin, unlimited);
+            add_margins(block_of(*problem.mechanism->input_margin));
             return;
         }
-        if (!family.assembly_margin) return;
-        const Motion assembled = assembled_motion_of(problem, program.variant.family, program.variant.assembly);
-        if (family.assembly_margin->defined(assembled)) {
-            const QuantityBlock block = block_of(*family.assembly_margin, assembled);
-            for (std::size_t k = 0; k < block.count; ++k)
-                add_row(std::string(family.assembly_margin->name), {{{block.first + k, 1}}, {}}, condition_margin,
-                        unlimited);
-        }
+        if (family.assembly_margin && family.assembly_margin->defined(motion))
+            add_margins(block_of(*family.assembly_margin));
+        if (!needs_stretch(problem, family)) return;
+        const Quantity& margin = *problem.mechanism->input_margin;
+        program.stretch = QuantityBlock{&margin, motion, program.outputs, margin.components(motion)};
+        program.outputs += program.stretch->count;
+        add_margins(*program.stretch);
     }
 
-    QuantityBlock block_of(const Quantity& quantity) { return block_of(quantity, motion); }
+    /// Rows that keep the design assembled.
+    void add_margins(const QuantityBlock& block) {
+        for (std::size_t k = 0; k < block.count; ++k)
+            add_row(std::string(block.quantity->name), {{{block.first + k, 1}}, {}}, condition_margin, unlimited);
+    }
 
-    QuantityBlock block_of(const Quantity& quantity, const Motion& over) {
+    QuantityBlock block_of(const Quantity& quantity) {
         for (const QuantityBlock& block : program.blocks)
             if (block.quantity == &quantity) return block;
-        program.blocks.push_back({&quantity, over, program.outputs, quantity.components(over)});
+        program.blocks.push_back({&quantity, motion, program.outputs, quantity.components(motion)});
         program.outputs += program.blocks.back().count;
         return program.blocks.back();
     }

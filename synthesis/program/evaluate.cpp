@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "synthesis/program/path_outputs.h"
+#include "synthesis/program/stretch.h"
 
 namespace mechwright {
 
@@ -36,14 +37,16 @@ void evaluate_block(const Program& program, const QuantityBlock& block, bool der
     }
 }
 
-void evaluate_outputs(const Program& program, const VectorXd& x, bool derivatives, Outputs& out) {
+void evaluate_outputs(const Program& program, const VectorXd& x, bool derivatives, Outputs& out,
+                      bool with_path = true) {
     set_dimensions(program, x, out.dimensions);
     out.assembled = true;
     out.value.setZero(static_cast<Index>(program.outputs));
     if (derivatives) out.jacobian.setZero(static_cast<Index>(program.outputs), static_cast<Index>(program.size()));
     for (const QuantityBlock& block : program.blocks)
         evaluate_block(program, block, derivatives, out);
-    if (program.path) evaluate_path(program, x, derivatives, out);
+    if (program.stretch) evaluate_stretch(program, x, derivatives, out);
+    if (with_path && program.path) evaluate_path(program, x, derivatives, out);
 }
 
 double value_of(const LinearForm& form, const VectorXd& outputs, const VectorXd& x) {
@@ -107,6 +110,39 @@ void evaluate(const Program& program, const VectorXd& x, bool derivatives, Progr
     }
 }
 
+std::vector<std::size_t> rows_beside_path(const Program& program) {
+    const auto of_path = [&](const LinearTerm& t) {
+        const auto within = [&](const QuantityBlock& block) {
+            return t.index >= block.first && t.index < block.first + block.count;
+        };
+        return std::none_of(program.blocks.begin(), program.blocks.end(), within) &&
+               !(program.stretch && within(*program.stretch));
+    };
+    const auto no_dimension = [&](const LinearTerm& t) { return t.index >= program.dimension_variables; };
+    std::vector<std::size_t> rows;
+    for (std::size_t r = 0; r < program.rows.size(); ++r) {
+        const LinearForm& form = program.rows[r].form;
+        if (std::none_of(form.outputs.begin(), form.outputs.end(), of_path) &&
+            std::none_of(form.variables.begin(), form.variables.end(), no_dimension))
+            rows.push_back(r);
+    }
+    return rows;
+}
+
+bool evaluate_beside_path(const Program& program, std::span<const std::size_t> rows, const VectorXd& x,
+                          bool derivatives, RowsBesidePath& out) {
+    evaluate_outputs(program, x, derivatives, out.outputs, false);
+    const auto m = static_cast<Index>(rows.size());
+    out.value.resize(m);
+    if (derivatives) out.jacobian.setZero(m, static_cast<Index>(program.size()));
+    for (Index r = 0; r < m; ++r) {
+        const LinearForm& form = program.rows[rows[static_cast<std::size_t>(r)]].form;
+        out.value[r] = value_of(form, out.outputs.value, x);
+        if (derivatives) add_gradient(form, out.outputs.jacobian, out.jacobian.data() + r, m);
+    }
+    return out.value.allFinite() && (!derivatives || out.jacobian.allFinite());
+}
+
 namespace {
 
 /// The second derivatives of weighted outputs of one block, added to the full matrix.
@@ -149,10 +185,12 @@ void lagrangian_hessian(const Program& program, const VectorXd& x, double weight
     const auto n = static_cast<Index>(program.size());
     out.value.setZero(n, n);
     set_dimensions(program, x, out.dimensions);
-    for (const QuantityBlock& block : program.blocks) {
-        const auto part = on_output.segment(static_cast<Index>(block.first), static_cast<Index>(block.count));
-        if ((part.array() != 0).any()) add_block_hessian(program, block, out);
-    }
+    const auto counts = [&](const QuantityBlock& block) {
+        return (on_output.segment(static_cast<Index>(block.first), static_cast<Index>(block.count)).array() != 0).any();
+    };
+    for (const QuantityBlock& block : program.blocks)
+        if (counts(block)) add_block_hessian(program, block, out);
+    if (program.stretch && counts(*program.stretch)) add_stretch_hessian(program, x, out);
     if (program.path) add_path_hessian(program, x, out);
     if (program.closest_to_reference)
         for (std::size_t i = 0; i < program.size(); ++i)
@@ -206,6 +244,25 @@ double into_range(double angle, double least, double greatest) {
     return std::clamp(angle, least, greatest);
 }
 
+namespace {
+
+/// A dimension in the user's lengths: where the program's is at an end of its range, or beside it by the rounding of
+/// the product, at the very end.
+double unscaled(const Program& program, std::size_t dimension, double value) {
+    const DimensionRange& range = program.problem->dimensions[dimension];
+    if (program.variable_of[dimension] < 0) return value * program.length;
+    const Variable& v = program.variables[static_cast<std::size_t>(program.variable_of[dimension])];
+    if (value == v.lower && v.lower == range.min / program.length) return range.min;
+    if (value == v.upper) return range.max;
+    const double plain = value * program.length;
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    if (std::abs(plain - range.min) <= rounding * std::abs(range.min)) return range.min;
+    if (std::abs(plain - range.max) <= rounding * std::abs(range.max)) return range.max;
+    return plain;
+}
+
+}  // namespace
+
 Design design_at(const Program& program, const VectorXd& x) {
     Design design;
     design.assembly = program.variant.assembly;
@@ -214,8 +271,10 @@ Design design_at(const Program& program, const VectorXd& x) {
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         double& value = design.dimensions[i];
         const DimensionRange& range = program.problem->dimensions[i];
-        if (scales(kinds[i].kind))
-            value *= program.length;
+        if (range.fixed())
+            value = range.min;
+        else if (scales(kinds[i].kind))
+            value = range.tied() ? value * program.length : unscaled(program, i, value);
         else if (program.variable_of[i] >= 0 && !range.tied() && range.any_angle())
             value = into_range(value, range.min, range.max);
     }

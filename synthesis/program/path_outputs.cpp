@@ -66,6 +66,15 @@ void scale(Residual& r, double length, std::size_t arguments, int order) {
         r.hessian[k] *= length;
 }
 
+/// Derivatives by dimensions as those by the variables that they are multiples of.
+void by_variables(Residual& r, std::span<const double> times, int order) {
+    for (std::size_t k = 0; order >= 1 && k < times.size(); ++k)
+        r.gradient[k] *= times[k];
+    for (std::size_t k = 0, at = 0; order >= 2 && k < times.size(); ++k)
+        for (std::size_t l = 0; l <= k; ++l, ++at)
+            r.hessian[at] *= times[k] * times[l];
+}
+
 void evaluate_point(const Program& program, std::span<const double> dimensions, const VectorXd& x, std::size_t point,
                     int order, PointTerms& t) {
     const Mechanism& mechanism = *program.problem->mechanism;
@@ -98,6 +107,14 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     if (order == 0) return;
     std::copy_n(program.variable_of.begin(), reads, t.variable.begin());
     t.variable[reads] = angle.variable;
+    std::array<double, most_path_reads> times;
+    std::copy_n(program.times.begin(), reads, times.begin());
+    times[reads] = program.untimed_path() ? 1 : program.times[program.problem->mechanism->path_roles.start];
+    if (std::all_of(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(t.arguments),
+                    [](double f) { return f == 1; }))
+        return;
+    for (std::size_t k = 0; k < t.count; ++k)
+        by_variables(t.residuals[k], std::span(times).first(t.arguments), order);
 }
 
 double weight_sum(const Program& program) {

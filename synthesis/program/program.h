@@ -4,9 +4,9 @@
 ///
 ///     minimise f(x)  subject to  lower <= c(x) <= upper  and bounds on x,
 ///
-/// with exact first and second derivatives. Lengths are divided by one power of two close to the size of the problem,
-/// angles are radians, so that every number a solver meets is of order one; each constraint is scaled so that its
-/// violation is the relative one that the problem's tolerance speaks of.
+/// with exact first and second derivatives. Lengths are divided by the size of the problem, angles are radians, so that
+/// every number a solver meets is of order one, and the same whatever unit the file is written in; each constraint is
+/// scaled so that its violation is the relative one that the problem's tolerance speaks of.
 ///
 /// Objective and constraints are linear in the variables and in *outputs*: smooth components of quantities, and
 /// measures of the path.
@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -79,7 +80,7 @@ struct Epigraph {
 struct Program {
     const Problem* problem = nullptr;
     Variant variant;
-    double length = 1;  ///< the power of two by which lengths are divided
+    double length = 1;  ///< by which lengths are divided
 
     std::vector<double> dimensions;           ///< scaled; those that are variables are overwritten at evaluation
     std::vector<std::ptrdiff_t> variable_of;  ///< by dimension: its variable, or -1
@@ -90,6 +91,7 @@ struct Program {
     std::vector<Vector<double>> targets;      ///< scaled
     std::vector<QuantityBlock> blocks;
     std::optional<PathBlock> path;
+    std::optional<QuantityBlock> stretch;  ///< margins of assembly from the first to the last target (stretch.h)
     std::vector<Epigraph> epigraphs;
     std::size_t outputs = 0;
 
@@ -159,6 +161,20 @@ struct PathResiduals {
 /// The residuals at x; derivatives only where asked for. False where the mechanism does not assemble. Allocates as
 /// `evaluate` does.
 bool path_residuals(const Program& program, const Eigen::VectorXd& x, bool derivatives, PathResiduals& out);
+
+/// The rows that speak neither of the path's distances nor of the crank angles of its points: conditions of motion,
+/// margins of assembly, requirements on other quantities.
+std::vector<std::size_t> rows_beside_path(const Program& program);
+
+struct RowsBesidePath {
+    Eigen::VectorXd value;     ///< [row of those asked for]
+    Eigen::MatrixXd jacobian;  ///< [row][variable]; only where asked for
+    Outputs outputs;
+};
+
+/// Those rows at x, without the path. False where one has no value. Allocates as `evaluate` does.
+bool evaluate_beside_path(const Program& program, std::span<const std::size_t> rows, const Eigen::VectorXd& x,
+                          bool derivatives, RowsBesidePath& out);
 
 /// A Hessian, and what it is computed from.
 struct LagrangianHessian {

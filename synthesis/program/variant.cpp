@@ -28,18 +28,6 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     return motion;
 }
 
-Motion assembled_motion_of(const Problem& problem, std::size_t family, std::size_t assembly) {
-    Motion motion = motion_of(problem, family, assembly);
-    if (motion.from <= motion.to || !problem.path || !problem.path->prescribed_timing) return motion;
-    const DimensionRange& start = problem.dimensions[problem.mechanism->path_roles.start];
-    if (!start.fixed()) return motion;
-    const auto [least, greatest] =
-        std::minmax_element(problem.path->crank_angles.begin(), problem.path->crank_angles.end());
-    motion.from = start.min + *least;
-    motion.to = start.min + *greatest;
-    return motion;
-}
-
 const Quantity& programmed_quantity(const Problem& problem, std::size_t quantity) {
     const Quantity& plain = problem.mechanism->quantities[quantity];
     if (!has_input_range(problem) || problem.crank_range) return plain;

@@ -22,10 +22,6 @@ struct Variant {
 /// The motion over which the quantities of a problem are judged in a family.
 Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembly);
 
-/// The motion over which a design has to assemble: the same, or where that depends on the design, the crank angles of a
-/// path that is timed from a known start.
-Motion assembled_motion_of(const Problem& problem, std::size_t family, std::size_t assembly);
-
 /// A quantity as it enters programs: where the motion is that over an input range which is not known, the one that
 /// knows that its ends move.
 const Quantity& programmed_quantity(const Problem& problem, std::size_t quantity);

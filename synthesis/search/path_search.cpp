@@ -1,7 +1,9 @@
 #include "synthesis/search/path_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -10,9 +12,11 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/screened_starts.h"
+#include "synthesis/search/starts_nearby.h"
 #include "synthesis/search/work_sharing.h"
 
 namespace mechwright {
@@ -39,12 +43,24 @@ constexpr int most_alike = 4;
 constexpr int most_passes = 4;
 /// Objectives that agree to this part are one optimum.
 constexpr double same_objective_within = 1e-6;
-/// Optima of a round that are polished; and the greatest program for which the polish is quick.
+/// Of the designs that a round ended at so many are gone on from to others nearby, in so many hops of so many starts
+/// each, which spread over these parts of the dimensions.
+constexpr std::size_t most_elites = 4;
+constexpr int hops = 3;
+constexpr int starts_of_hop = 6;
+constexpr std::array<double, hops> spreads{0.1, 0.3, 0.6};
+constexpr int evaluations_of_hop = 40;
+constexpr std::size_t most_hops_run_to_end = 6;
+/// Optima of a round that are polished, where least squares are the objective and where they lead to it; and the
+/// greatest program for which the polish is quick.
 constexpr int most_polished = 4;
+constexpr int most_polished_on = 8;
 constexpr std::size_t most_polished_variables = 60;
 constexpr int evaluations_of_great_program = 60;
-/// The search ends once the best design was hit this often, and not before this many rounds.
+/// The search ends once the best design was hit this often, or so many rounds came to it, each by itself; and not
+/// before this many rounds.
 constexpr int enough_hits = 10;
+constexpr int enough_rounds_on_best = 3;
 constexpr int least_rounds = 2;
 /// A round has as many starts as the problem asks for, but no more than this; and with them come so many rounds.
 constexpr int most_starts_of_round = 32;
@@ -52,9 +68,11 @@ constexpr int rounds_for_starts = 12;
 /// Points met to this part of the path's size are met exactly.
 constexpr double exact_within = 1e-13;
 
+/// A search of a fit. Its program is one that has all kinds of motion among its designs, where there is such a one.
 struct Trial {
     std::size_t program = 0;
     LocalOutcome outcome;
+    bool nearby = false;  ///< it began near the end of another
 };
 
 void sort_by_sum(std::vector<Trial>& trials) {
@@ -77,12 +95,16 @@ struct Search {
     std::vector<Program> programs;
     std::vector<ScreenedStarts> starts;  ///< by program
     LocalLimits limits;
-    bool least_squares;  ///< the sum of squares is all that counts
+    bool least_squares;                  ///< the sum of squares is all that counts
+    bool led;                            ///< least squares lead to the objective
+    std::vector<std::size_t> fitted_as;  ///< by program: the one of the widest family, which fits its starts
     std::vector<Solution> found;
     std::optional<Solution> best;
+    std::optional<Solution> best_before;  ///< when hits were counted last
     SearchReport report;
     long hessians = 0;
     int hits = 0;                  ///< on the best so far
+    int rounds_on_best = 0;        ///< rounds that ended at the best so far
     double least_sum = unlimited;  ///< of a feasible design, by least squares alone
     int starts_of_round;
     int most_rounds;
@@ -91,14 +113,28 @@ struct Search {
         : problem(p),
           options(o),
           least_squares(least_squares_suffice(p)),
+          led(least_squares || least_squares_lead_on(p)),
           starts_of_round(std::min(p.solver.starts, most_starts_of_round)),
           most_rounds(rounds_for_starts * ((p.solver.starts + most_starts_of_round - 1) / most_starts_of_round)) {
         for (const Variant& variant : variants(p))
             programs.push_back(build_program(p, variant));
         for (const Program& program : programs)
             starts.emplace_back(program, p.solver.seed);
+        for (std::size_t i = 0; i < programs.size(); ++i)
+            fitted_as.push_back(widest(i));
         limits.deadline = deadline;
         limits.stop = o.stop;
+    }
+
+    /// The program of the same assembly and direction whose designs may have any motion; without one the program
+    /// itself.
+    std::size_t widest(std::size_t program) const {
+        const Variant& own = programs[program].variant;
+        const auto at = std::find_if(programs.begin(), programs.end(), [&](const Program& p) {
+            return !problem.mechanism->families[p.variant.family].full_turn && p.variant.assembly == own.assembly &&
+                   p.variant.direction == own.direction && p.variant.choices == own.choices;
+        });
+        return at == programs.end() ? program : static_cast<std::size_t>(at - programs.begin());
     }
 
     /// The best starts of every variant, each taken a little way.
@@ -116,7 +152,7 @@ struct Search {
             const auto p = static_cast<std::size_t>(task % variants_count);
             const int number = round * tasks_per_variant + task / variants_count;
             for (const VectorXd& start : starts[p].of_round(number, per_task * groups_per_short_search, per_task)) {
-                Trial trial{p, levenberg_marquardt(programs[p], start, few)};
+                Trial trial{fitted_as[p], levenberg_marquardt(programs[fitted_as[p]], start, few)};
                 if (trial.outcome.x.size() > 0) tried[static_cast<std::size_t>(task)].push_back(std::move(trial));
             }
         });
@@ -151,6 +187,50 @@ struct Search {
         go_on(trials, evaluations_of_whole_search);
     }
 
+    /// The best of sorted trials that ended at different sums.
+    static std::vector<Trial> elites_of(const std::vector<Trial>& sorted) {
+        std::vector<Trial> elites;
+        for (const Trial& trial : sorted) {
+            if (elites.size() >= most_elites) break;
+            if (elites.empty() || trial.outcome.objective > (1 + same_basin_within) * elites.back().outcome.objective)
+                elites.push_back(trial);
+        }
+        return elites;
+    }
+
+    /// Goes on from the best of a round to starts nearby, and from what is better there; adds what it comes to.
+    void search_nearby(int round, std::vector<Trial>& trials) {
+        std::vector<Trial> elites = elites_of(trials);
+        for (int hop = 0; hop < hops && !elites.empty() && !limits.reached(); ++hop) {
+            std::vector<Trial> tried(elites.size() * starts_of_hop);
+            LocalLimits few = limits;
+            few.most_evaluations = evaluations_of_hop;
+            share_work(static_cast<int>(tried.size()), options.jobs, [&](int i) {
+                if (limits.reached()) return;
+                const auto k = static_cast<std::size_t>(i);
+                const Trial& from = elites[k / starts_of_hop];
+                const std::uint64_t number =
+                    mixed(problem.solver.seed + static_cast<std::uint64_t>(round * hops + hop));
+                const Program& program = programs[from.program];
+                const VectorXd start = start_nearby(program, from.outcome.x, spreads[k % hops], mixed(number + k));
+                tried[k] = {from.program, levenberg_marquardt(program, start, few), true};
+            });
+            for (const Trial& trial : tried)
+                report.evaluations += trial.outcome.evaluations;
+            std::erase_if(tried, [](const Trial& t) { return t.outcome.x.size() == 0; });
+            sort_by_sum(tried);
+            keep_different(tried);
+            tried.resize(std::min(tried.size(), most_hops_run_to_end));
+            go_on(tried, evaluations_of_whole_search);
+            trials.insert(trials.end(), tried.begin(), tried.end());
+            sort_by_sum(trials);
+            const double least_before = elites.front().outcome.objective;
+            elites = elites_of(trials);
+            const bool gained = elites.front().outcome.objective < (1 - same_sum_within) * least_before;
+            if (!gained && hop > 0) break;
+        }
+    }
+
     /// All of them taken farther, best first.
     void go_on(std::vector<Trial>& trials, int evaluations) {
         LocalLimits whole = limits;
@@ -161,6 +241,7 @@ struct Search {
             if (limits.reached()) return;
             const Program& program = programs[trial.program];
             for (int pass = 0; pass < (problem.path->any_order ? most_passes : 1); ++pass) {
+                if (trial.outcome.x.size() == 0) break;
                 LocalOutcome outcome = levenberg_marquardt(program, trial.outcome.x, whole);
                 used[static_cast<std::size_t>(i)] += outcome.evaluations;
                 if (outcome.x.size() == 0) break;
@@ -176,50 +257,50 @@ struct Search {
         sort_by_sum(trials);
     }
 
-    /// The program that has a design among its own: least squares do not look at the kind of motion.
-    const Program& program_of(const Trial& trial, const Design& design) const {
-        const Program& own = programs[trial.program];
-        const Motion motion = problem.mechanism->motion(design.dimensions, design.assembly, nullptr);
-        const auto same = std::find_if(programs.begin(), programs.end(), [&](const Program& p) {
-            return p.variant.assembly == own.variant.assembly && p.variant.direction == own.variant.direction &&
-                   p.variant.family == motion.family;
-        });
-        return same == programs.end() ? own : *same;
-    }
-
     Solution assessed(const Trial& trial) const {
         return assess(problem, design_at(programs[trial.program], trial.outcome.x));
     }
 
-    /// Counts the searches that ended at the least sum of squares of a feasible design, those of earlier rounds too.
-    void count_hits(const std::vector<Trial>& trials) {
-        if (!least_squares) {
-            hits = hits_on_best();
-            return;
-        }
+    /// Counts the searches from screened starts that ended at the least sum of squares of a feasible design, those of
+    /// earlier rounds too; and the rounds that came to the best design, each of which goes its own way.
+    void count_hits(const std::vector<Trial>& trials, const std::optional<Solution>& best_of_round) {
+        if (!least_squares) hits = hits_on_best();
         for (const Trial& trial : trials) {
             const double sum = trial.outcome.objective;
-            if (sum > (1 + same_sum_within) * least_sum || !assessed(trial).feasible) continue;
+            if (!least_squares || sum > (1 + same_sum_within) * least_sum || !assessed(trial).feasible) continue;
             if (sum < (1 - same_sum_within) * least_sum) hits = 0;
             least_sum = std::min(least_sum, sum);
-            ++hits;
+            if (!trial.nearby) ++hits;
         }
+        if (!best || !best->feasible || !best_of_round) return;
+        if (best_before && !as_good_as_best(*best_before)) rounds_on_best = 0;
+        best_before = best;
+        if (as_good_as_best(*best_of_round)) ++rounds_on_best;
+    }
+
+    bool as_good_as_best(const Solution& s) const {
+        return s.feasible &&
+               std::abs(s.objective - best->objective) <= same_objective_within * std::abs(best->objective);
     }
 
     /// Whether the best design meets every point to rounding: then no other is better.
     bool best_is_exact() const {
-        if (!least_squares || !best || !best->feasible) return false;
+        if (!led || !best || !best->feasible) return false;
         const double allowed = exact_within * path_size(*problem.path);
         return path_values(problem, best->design)->greatest <= allowed;
+    }
+
+    bool enough(int rounds) const {
+        if (best_is_exact()) return true;
+        if (rounds < least_rounds) return false;
+        return hits >= enough_hits || (led && rounds_on_best >= enough_rounds_on_best);
     }
 
     /// How many solutions are as good as the best.
     int hits_on_best() const {
         if (!best || !best->feasible) return 0;
-        return static_cast<int>(std::count_if(found.begin(), found.end(), [&](const Solution& s) {
-            return s.feasible &&
-                   std::abs(s.objective - best->objective) <= same_objective_within * std::abs(best->objective);
-        }));
+        return static_cast<int>(
+            std::count_if(found.begin(), found.end(), [&](const Solution& s) { return as_good_as_best(s); }));
     }
 
     Solution better(Solution a, Solution b) const { return preferred(problem, b, a) ? std::move(b) : std::move(a); }
@@ -227,7 +308,7 @@ struct Search {
     /// The solution near what the method of least squares ended at.
     Solution finished(const Trial& trial, LocalOutcome& outcome) const {
         Solution solution = assessed(trial);
-        const Program& program = program_of(trial, solution.design);
+        const Program& program = programs[trial.program];
         if (least_squares && solution.feasible && program.size() > most_polished_variables) return solution;
         const VectorXd x = point_of(program, solution.design);
         LocalLimits some = limits;
@@ -237,18 +318,20 @@ struct Search {
         return better(std::move(solution), assess(problem, design_at(program, outcome.x)));
     }
 
-    void finish(const std::vector<Trial>& trials) {
+    /// Polishes the best of a round; returns the best of them.
+    std::optional<Solution> finish(const std::vector<Trial>& trials) {
         // Of searches that ended at one sum of squares the first few are looked at closely; the others are counted.
+        const int most = least_squares ? most_polished : led ? most_polished_on : std::numeric_limits<int>::max();
         std::vector<const Trial*> chosen;
         std::vector<double> sums;
         for (const Trial& trial : trials) {
+            if (static_cast<int>(chosen.size()) >= most) break;
             const double sum = trial.outcome.objective;
             const bool known = std::any_of(sums.begin(), sums.end(),
                                            [&](double s) { return std::abs(sum - s) <= same_sum_within * s; });
-            if (known && least_squares) continue;
+            if (known && led) continue;
             sums.push_back(sum);
             chosen.push_back(&trial);
-            if (least_squares && static_cast<int>(chosen.size()) >= most_polished) break;
         }
         std::vector<std::optional<Solution>> solutions(chosen.size());
         std::mutex reporting;
@@ -264,18 +347,39 @@ struct Search {
                 options.progress(report.starts, most_rounds * starts_of_round,
                                  best && best->feasible ? best->objective : std::numeric_limits<double>::quiet_NaN());
         });
-        for (auto& solution : solutions)
-            if (solution) found.push_back(std::move(*solution));
+        std::optional<Solution> best_of_round;
+        for (auto& solution : solutions) {
+            if (!solution) continue;
+            if (!best_of_round || preferred(problem, *solution, *best_of_round)) best_of_round = solution;
+            found.push_back(std::move(*solution));
+        }
+        return best_of_round;
     }
 };
+
+/// The measure of the path that is all that a problem minimises.
+PathMeasure only_measure(const Problem& problem) {
+    if (!problem.objective || problem.objective->terms.size() != 1) return PathMeasure::none;
+    const ObjectiveTerm& term = problem.objective->terms.front();
+    return term.maximize ? PathMeasure::none : problem.mechanism->quantities[term.quantity].path;
+}
+
+bool limits_path(const Problem& problem) {
+    return std::any_of(problem.requirements.begin(), problem.requirements.end(), [&](const Requirement& r) {
+        return problem.mechanism->quantities[r.quantity].path != PathMeasure::none;
+    });
+}
 
 }  // namespace
 
 bool least_squares_suffice(const Problem& problem) {
-    if (!problem.requirements.empty() || !problem.objective || problem.objective->terms.size() != 1) return false;
-    const ObjectiveTerm& term = problem.objective->terms.front();
-    const PathMeasure path = problem.mechanism->quantities[term.quantity].path;
-    return !term.maximize && (path == PathMeasure::sum_of_squares || path == PathMeasure::root_mean_square);
+    const PathMeasure measure = only_measure(problem);
+    return !limits_path(problem) &&
+           (measure == PathMeasure::sum_of_squares || measure == PathMeasure::root_mean_square);
+}
+
+bool least_squares_lead_on(const Problem& problem) {
+    return !limits_path(problem) && only_measure(problem) == PathMeasure::greatest;
 }
 
 std::string why_no_path_search(const Problem& problem) {
@@ -292,11 +396,14 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
         std::vector<Trial> trials = search.short_searches(round);
         search.keep_different(trials);
         search.report.starts += static_cast<int>(trials.size());
-        if (search.least_squares) search.run_to_end(trials);
-        search.finish(trials);
-        search.count_hits(trials);
+        if (search.led) {
+            search.run_to_end(trials);
+            search.search_nearby(round, trials);
+        }
+        const std::optional<Solution> best_of_round = search.finish(trials);
+        search.count_hits(trials, best_of_round);
         result.milestones.push_back({search.report.screened, search.report.evaluations, search.hessians, search.best});
-        if (search.best_is_exact() || (round + 1 >= least_rounds && search.hits >= enough_hits)) break;
+        if (search.enough(round + 1)) break;
     }
     std::vector<const Solution*> all;
     for (const Solution& s : search.found)

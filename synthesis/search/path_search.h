@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The search for coupler paths: candidates screened in lanes, Levenberg and Marquardt's method from the best of them,
-/// and where a limit is active or something besides the path counts, sequential quadratic programming from there.
+/// The search for coupler paths: candidates screened in lanes, Levenberg and Marquardt's method from the best of them
+/// and from starts near those that it ended at, and sequential quadratic programming from the best ends of all.
 
 #include "synthesis/search/multistart.h"
 
@@ -10,12 +10,17 @@ namespace mechwright {
 /// Why a problem is not one for this search; empty if it is.
 std::string why_no_path_search(const Problem& problem);
 
-/// Whether the sum of squared distances from the path is all that a problem with a path asks for.
+/// Whether the sum of squared distances from the path is all that a problem with a path minimises; what it requires
+/// besides goes along.
 bool least_squares_suffice(const Problem& problem);
 
-/// Searches in rounds until the points are met exactly, or the best design has been hit often enough, or the rounds are
-/// used up; there are more of them the more starts the problem asks for. The result is the same for any number
-/// of jobs.
+/// Whether the greatest distance from the path is all that it minimises: its best designs lie near those of least
+/// squares.
+bool least_squares_lead_on(const Problem& problem);
+
+/// Searches in rounds, each by itself, until the points are met exactly, or the best design has been hit often enough,
+/// or the rounds are used up; there are more of them the more starts the problem asks for. The result is the same for
+/// any number of jobs.
 Multistart path_search(const Problem& problem, const RunOptions& options,
                        std::chrono::steady_clock::time_point deadline);
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 
+#include "synthesis/program/path_outputs.h"
+#include "synthesis/program/stretch.h"
 #include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/path_timing.h"
 #include "synthesis/search/starts.h"
@@ -155,6 +157,17 @@ int ScreenedStarts::drawn_variables() const {
            fitted(roles.along, roles.across);
 }
 
+/// Whether a start stays assembled from the first to the last target.
+bool ScreenedStarts::stays_assembled(const VectorXd& x) const {
+    if (!program_.stretch) return true;
+    Outputs out;
+    out.value.setZero(static_cast<Index>(program_.outputs));
+    set_dimensions(program_, x, out.dimensions);
+    evaluate_stretch(program_, x, false, out);
+    return out.value.segment(static_cast<Index>(program_.stretch->first), static_cast<Index>(program_.stretch->count))
+               .minCoeff() >= 0;
+}
+
 std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) const {
     std::vector<VectorXd> starts;
     if (!can_screen_) {
@@ -204,7 +217,7 @@ std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) 
         for (std::size_t i = 0; i < lengths_; ++i)
             if (is_free(program_, i)) x[program_.variable_of[i]] = std::clamp(c.lengths[i], lower_[i], upper_[i]);
         fit_placement(program_, x);
-        starts.push_back(x);
+        if (stays_assembled(x)) starts.push_back(x);
     }
     return starts;
 }

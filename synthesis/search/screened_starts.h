@@ -34,6 +34,7 @@ private:
     std::optional<Eigen::MatrixXd> lengths_of_margins() const;
     double beyond_range(const Lengths& x, double size) const;
     std::vector<ScreenedPoint> points() const;
+    bool stays_assembled(const Eigen::VectorXd& x) const;
 
     const Program& program_;
     std::uint64_t seed_;

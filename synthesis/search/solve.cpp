@@ -198,8 +198,9 @@ Found automatic(const Problem& problem, const RunOptions& options, Clock::time_p
     if (options.neighbour) return near_neighbour(problem, options, deadline);
     if (!why_no_path_search(problem).empty()) return with_slsqp(problem, options, deadline);
     Found found = with_least_squares(problem, options, deadline);
-    // Where other things than the sum of squares count, the best are not where least squares look first.
+    // Where other things than the distances count, the best are not where least squares look first.
     if (found.stopped || least_squares_suffice(problem)) return found;
+    if (least_squares_lead_on(problem) && found_feasible(found)) return found;
     return better(problem, std::move(found), with_slsqp(problem, options, deadline));
 }
 

@@ -191,8 +191,18 @@ weight = 0.5
 )"));
 }
 
+/// Links whose ranges differ: where coupler and rocker are equal, margins of assembly have a kink.
+const std::string uneven_head = R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = { min = 20, max = 62 }
+crank = { min = 5, max = 15 }
+coupler = { min = 22, max = 65 }
+rocker = { min = 20, max = 58 }
+)";
+
 TEST(Derivatives, OfUntimedPathWithMinimax) {
-    expect_exact_derivatives(problem_of(std::string(head) + placement + R"([path]
+    expect_exact_derivatives(problem_of(uneven_head + placement + R"([path]
 points = [[0, 0], [3, 8], [9, 12], [18, 9], [25, 2]]
 timing = "free"
 [objective]
@@ -223,6 +233,22 @@ minimize = "path-sse"
         EXPECT_EQ(plain.objective, full.objective);
         EXPECT_EQ(plain.rows, full.rows);
     }
+}
+
+TEST(Derivatives, OfPosesAlongAStretchWithTiedLinks) {
+    const std::string poses = R"(body-angle = { min = 0, max = 360 }
+[poses]
+poses = [[0, 0, 0], [10, 3, 20], [20, 4, 35], [31, 2, 50]]
+length = 10
+[objective]
+minimize = "pose-rms"
+)";
+    const std::string free = uneven_head + placement;
+    expect_exact_derivatives(problem_of(free + poses));
+    std::string tied = free;
+    const std::string rocker = "rocker = { min = 20, max = 58 }";
+    tied.replace(tied.find(rocker), rocker.size(), "rocker = { of = \"coupler\", times = 1.3 }");
+    expect_exact_derivatives(problem_of(tied + poses));
 }
 
 }  // namespace

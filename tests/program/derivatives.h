@@ -55,21 +55,29 @@ inline bool has_exact_derivatives(const Program& program, const Eigen::VectorXd&
     const double slope = 1 + at.gradient.cwiseAbs().maxCoeff();
     const double curvature = 1 + hessian.cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < n; ++i) {
-        ProgramValues up;
-        ProgramValues down;
+        ProgramValues up, down, far_up, far_down;
         Eigen::VectorXd y = x;
-        y[i] = x[i] + h;
-        evaluate(program, y, true, up);
-        y[i] = x[i] - h;
-        evaluate(program, y, true, down);
-        EXPECT_NEAR(at.gradient[i], (up.objective - down.objective) / (2 * h), 1e-7 * slope)
+        const auto at_step = [&](double step, ProgramValues& values) {
+            y[i] = x[i] + step;
+            evaluate(program, y, true, values);
+        };
+        at_step(h, up);
+        at_step(-h, down);
+        at_step(2 * h, far_up);
+        at_step(-2 * h, far_down);
+        // Of fourth order: next to steep places the difference of two would have an error of its own.
+        const auto difference = [&](const auto& of) -> decltype(of(up)) {
+            return (8 * (of(up) - of(down)) - (of(far_up) - of(far_down))) / (12 * h);
+        };
+        EXPECT_NEAR(at.gradient[i], difference([](const ProgramValues& v) { return v.objective; }), 1e-7 * slope)
             << name << ", " << program.variables[static_cast<std::size_t>(i)].name;
         for (Eigen::Index r = 0; r < at.rows.size(); ++r)
-            EXPECT_NEAR(at.jacobian(r, i), (up.rows[r] - down.rows[r]) / (2 * h),
+            EXPECT_NEAR(at.jacobian(r, i), difference([&](const ProgramValues& v) { return v.rows[r]; }),
                         1e-7 * (1 + at.jacobian.row(r).cwiseAbs().maxCoeff()))
                 << program.rows[static_cast<std::size_t>(r)].name;
-        const Eigen::VectorXd column =
-            (0.7 * (up.gradient - down.gradient) + (up.jacobian - down.jacobian).transpose() * multipliers) / (2 * h);
+        const Eigen::VectorXd column = difference([&](const ProgramValues& v) {
+            return Eigen::VectorXd(0.7 * v.gradient + v.jacobian.transpose() * multipliers);
+        });
         EXPECT_LE((hessian.col(i) - column).cwiseAbs().maxCoeff(), 1e-6 * curvature)
             << name << ", " << program.variables[static_cast<std::size_t>(i)].name;
     }

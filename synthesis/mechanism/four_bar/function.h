@@ -40,13 +40,16 @@ struct RockerAngle {
 inline constexpr std::array<std::size_t, 6> used_over_input{0, 1, 2, 3, input_start, input_range};
 
 /// The half crank angles at which margins and transmission angle can be extreme: both ends of the input range, and
-/// where the crank passes the ground line.
+/// where the crank passes the ground line; where it does not pass, the end nearer to it, so that nothing jumps when it
+/// begins to.
 template <class T>
 std::array<HalfTurn<T>, 4> input_places(const std::array<T, function_reads>& x) {
     const T first = x[input_start], last = x[input_start] + x[input_range];
-    const auto passed = [&](double angle) { return passes(value_of(first), value_of(last), angle); };
-    return {half_turn(first), half_turn(last), passed(0) ? HalfTurn<T>{T(1), T(0)} : half_turn(first),
-            passed(std::numbers::pi) ? HalfTurn<T>{T(0), T(1)} : half_turn(last)};
+    const auto nearest = [&](double angle, const HalfTurn<T>& there) {
+        if (passes(value_of(first), value_of(last), angle)) return there;
+        return half_turn(nearer_to_first(value_of(first), value_of(last), angle) ? first : last);
+    };
+    return {half_turn(first), half_turn(last), nearest(0, {T(1), T(0)}), nearest(std::numbers::pi, {T(0), T(1)})};
 }
 
 /// What must be >= 0 for the linkage to assemble over the whole input range.

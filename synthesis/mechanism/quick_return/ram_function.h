@@ -36,15 +36,18 @@ struct RamPosition {
 inline constexpr std::array<std::size_t, 5> used_over_input{0, 1, 2, input_start, input_range};
 
 /// The crank directions in which margins and transmission angle can be extreme: both ends of the input range, and where
-/// the crank stands square to the slide.
+/// the crank stands square to the slide; where it does not pass there, the end nearer to that.
 template <class T>
 std::array<Vector<T>, 4> input_places(const std::array<T, function_reads>& x) {
     using std::cos, std::sin;
     const T first = x[input_start], last = x[input_start] + x[input_range];
-    const auto passed = [&](double angle) { return passes(value_of(first), value_of(last), angle); };
     const auto end = [&](const T& angle) { return Vector<T>{cos(angle), sin(angle)}; };
-    return {end(first), end(last), passed(std::numbers::pi / 2) ? Vector<T>{T(0), T(1)} : end(first),
-            passed(-std::numbers::pi / 2) ? Vector<T>{T(0), T(-1)} : end(last)};
+    const auto nearest = [&](double angle, const Vector<T>& there) {
+        if (passes(value_of(first), value_of(last), angle)) return there;
+        return end(nearer_to_first(value_of(first), value_of(last), angle) ? first : last);
+    };
+    return {end(first), end(last), nearest(std::numbers::pi / 2, {T(0), T(1)}),
+            nearest(-std::numbers::pi / 2, {T(0), T(-1)})};
 }
 
 /// What must be >= 0 for the rod to reach the slide over the whole input range.

@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// The stretch of the crank between the first and the last target of a path. A design serves the path only if it stays
+/// assembled on one branch all along the stretch: families whose crank turns fully do, of the others it is asked.
+
+#include <Eigen/Core>
+#include <span>
+
+#include "synthesis/program/program.h"
+
+namespace mechwright {
+
+/// Whether designs of a family have to be kept assembled between the targets of the problem's path.
+bool needs_stretch(const Problem& problem, const Family& family);
+
+/// The crank angles between which a design meets its path, the first less than the last; radians. Of an ordered path
+/// the crank may turn either way.
+struct CrankStretch {
+    double first;
+    double last;
+};
+
+CrankStretch stretch_of(const Problem& problem, std::span<const double> path_angles);
+
+/// The least margin of assembly along the stretch of a design, in the unit of its lengths; < 0 where it comes apart.
+/// Margins are taken wherever they can be least (Mechanism::input_margin).
+double least_margin_along(const Problem& problem, const Design& design);
+
+/// Writes the margins along the stretch, which have their places already. The dimensions of `out` are set.
+void evaluate_stretch(const Program& program, const Eigen::VectorXd& x, bool derivatives, Outputs& out);
+
+/// Adds their second derivatives, by the weights and dimensions of `out`, to its value.
+void add_stretch_hessian(const Program& program, const Eigen::VectorXd& x, LagrangianHessian& out);
+
+/// The points of the path at the ends of the stretch, whose own crank angles an untimed path has as variables.
+struct StretchEnds {
+    std::size_t first;
+    std::size_t last;
+};
+
+StretchEnds stretch_ends(const Program& program, const Eigen::VectorXd& x);
+
+}  // namespace mechwright

@@ -1,0 +1,83 @@
+#include "synthesis/program/validity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/program/stretch.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr double without_limit = std::numeric_limits<double>::infinity();
+
+double margin_at_targets(const Problem& problem, const Design& design) {
+    double least = without_limit;
+    for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
+        PathMiss miss{};
+        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], problem.path->points[i],
+                                     miss);
+        if (!(miss.margin >= least)) least = miss.margin;
+    }
+    return least;
+}
+
+bool has_order(const Problem& problem, const Design& design) {
+    return !problem.path->prescribed_timing && !problem.path->any_order && design.path_angles.size() > 2;
+}
+
+/// The least turn of the crank from a point to the next, in the direction from the first to the last.
+double least_step(const std::vector<double>& angles) {
+    const double direction = angles.back() > angles.front() ? 1 : -1;
+    double least = without_limit;
+    for (std::size_t i = 1; i < angles.size(); ++i)
+        least = std::min(least, direction * (angles[i] - angles[i - 1]));
+    return least;
+}
+
+/// The least of a cam's margins of existence, relative to its radius.
+double existence_margin(const Problem& problem, const Design& design) {
+    const Quantity& margin = *problem.mechanism->families[0].assembly_margin;
+    const Motion motion = motion_of(problem, design);
+    std::array<double, Quantity::most_components> components{};
+    margin.measure(motion, design.dimensions, {components, {}, {}});
+    double least = without_limit;
+    for (std::size_t i = 0; i < margin.components(motion); ++i) {
+        const double relative = components[i] / design.dimensions[0];
+        least = std::min(least, std::isnan(relative) ? -without_limit : relative);
+    }
+    return least;
+}
+
+void add_margins_of_path(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {
+    const Motion whole = problem.mechanism->motion(design.dimensions, design.assembly, nullptr);
+    if (problem.path->closed)
+        all.push_back({"the crank goes round the closed path", whole.full_turn ? 0 : -without_limit, false});
+    all.push_back({"it assembles at every target", margin_at_targets(problem, design), false});
+    if (needs_stretch(problem, problem.mechanism->families[whole.family]))
+        all.push_back(
+            {"it stays assembled from the first target to the last", least_margin_along(problem, design), false});
+    if (!has_order(problem, design)) return;
+    const std::vector<double>& angles = design.path_angles;
+    all.push_back({"the targets are met in their order", least_step(angles), true});
+    all.push_back({"the targets are met within one turn of the crank",
+                   2 * std::numbers::pi - std::abs(angles.back() - angles.front()), true});
+}
+
+}  // namespace
+
+std::vector<ValidityMargin> validity_margins(const Problem& problem, const Design& design) {
+    std::vector<ValidityMargin> all;
+    if (problem.program)
+        all.push_back({"the follower is held and the cam is not undercut", existence_margin(problem, design), true});
+    all.push_back({"it assembles over the range of crank angles",
+                   assembles_over_range(problem, design) ? 0 : -without_limit, false});
+    if (problem.path) add_margins_of_path(problem, design, all);
+    return all;
+}
+
+}  // namespace mechwright
