@@ -50,7 +50,7 @@ struct IpoptProgram final : Ipopt::TNLP {
     /// Whether the program could be evaluated at this point; Ipopt is told the truth and steps back.
     bool at(const Number* point) {
         const auto n = static_cast<Index>(program.size());
-        if (x.size() == n && std::equal(point, point + n, x.data())) return values.assembled;
+        if (best.evaluations > 0 && std::equal(point, point + n, x.data())) return values.assembled;
         x = Eigen::Map<const VectorXd>(point, n);
         evaluate(program, x, true, values);
         best.consider(program, x, values);
@@ -164,10 +164,39 @@ struct IpoptProgram final : Ipopt::TNLP {
                            Ipopt::IpoptCalculatedQuantities*) override {}
 };
 
+/// How far a run that stays near its start is moved away from bounds and constraints: relative to them, and at most
+/// this part of their range.
+constexpr double push = 1e-9;
+
+/// Whether all first slacks will be more than rounding when the start is moved so far. Ipopt 3.11.9 derives multipliers
+/// by `mu-based` from the slacks, and `CalculateSafeSlack` mends those that rounding has made zero with the multipliers
+/// before, of which there are none yet: it reads through a null pointer. The constant multipliers that it begins with
+/// by default ask for no slacks.
+bool first_slacks_hold(const Program& program, const VectorXd& start) {
+    constexpr double least = 1e-13;  // Ipopt multiplies rows by 1e-8 or more, and mends slacks below 2e-23 here
+    ProgramValues values;
+    evaluate(program, start, false, values);
+    const auto holds = [](double value, double lower, double upper) {
+        if (lower == upper) return true;
+        const auto of_bound = [&](double bound) {
+            const double size = std::max(1.0, std::abs(bound));
+            return !std::isfinite(bound) ||
+                   std::min(push * size, push * (upper - lower)) > least * (size + std::abs(value));
+        };
+        return of_bound(lower) && of_bound(upper);
+    };
+    bool all = values.assembled;
+    for (std::size_t i = 0; i < program.size(); ++i)
+        all = all && holds(start[static_cast<Index>(i)], program.variables[i].lower, program.variables[i].upper);
+    for (std::size_t r = 0; all && r < program.rows.size(); ++r)
+        all = holds(values.rows[static_cast<Index>(r)], program.rows[r].lower, program.rows[r].upper);
+    return all;
+}
+
 /// Keeps the first iterate where the start is: by default it is moved a hundredth of each range into the interior, and
 /// as far away from each constraint.
 bool stays_near(Ipopt::OptionsList& options) {
-    constexpr double push = 1e-9, first_barrier = 1e-7;
+    constexpr double first_barrier = 1e-7;
     for (const char* option : {"bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac"})
         if (!options.SetNumericValue(option, push)) return false;
     return options.SetStringValue("bound_mult_init_method", "mu-based") &&
@@ -191,7 +220,7 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
                           options->SetNumericValue("tol", std::max(limits.tolerance, 1e-10)) &&
                           options->SetNumericValue("bound_relax_factor", 0) &&
                           options->SetStringValue("honor_original_bounds", "yes") &&
-                          (!limits.near_optimum || stays_near(*options));
+                          (!limits.near_optimum || !first_slacks_hold(program, start) || stays_near(*options));
     // An empty name keeps a stray ipopt.opt in the working directory from changing results.
     Ipopt::ApplicationReturnStatus verdict = Ipopt::Internal_Error;
     if (accepted && application->Initialize("") == Ipopt::Solve_Succeeded)
