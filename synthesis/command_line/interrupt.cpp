@@ -10,7 +10,7 @@ namespace mechwright {
 
 namespace {
 
-constexpr std::array signals{SIGINT, SIGTERM};
+constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<bool> stop_requested{false};
 std::atomic<bool> acknowledge{false};

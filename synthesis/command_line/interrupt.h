@@ -6,8 +6,8 @@
 
 namespace mechwright {
 
-/// While one exists, the first SIGINT or SIGTERM only sets requested(); the next one is not held up any more. A signal
-/// that the program was started to ignore stays ignored. At most one at a time.
+/// While one exists, the first SIGINT, SIGTERM or SIGHUP only sets requested(); the next one is not held up any more. A
+/// signal that the program was started to ignore stays ignored. At most one at a time.
 struct Interrupt {
     /// With `announce` the first signal is acknowledged on standard error.
     explicit Interrupt(bool announce);

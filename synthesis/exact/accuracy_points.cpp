@@ -255,7 +255,7 @@ std::string why_no_accuracy_points(const Problem& problem) {
     return {};
 }
 
-ExactDesigns accuracy_point_designs(const Problem& problem, const RunOptions& options) {
+ExactDesigns accuracy_point_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const AccuracyProblem a(problem);
     const std::vector<std::size_t> drawn = drawn_scales(a);
     if (drawn.empty()) return isolated(a);
@@ -269,7 +269,7 @@ ExactDesigns accuracy_point_designs(const Problem& problem, const RunOptions& op
                 keep_better(problem, best, design_of(a, s, pins));
             return best;
         },
-        options);
+        options, end);
 }
 
 }  // namespace mechwright

@@ -10,6 +10,6 @@ namespace mechwright {
 
 /// Why a problem is not one of accuracy points; empty if it is.
 std::string why_no_accuracy_points(const Problem& problem);
-ExactDesigns accuracy_point_designs(const Problem& problem, const RunOptions& options);
+ExactDesigns accuracy_point_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
 
 }  // namespace mechwright

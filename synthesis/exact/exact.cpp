@@ -19,7 +19,7 @@ namespace {
 struct ExactKind {
     bool (*concerns)(const Problem&);
     std::string (*why_not)(const Problem&);
-    ExactDesigns (*designs)(const Problem&, const RunOptions&);
+    ExactDesigns (*designs)(const Problem&, const RunOptions&, const RunEnd&);
 };
 
 constexpr std::array<ExactKind, 7> kinds{{
@@ -48,8 +48,8 @@ std::string why_not_exact(const Problem& problem) {
                   "extreme velocity ratio that equals a value";
 }
 
-ExactDesigns exact_designs(const Problem& problem, const RunOptions& options) {
-    return kind_of(problem)->designs(problem, options);
+ExactDesigns exact_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
+    return kind_of(problem)->designs(problem, options, end);
 }
 
 }  // namespace mechwright

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "synthesis/exact/exact_designs.h"
+#include "synthesis/search/run_end.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright {
@@ -13,7 +14,7 @@ namespace mechwright {
 /// Why exact synthesis does not cover a problem; empty if it does.
 std::string why_not_exact(const Problem& problem);
 
-/// Precondition: why_not_exact is empty.
-ExactDesigns exact_designs(const Problem& problem, const RunOptions& options);
+/// Precondition: why_not_exact is empty. Where `end` is reached before, what was found until then.
+ExactDesigns exact_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
 
 }  // namespace mechwright

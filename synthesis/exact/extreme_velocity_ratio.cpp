@@ -72,10 +72,10 @@ std::string why_no_extreme_velocity_ratio(const Problem& problem) {
     return {};
 }
 
-ExactDesigns extreme_velocity_ratio_designs(const Problem& problem, const RunOptions& options) {
+ExactDesigns extreme_velocity_ratio_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const double ratio = *required_extreme(problem)->equal;
     return search_family(
-        problem, 2, [&](std::span<const double> numbers) { return member(problem, ratio, numbers); }, options);
+        problem, 2, [&](std::span<const double> numbers) { return member(problem, ratio, numbers); }, options, end);
 }
 
 }  // namespace mechwright

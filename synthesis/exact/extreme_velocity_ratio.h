@@ -13,6 +13,6 @@ bool requires_extreme_velocity_ratio(const Problem& problem);
 
 /// Why the family does not cover a problem; empty if it does.
 std::string why_no_extreme_velocity_ratio(const Problem& problem);
-ExactDesigns extreme_velocity_ratio_designs(const Problem& problem, const RunOptions& options);
+ExactDesigns extreme_velocity_ratio_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
 
 }  // namespace mechwright

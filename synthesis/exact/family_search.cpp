@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 
 #include "synthesis/local/subplex.h"
@@ -14,7 +13,6 @@ namespace mechwright {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Numbers = std::vector<double>;
 
 constexpr int members_examined = 4096;
@@ -46,11 +44,10 @@ double merit(const Problem& problem, const std::optional<ExactDesign>& design) {
 struct Search {
     const Problem& problem;
     const FamilyMember& member;
-    const RunOptions& options;
-    Clock::time_point deadline;
+    const RunEnd& end;
     std::atomic<long> evaluations{0};
 
-    bool ended() const { return Clock::now() >= deadline || (options.stop && options.stop->load()); }
+    bool ended() const { return end.reached(); }
 
     Candidate at(Numbers numbers) {
         ++evaluations;
@@ -93,9 +90,8 @@ bool is_same(const Design& a, const Design& b) {
 }  // namespace
 
 ExactDesigns search_family(const Problem& problem, std::size_t numbers, const FamilyMember& member,
-                           const RunOptions& options) {
-    const auto budget = std::chrono::duration<double>(std::min(problem.solver.time_limit, 1e9));
-    Search search{problem, member, options, Clock::now() + std::chrono::duration_cast<Clock::duration>(budget)};
+                           const RunOptions& options, const RunEnd& end) {
+    Search search{problem, member, end};
     const LowDiscrepancy sequence(std::max<std::size_t>(numbers, 1), problem.solver.seed, 0);
     std::vector<Candidate> candidates(members_examined);
     constexpr int chunk = 64;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "synthesis/exact/exact_designs.h"
+#include "synthesis/search/run_end.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright {
@@ -17,6 +18,6 @@ using FamilyMember = std::function<std::optional<ExactDesign>(std::span<const do
 /// Members spread evenly over the cube of the numbers, the best of which are improved by Subplex; as many as the
 /// problem's `starts`. Every design meets its targets exactly; that it is the best is not proved.
 ExactDesigns search_family(const Problem& problem, std::size_t numbers, const FamilyMember& member,
-                           const RunOptions& options);
+                           const RunOptions& options, const RunEnd& end);
 
 }  // namespace mechwright

@@ -63,7 +63,7 @@ std::string why_no_instant(const Problem& problem) {
     return {};
 }
 
-ExactDesigns instant_designs(const Problem& problem, const RunOptions&) {
+ExactDesigns instant_designs(const Problem& problem, const RunOptions&, const RunEnd&) {
     const LoopVectors v = rosenauer(rates_of(problem));
     const Complex ground = v.crank + v.coupler - v.rocker;
     ExactDesigns out;

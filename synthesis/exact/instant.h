@@ -5,12 +5,13 @@
 #include <string>
 
 #include "synthesis/exact/exact_designs.h"
+#include "synthesis/search/run_end.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright {
 
 /// Why a problem is not Rosenauer's; empty if it is.
 std::string why_no_instant(const Problem& problem);
-ExactDesigns instant_designs(const Problem& problem, const RunOptions& options);
+ExactDesigns instant_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
 
 }  // namespace mechwright

@@ -59,12 +59,13 @@ struct RealSolution {
 /// The real ones, each from its certificate where there is one.
 std::vector<RealSolution> real_solutions(const std::vector<homotopy::GuidanceValues>& all,
                                          const homotopy::GuidanceTarget& target,
-                                         const std::vector<homotopy::Place>& places, int jobs) {
+                                         const std::vector<homotopy::Place>& places, int jobs, const RunEnd& end) {
     std::vector<RealSolution> real;
     for (const homotopy::GuidanceValues& solution : all)
         if (homotopy::is_real(solution)) real.push_back({solution});
     const auto exact = homotopy::exact_parameters(target, places);
     share_work(static_cast<int>(real.size()), jobs, [&](int i) {
+        if (end.reached()) return;
         RealSolution& solution = real[static_cast<std::size_t>(i)];
         const auto proof = homotopy::certify(target.system, solution.values, exact);
         solution.certified = proof && proof->real;
@@ -89,18 +90,19 @@ std::string why_no_places(const Problem& problem) {
     return why.empty() ? why_points_coincide(path) : why;
 }
 
-ExactDesigns place_designs(const Problem& problem, const RunOptions& options) {
+ExactDesigns place_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const std::vector<homotopy::Place> places = places_of(*problem.path);
     const homotopy::GuidanceTarget target = homotopy::guidance_target(places);
     const homotopy::GuidanceSystem& system = target.system;
     const bool given = options.start_system && options.start_system->system.poses == system.poses;
     const homotopy::StartSystem& start = given ? *options.start_system : homotopy::start_system(system);
-    const auto found = homotopy::solve_guidance(start, target.parameters, options.jobs);
+    const auto found = homotopy::solve_guidance(start, target.parameters, options.jobs, end);
     ExactDesigns out;
     out.counts = SolutionCounts{found.tracked, found.solutions.size(), found.at_infinity, found.singular, 0, 0, 0};
-    out.complete = found.complete();
     out.evaluations = static_cast<long>(found.tracked);
-    const std::vector<RealSolution> real = real_solutions(found.solutions, target, places, options.jobs);
+    const std::vector<RealSolution> real = real_solutions(found.solutions, target, places, options.jobs, end);
+    out.stopped = end.reached();
+    out.complete = found.complete() && !out.stopped;
     out.counts->real = real.size();
     for (const RealSolution& solution : real) {
         if (solution.certified) ++out.counts->certified;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "synthesis/exact/exact_designs.h"
+#include "synthesis/search/run_end.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright {
@@ -15,6 +16,6 @@ std::string why_no_places(const Problem& problem);
 
 /// All real solutions, each with its cognates where there are points alone, and either fixed pivot as that of the
 /// crank, sized and placed as the targets say. Precondition: why_no_places is empty.
-ExactDesigns place_designs(const Problem& problem, const RunOptions& options);
+ExactDesigns place_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
 
 }  // namespace mechwright

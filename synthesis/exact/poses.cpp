@@ -232,12 +232,12 @@ std::string why_no_poses(const Problem& problem) {
     return why_not_so_many(problem.path->points.size(), "poses");
 }
 
-ExactDesigns pose_designs(const Problem& problem, const RunOptions& options) {
+ExactDesigns pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PoseTargets g = pose_targets(problem);
     if (g.places() == 5) return finished(problem, through_five_poses(g));
     return search_family(
         problem, 2 * numbers_of_dyad(g.places()),
-        [&](std::span<const double> numbers) { return member_of_poses(g, numbers); }, options);
+        [&](std::span<const double> numbers) { return member_of_poses(g, numbers); }, options, end);
 }
 
 std::string why_no_timed_points(const Problem& problem) {
@@ -247,12 +247,12 @@ std::string why_no_timed_points(const Problem& problem) {
     return why_not_so_many(problem.path->points.size(), "points at given crank angles");
 }
 
-ExactDesigns timed_point_designs(const Problem& problem, const RunOptions& options) {
+ExactDesigns timed_point_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PoseTargets g = pose_targets(problem);
     if (g.places() == 5) return finished(problem, through_five_timed_points(g));
     return search_family(
         problem, 2 * numbers_of_dyad(g.places()),
-        [&](std::span<const double> numbers) { return member_of_timed_points(g, numbers); }, options);
+        [&](std::span<const double> numbers) { return member_of_timed_points(g, numbers); }, options, end);
 }
 
 }  // namespace mechwright

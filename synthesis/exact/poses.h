@@ -11,10 +11,10 @@ namespace mechwright {
 
 /// Why a problem is not one of up to five poses; empty if it is.
 std::string why_no_poses(const Problem& problem);
-ExactDesigns pose_designs(const Problem& problem, const RunOptions& options);
+ExactDesigns pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
 
 /// Why a problem is not one of up to five points at given crank angles; empty if it is.
 std::string why_no_timed_points(const Problem& problem);
-ExactDesigns timed_point_designs(const Problem& problem, const RunOptions& options);
+ExactDesigns timed_point_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
 
 }  // namespace mechwright

@@ -87,11 +87,11 @@ std::string why_no_slider_crank_poses(const Problem& problem) {
         path.points.size());
 }
 
-ExactDesigns slider_crank_pose_designs(const Problem& problem, const RunOptions& options) {
+ExactDesigns slider_crank_pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PoseTargets g = pose_targets(problem);
     const std::size_t numbers = numbers_of_dyad(g.places()) + numbers_of_slider(g.places());
     return search_family(
-        problem, numbers, [&](std::span<const double> at) { return member(g, at); }, options);
+        problem, numbers, [&](std::span<const double> at) { return member(g, at); }, options, end);
 }
 
 }  // namespace mechwright

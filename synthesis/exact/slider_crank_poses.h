@@ -11,6 +11,6 @@ namespace mechwright {
 
 /// Why a problem is not one of these; empty if it is.
 std::string why_no_slider_crank_poses(const Problem& problem);
-ExactDesigns slider_crank_pose_designs(const Problem& problem, const RunOptions& options);
+ExactDesigns slider_crank_pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
 
 }  // namespace mechwright

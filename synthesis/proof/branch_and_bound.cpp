@@ -42,12 +42,13 @@ struct Search {
         return (options.stop && options.stop->load()) || std::chrono::steady_clock::now() >= deadline;
     }
 
+    /// Where the run ends before, not of all: none of them counts then.
     std::vector<BoxBound> bounds_of(const std::vector<Box>& some) {
         std::vector<BoxBound> bounds(some.size());
         const std::size_t tasks = (some.size() + per_task - 1) / per_task;
         share_work(static_cast<int>(tasks), options.jobs, [&](int task) {
             const std::size_t first = static_cast<std::size_t>(task) * per_task;
-            for (std::size_t i = first; i < std::min(first + per_task, some.size()); ++i)
+            for (std::size_t i = first; i < std::min(first + per_task, some.size()) && !stopped(); ++i)
                 bounds[i] = bound(some[i]);
         });
         boxes += static_cast<long>(some.size());
@@ -66,6 +67,7 @@ struct Search {
             const std::vector<Box> some(open.end() - static_cast<std::ptrdiff_t>(count), open.end());
             open.resize(open.size() - count);
             const std::vector<BoxBound> bounds = bounds_of(some);
+            if (stopped()) return Outcome::ended;
             if (options.bounding) options.bounding(reached, boxes);
             for (std::size_t i = 0; i < count; ++i) {
                 if (bounds[i].least >= target) continue;

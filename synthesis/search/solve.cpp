@@ -151,8 +151,8 @@ std::string why_no_least_squares(const Problem& problem) {
     return why.empty() ? why_no_search(problem) : why;
 }
 
-Found every_solution(const Problem& problem, const RunOptions& options, Clock::time_point) {
-    ExactDesigns designs = exact_designs(problem, options);
+Found every_solution(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    ExactDesigns designs = exact_designs(problem, options, {deadline, options.stop});
     Found found;
     found.candidates = std::move(designs.designs);
     found.excluded = std::move(designs.excluded);
@@ -242,7 +242,8 @@ const Method* find_method(std::string_view name) {
 }
 
 /// The first candidate that passes verification becomes the design, the others alternatives; if none passes, the first.
-void choose_verified(const Problem& problem, std::vector<Solution> candidates, std::size_t most_tried, Result& result) {
+void choose_verified(const Problem& problem, std::vector<Solution> candidates, std::size_t most_tried,
+                     const RunEnd& end, Result& result) {
     constexpr std::size_t most_alternatives = 20;
     std::vector<Check> first_checks;
     std::size_t chosen = 0;
@@ -251,7 +252,7 @@ void choose_verified(const Problem& problem, std::vector<Solution> candidates, s
         result.verification = verify(document(problem, result));
         if (i == 0) first_checks = result.verification;
         chosen = i;
-        if (result.verified()) break;
+        if (result.verified() || end.reached()) break;
     }
     if (!result.verified()) {
         chosen = 0;
@@ -268,9 +269,16 @@ void choose_verified(const Problem& problem, std::vector<Solution> candidates, s
 }
 
 /// Every design that passes verification is one of the answers, the best first; what does not pass has a defect between
-/// the points: of circuit, mostly.
-void choose_all_verified(const Problem& problem, Found& found, Result& result) {
+/// the points: of circuit, mostly. Where the run ends before all are verified, the best of those that were is the
+/// answer.
+void choose_all_verified(const Problem& problem, Found& found, const RunEnd& end, Result& result) {
     for (Solution& candidate : found.candidates) {
+        if (&candidate != &found.candidates.front() && end.reached()) {
+            found.stopped = true;
+            found.report.complete = result.search.complete = false;
+            result.search.argument.clear();
+            break;
+        }
         Result alone;
         alone.best = candidate;
         const std::vector<Check> checks = verify(document(problem, alone));
@@ -302,6 +310,7 @@ Result solve(const Problem& problem, const RunOptions& options) {
     const Clock::time_point begin = Clock::now();
     const auto budget = std::chrono::duration<double>(std::min(problem.solver.time_limit, 1e9));
     const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(budget);
+    const RunEnd end{deadline, options.stop};
     const Method* method = find_method(problem.solver.method);
 
     Result result;
@@ -318,12 +327,12 @@ Result solve(const Problem& problem, const RunOptions& options) {
     result.search = found.report;
     bool feasible = !found.candidates.empty() && found.candidates.front().feasible;
     if (found.report.solutions) {
-        choose_all_verified(problem, found, result);
+        choose_all_verified(problem, found, end, result);
         feasible = result.best.has_value();
         found.infeasible = !feasible && found.report.complete;
         if (options.all) result.excluded = std::move(found.excluded);
     } else if (feasible)
-        choose_verified(problem, std::move(found.candidates), found.most_tried, result);
+        choose_verified(problem, std::move(found.candidates), found.most_tried, end, result);
     else if (!found.candidates.empty())
         result.best = std::move(found.candidates.front());
 

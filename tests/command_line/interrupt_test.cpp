@@ -40,7 +40,7 @@ TEST_P(InterruptBy, TheBestSoFarIsWritten) {
     EXPECT_EQ(count_files(folder.path / "out"), 1u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, InterruptBy, ::testing::Values(SIGINT, SIGTERM));
+INSTANTIATE_TEST_SUITE_P(Signals, InterruptBy, ::testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 TEST(Interrupt, WhatWasNotStartedIsNotSolved) {
     const TemporaryFolder folder;

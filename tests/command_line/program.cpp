@@ -66,7 +66,7 @@ std::array<int, 2> open_input(const Start& how) {
 
 /// In the child; does not return.
 [[noreturn]] void become_program(const Start& how, int in, int out, int err) {
-    for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ})
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ})
         ::signal(number, SIG_DFL);
     if (!how.out_to.empty()) out = ::open(how.out_to.c_str(), O_WRONLY);
     ::dup2(in, STDIN_FILENO);

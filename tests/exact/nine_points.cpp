@@ -109,11 +109,11 @@ TEST(NinePointPaths, AreTheSameForAnyInstructionSetAndNumberOfThreads) {
     const StartSystem& start = start_system(nine_points);
     const std::vector<GuidanceValues> some(start.solutions.begin(), start.solutions.begin() + 100);
     const GuidanceParameters target = target_of(problem_3).parameters;
-    const auto baseline = track(nine_points, some, start.parameters, target, {}, 1, InstructionSet::baseline);
+    const auto baseline = track(nine_points, some, start.parameters, target, {}, 1, {}, InstructionSet::baseline);
     for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
         if (!is_available(set)) continue;
         for (const int jobs : {1, 2, 7}) {
-            const auto paths = track(nine_points, some, start.parameters, target, {}, jobs, set);
+            const auto paths = track(nine_points, some, start.parameters, target, {}, jobs, {}, set);
             for (std::size_t i = 0; i < some.size(); ++i)
                 for (std::size_t k = 0; k < paths[i].point.size(); ++k) {
                     ASSERT_EQ(paths[i].point[k].re, baseline[i].point[k].re);

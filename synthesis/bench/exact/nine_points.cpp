@@ -20,14 +20,14 @@ namespace {
     std::ptrdiff_t next = 0;
     const auto count = static_cast<std::ptrdiff_t>(starts.size());
     tracker.run(
-        starts, [&] { return next < count ? next++ : -1; }, out);
+        starts, [&] { return next < count ? next++ : -1; }, {}, out);
     return out;
 }
 
 template <InstructionSet set>
 std::vector<GuidancePath> in_lanes(const NinePoints& points, const TrackingOptions& options) {
     return track(points.target.system, points.start->solutions, points.start->parameters, points.target.parameters,
-                 options, 1, set);
+                 options, 1, {}, set);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ struct Work {
     const GuidanceParameters& from;
     const GuidanceParameters& to;
     const TrackingOptions& options;
+    const RunEnd& end;
     std::vector<GuidancePath>& out;
     std::atomic<std::ptrdiff_t> next{0};
 
@@ -29,7 +30,7 @@ template <class T, std::size_t N>
 void work_on(Work& work) {
     Tracker<GuidanceSystem, T, N> tracker(work.system, work.from, work.to, work.options);
     tracker.run(
-        work.starts, [&work] { return work.take(); }, work.out);
+        work.starts, [&work] { return work.take(); }, work.end, work.out);
 }
 
 // One body for each instruction set, with everything it calls made part of it.
@@ -69,9 +70,9 @@ Body wide_body_for(InstructionSet set) {
 
 std::vector<GuidancePath> tracked(const GuidanceSystem& system, const std::vector<GuidancePath>& starts,
                                   const GuidanceParameters& from, const GuidanceParameters& to,
-                                  const TrackingOptions& options, int jobs, Body body) {
+                                  const TrackingOptions& options, int jobs, const RunEnd& end, Body body) {
     std::vector<GuidancePath> out(starts.size());
-    Work work{system, starts, from, to, options, out};
+    Work work{system, starts, from, to, options, end, out};
     share_work(jobs, jobs, [&](int) { body(work); });
     return out;
 }
@@ -80,17 +81,17 @@ std::vector<GuidancePath> tracked(const GuidanceSystem& system, const std::vecto
 
 std::vector<GuidancePath> track(const GuidanceSystem& system, const std::vector<GuidanceValues>& starts,
                                 const GuidanceParameters& from, const GuidanceParameters& to,
-                                const TrackingOptions& options, int jobs, InstructionSet set) {
+                                const TrackingOptions& options, int jobs, const RunEnd& end, InstructionSet set) {
     std::vector<GuidancePath> beginnings;
     for (const GuidanceValues& start : starts)
         beginnings.push_back(beginning_at(start));
-    return tracked(system, beginnings, from, to, options, jobs, body_for(set));
+    return tracked(system, beginnings, from, to, options, jobs, end, body_for(set));
 }
 
 std::vector<GuidancePath> track_wide(const GuidanceSystem& system, const std::vector<GuidancePath>& stopped,
                                      const GuidanceParameters& from, const GuidanceParameters& to,
-                                     const TrackingOptions& options, int jobs, InstructionSet set) {
-    return tracked(system, stopped, from, to, options, jobs, wide_body_for(set));
+                                     const TrackingOptions& options, int jobs, const RunEnd& end, InstructionSet set) {
+    return tracked(system, stopped, from, to, options, jobs, end, wide_body_for(set));
 }
 
 GuidancePath beginning_at(const GuidanceValues& solution) {

@@ -15,16 +15,16 @@ using GuidanceParameters = GuidanceSystem::Parameters<double>;
 using GuidancePath = TrackedPath<GuidanceSystem>;
 
 /// The paths from solutions at some parameters to those at others, in their order; the same digits for any number of
-/// jobs and any instruction set.
+/// jobs and any instruction set. Those that `end` cuts off are too slow, and have reached nothing.
 std::vector<GuidancePath> track(const GuidanceSystem& system, const std::vector<GuidanceValues>& starts,
                                 const GuidanceParameters& from, const GuidanceParameters& to,
-                                const TrackingOptions& options, int jobs,
+                                const TrackingOptions& options, int jobs, const RunEnd& end = {},
                                 InstructionSet set = widest_instruction_set());
 
 /// The same with twice the digits, for paths that double does not suffice for: from where they have been followed to.
 std::vector<GuidancePath> track_wide(const GuidanceSystem& system, const std::vector<GuidancePath>& stopped,
                                      const GuidanceParameters& from, const GuidanceParameters& to,
-                                     const TrackingOptions& options, int jobs,
+                                     const TrackingOptions& options, int jobs, const RunEnd& end = {},
                                      InstructionSet set = widest_instruction_set());
 
 /// A path that is to be followed from its beginning.

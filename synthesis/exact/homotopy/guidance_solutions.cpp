@@ -41,6 +41,16 @@ bool is_degenerate(const GuidanceValues& u) {
     return false;
 }
 
+/// Whether the conjugates are those of the numbers, to a part of their size.
+bool is_real_within(double part, const GuidanceValues& u) {
+    double size = 0, apart = 0;
+    for (std::size_t i = 0; i < u.size(); i += 2) {
+        size = std::max({size, norm(u[i]), norm(u[i + 1])});
+        apart = std::max(apart, norm(u[i] - Complex<double>{u[i + 1].re, -u[i + 1].im}));
+    }
+    return apart <= part * part * size;
+}
+
 /// Refines a solution. Whether it is one, isolated, and stands for a linkage.
 bool refined_to_regular(const GuidanceSystem& system, GuidanceValues& u, const GuidanceParameters& target) {
     return refine(system, u, target) < regular_below && !is_degenerate(u);
@@ -50,10 +60,13 @@ struct Ends {
     const StartSystem& start;
     const GuidanceParameters& target;
     int jobs;
+    const RunEnd& end;
     std::vector<GuidancePath> paths;
     std::vector<bool> regular;
 
     void refine_end(std::size_t i) {
+        constexpr double nearly_real = 1e-4;
+        if (end.reached() && !is_real_within(nearly_real, paths[i].point)) return;  // no time for what is of no use
         regular[i] = paths[i].end == PathEnd::reached && refined_to_regular(start.system, paths[i].point, target);
     }
 
@@ -64,7 +77,7 @@ struct Ends {
             const bool stopped = !from_beginning && paths[i].end == PathEnd::too_slow;
             starts.push_back(stopped ? paths[i] : beginning_at(start.solutions[i]));
         }
-        const auto again = track_wide(start.system, starts, start.parameters, target, options, jobs);
+        const auto again = track_wide(start.system, starts, start.parameters, target, options, jobs, end);
         for (std::size_t k = 0; k < which.size(); ++k) {
             paths[which[k]] = again[k];
             refine_end(which[k]);
@@ -109,16 +122,16 @@ GuidanceParameters detour(const GuidanceParameters& start) {
 
 /// Regular ends of all solutions by way of other parameters: those that are not known yet are added, and are no longer
 /// missing.
-void add_by_another_way(const StartSystem& start, const GuidanceParameters& target, int jobs,
+void add_by_another_way(const StartSystem& start, const GuidanceParameters& target, int jobs, const RunEnd& end,
                         GuidanceSolutions& found) {
     const GuidanceParameters between = detour(start.parameters);
     std::vector<GuidanceValues> middle;
-    for (const GuidancePath& path : track(start.system, start.solutions, start.parameters, between, {}, jobs))
+    for (const GuidancePath& path : track(start.system, start.solutions, start.parameters, between, {}, jobs, end))
         if (path.end == PathEnd::reached) middle.push_back(path.point);
     SeenOrbits seen;
     for (std::size_t i = 0; i < found.solutions.size(); ++i)
         seen.find_or_keep(orbit_of(start.system, found.solutions[i]), i);
-    for (const GuidancePath& path : track(start.system, middle, between, target, {}, jobs)) {
+    for (const GuidancePath& path : track(start.system, middle, between, target, {}, jobs, end)) {
         GuidanceValues solution = path.point;
         if (path.end != PathEnd::reached || !refined_to_regular(start.system, solution, target)) continue;
         if (seen.find_or_keep(orbit_of(start.system, solution), found.solutions.size())) continue;
@@ -133,15 +146,20 @@ void add_by_another_way(const StartSystem& start, const GuidanceParameters& targ
 
 }  // namespace
 
-GuidanceSolutions solve_guidance(const StartSystem& start, const GuidanceParameters& target, int jobs) {
-    Ends ends{start, target, jobs, track(start.system, start.solutions, start.parameters, target, {}, jobs), {}};
+GuidanceSolutions solve_guidance(const StartSystem& start, const GuidanceParameters& target, int jobs,
+                                 const RunEnd& end) {
+    Ends ends{start, target, jobs, end, track(start.system, start.solutions, start.parameters, target, {}, jobs, end),
+              {}};
     ends.regular.resize(ends.paths.size());
     for (std::size_t i = 0; i < ends.paths.size(); ++i)
         ends.refine_end(i);
-    if (const auto which = ends.not_regular(); which.size() <= most_in_need_of_care)
+    const bool whole = !end.reached();
+    if (const auto which = ends.not_regular(); whole && which.size() <= most_in_need_of_care)
         ends.track_again(which, careful, false);
-    if (const auto which = ends.not_regular(); which.size() <= most_missing) ends.track_again(which, patient, false);
-    if (const auto which = ends.meeting(); which.size() <= most_missing) ends.track_again(which, most_careful, true);
+    if (const auto which = ends.not_regular(); whole && which.size() <= most_missing)
+        ends.track_again(which, patient, false);
+    if (const auto which = ends.meeting(); whole && which.size() <= most_missing)
+        ends.track_again(which, most_careful, true);
 
     GuidanceSolutions found;
     found.tracked = ends.paths.size();
@@ -157,7 +175,7 @@ GuidanceSolutions solve_guidance(const StartSystem& start, const GuidanceParamet
             ++(at_the_end && !ends.regular[i] ? found.singular : found.lost);
     }
     const std::size_t missing = found.tracked - found.solutions.size();
-    if (missing > 0 && missing <= most_missing) add_by_another_way(start, target, jobs, found);
+    if (missing > 0 && missing <= most_missing && !end.reached()) add_by_another_way(start, target, jobs, end, found);
     return found;
 }
 
@@ -212,14 +230,6 @@ GuidanceSystem::Parameters<Digits50> exact_parameters(const GuidanceTarget& targ
     return exact;
 }
 
-bool is_real(const GuidanceValues& u) {
-    constexpr double rounding = 1e-9;
-    double size = 0, apart = 0;
-    for (std::size_t i = 0; i < u.size(); i += 2) {
-        size = std::max({size, norm(u[i]), norm(u[i + 1])});
-        apart = std::max(apart, norm(u[i] - Complex<double>{u[i + 1].re, -u[i + 1].im}));
-    }
-    return apart <= rounding * rounding * size;
-}
+bool is_real(const GuidanceValues& u) { return is_real_within(1e-9, u); }
 
 }  // namespace mechwright::homotopy

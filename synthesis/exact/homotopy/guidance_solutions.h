@@ -25,7 +25,9 @@ struct GuidanceSolutions {
 
 /// Follows all solutions of the start system to the target; what double does not suffice for, and paths that end at the
 /// same place, again in extended precision and by shorter steps, then by another way. The same for any number of jobs.
-GuidanceSolutions solve_guidance(const StartSystem& start, const GuidanceParameters& target, int jobs);
+/// Where `end` is reached before, what was found of the real ones until then; the others are lost.
+GuidanceSolutions solve_guidance(const StartSystem& start, const GuidanceParameters& target, int jobs,
+                                 const RunEnd& end = {});
 
 /// The parameters of real places: displacements from the first pose, which may stand anywhere among the places, scaled
 /// to about 1.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "synthesis/exact/homotopy/linear_system.h"
+#include "synthesis/search/run_end.h"
 
 namespace mechwright::homotopy {
 
@@ -56,13 +57,15 @@ public:
     }
 
     /// `take` gives the number of another path, or a negative one if there is none. Paths begin at `starts[i].point`,
-    /// where their parameters are so far along the line as `starts[i].reached` says.
+    /// where their parameters are so far along the line as `starts[i].reached` says. Paths that are not over when the
+    /// run ends are left as they are in `out`.
     template <class Take>
-    void run(const std::vector<TrackedPath<System>>& starts, const Take& take, std::vector<TrackedPath<System>>& out) {
+    void run(const std::vector<TrackedPath<System>>& starts, const Take& take, const RunEnd& end,
+             std::vector<TrackedPath<System>>& out) {
         lanes_.fill(Lane{});
         for (std::size_t i = 0; i < N; ++i)
             load(i, take(), starts);
-        while (busy()) {
+        while (busy() && !end.reached()) {
             step();
             for (std::size_t i = 0; i < N; ++i) {
                 if (lanes_[i].path < 0 || !ended(i)) continue;
