@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "analysis/extremes.h"
@@ -17,6 +18,7 @@
 #include "synthesis/mechanism/function_again.h"
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/mechanism/measured.h"
+#include "synthesis/mechanism/resolved_nodes.h"
 
 namespace mechwright {
 
@@ -114,8 +116,7 @@ struct QuadratureNode {
     double weight;
 };
 
-/// The double exponential rule of Takahasi and Mori on [0, 1]: share = 1 / (1 + exp(-pi sinh t)) at even steps of t. It
-/// keeps its digits where a mechanism comes out of a dead position at an end of its range, or close before it.
+/// The double exponential rule of Takahasi and Mori on [0, 1]: share = 1 / (1 + exp(-pi sinh t)) at even steps of t.
 inline const std::array<QuadratureNode, 61>& quadrature_nodes() {
     static const auto nodes = [] {
         std::array<QuadratureNode, 61> all;
@@ -156,13 +157,42 @@ struct FunctionRms {
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
         using std::sqrt;
+        const FunctionTarget& f = *motion.function;
         T sum(0.0);
-        for_each_node(*motion.function, [&](double share, double part, double weight) {
+        const auto add = [&](double share, double part, double weight) {
             const T error = Generator::error(x, motion.assembly, T(share), T(part));
             sum += T(weight) * error * error;
-        });
+        };
+        if (has_samples(&f)) {
+            for (const Vector<double>& s : f.parts)
+                add(s.x, s.y, 1.0 / static_cast<double>(f.parts.size()));
+        } else {
+            std::array<double, reads> plain;
+            std::transform(x.begin(), x.end(), plain.begin(), [](const T& v) { return value_of(v); });
+            const ResolvedIntervals intervals = resolved(f, plain, motion.assembly);
+            for (std::size_t k = 0; k < intervals.count; ++k)
+                for_each_kronrod_node(intervals.at[k], [&](double share, double weight, double) {
+                    add(share, part_at(f, share), weight);
+                });
+        }
         out[0] = sqrt(sum);
         return 1;
+    }
+
+private:
+    static ResolvedIntervals resolved(const FunctionTarget& f, const std::array<double, reads>& x,
+                                      std::size_t assembly) {
+        using D = Dual<double, 1>;
+        std::array<D, reads> constant;
+        std::copy(x.begin(), x.end(), constant.begin());
+        const auto along = [&](double share) {
+            const D at = D::variable(share, 0);
+            const D error = Generator::error(constant, assembly, at, part_at(f, at));
+            return std::pair(error.value, error.partial[0]);
+        };
+        const D part = D::variable(0, 0);
+        const double way = Generator::error(constant, assembly, D(0.0), part).partial[0];
+        return resolved_intervals(along, std::abs(way));
     }
 };
 

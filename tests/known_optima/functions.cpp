@@ -165,6 +165,43 @@ minimize = "function-max"
     EXPECT_NEAR(s.value("function-rms"), 0.493011826, 1e-8);
 }
 
+/// Where a linkage passes close by a toggle or a change point its error has all but a kink.
+TEST(Functions, CloseByTogglesAndChangePointsKeepTheirMeanError) {
+    const std::string reciprocal = "[function]\nexpression = \"1/x\"\nx = [1, 2]\n";
+    const std::string from_30 =
+        reciprocal + "input = { start = 30, range = 200 }\noutput = { start = 120, range = 90 }\n";
+    const std::string from_100 =
+        reciprocal + "input = { start = 100, range = 150 }\noutput = { start = 70, range = 60 }\n";
+    const std::string cube = R"([function]
+expression = "x^3"
+x = [0.5034254776702357, 1.870193139569234]
+input = { start = 295.3749282931735, range = 110.89436646608065 }
+output = { start = 266.5812282599507, range = -94.73119206979837 }
+)";
+    const auto given = [](const char* lengths, const char* assembly) {
+        return std::string(lengths) + "\nassembly = \"" + assembly + "\"\n";
+    };
+    struct Case {
+        std::string dimensions;
+        std::string function;
+        double rms;  ///< degrees, integrated in forty digits by mpmath between the kinks
+    };
+    for (const Case& c :
+         {Case{given("ground = 5\ncrank = 4.953461163009182\ncoupler = 3.706225973569235\nrocker = 6.282759467025265",
+                     "crossed"),
+               from_30, 9.287396370078872},
+          Case{given("ground = 10\ncrank = 6.560169360359591\ncoupler = 5.386803894828668\nrocker = 6.772103420691056",
+                     "crossed"),
+               cube, 8.420479889290726},
+          Case{given("ground = 4\ncrank = 2\ncoupler = 3.000001\nrocker = 3", "open"), from_100, 54.45717785276263},
+          Case{given("ground = 4\ncrank = 2\ncoupler = 3.0000000001\nrocker = 3", "crossed"), from_100,
+               90.37227947067849}}) {
+        const Solved s = solved("schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + c.dimensions + c.function);
+        EXPECT_EQ(s.result.status, Status::solved) << c.dimensions;
+        EXPECT_NEAR(s.value("function-rms") / degree / c.rms, 1, 1e-12) << c.dimensions;
+    }
+}
+
 /// An expression and dense samples of it are the same function.
 TEST(Functions, SamplesOfAnExpressionGiveItsErrors) {
     std::string samples = "samples = [";
