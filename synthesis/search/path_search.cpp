@@ -57,8 +57,8 @@ constexpr int most_polished = 4;
 constexpr int most_polished_on = 8;
 constexpr std::size_t most_polished_variables = 60;
 constexpr int evaluations_of_great_program = 60;
-/// The search ends once the best design was hit this often, or so many rounds came to it, each by itself; and not
-/// before this many rounds.
+/// The search ends once the best design was hit this often, or so many rounds came to it, each by itself; as many times
+/// more as the problem asks for more starts; and not before this many rounds.
 constexpr int enough_hits = 10;
 constexpr int enough_rounds_on_best = 3;
 constexpr int least_rounds = 2;
@@ -107,6 +107,7 @@ struct Search {
     int rounds_on_best = 0;        ///< rounds that ended at the best so far
     double least_sum = unlimited;  ///< of a feasible design, by least squares alone
     int starts_of_round;
+    int thoroughness;  ///< so many times the starts of a round are asked for
     int most_rounds;
 
     Search(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline)
@@ -115,7 +116,8 @@ struct Search {
           least_squares(least_squares_suffice(p)),
           led(least_squares || least_squares_lead_on(p)),
           starts_of_round(std::min(p.solver.starts, most_starts_of_round)),
-          most_rounds(rounds_for_starts * ((p.solver.starts + most_starts_of_round - 1) / most_starts_of_round)) {
+          thoroughness((p.solver.starts + most_starts_of_round - 1) / most_starts_of_round),
+          most_rounds(rounds_for_starts * thoroughness) {
         for (const Variant& variant : variants(p))
             programs.push_back(build_program(p, variant));
         for (const Program& program : programs)
@@ -293,7 +295,7 @@ struct Search {
     bool enough(int rounds) const {
         if (best_is_exact()) return true;
         if (rounds < least_rounds) return false;
-        return hits >= enough_hits || (led && rounds_on_best >= enough_rounds_on_best);
+        return hits >= enough_hits * thoroughness || (led && rounds_on_best >= enough_rounds_on_best * thoroughness);
     }
 
     /// How many solutions are as good as the best.

@@ -1,8 +1,7 @@
 """Whole problems whose optimum lies at a change point, at a toggle, at a limit of a dimension or at a cusp, with the
 best value of the objective from closed forms, or from conditions of optimality solved in 120 digits. A mechanism at such
-a place is none: the program keeps a millionth of its unit of length away, which is the power of two below the longest
-length given. The tables have the best values there and at the place itself."""
-import math
+a place is none: the program keeps a millionth of its unit of length away, which is the longest length given. The tables
+have the best values there and at the place itself."""
 import os
 import re
 
@@ -177,9 +176,9 @@ def file_name(name):
 
 
 def kept_away(text):
-    """A millionth of the power of two below the longest length given in a problem."""
+    """A millionth of the longest length given in a problem."""
     given = re.findall(r"^(?!.*(?:angle|lift|equal|max|crank_range)).* = ([0-9.]+)$", text, re.MULTILINE)
-    return mpf(2) ** math.floor(math.log2(max(map(float, given)))) / 1000000
+    return max(map(mpf, given)) / 1000000
 
 
 def write_tables():
