@@ -46,8 +46,8 @@ def four_bars():
     problem("widest swing of a crank-rocker", "change point", "maximize swing",
             lambda kept: widest_swing(65 - kept), "four-bar",
             dimensions(ground=100, crank=(5, 80), coupler=90, rocker=75))
-    # One link is shorter than the others, which are alike.
-    problem("most even links", "change point", "minimize link-ratio", lambda kept: 100 / (100 - kept),
+    # The ground link is shorter than the others, which are alike.
+    problem("most even links", "change point", "minimize link-ratio", lambda kept: (100 + kept) / 100,
             "four-bar",
             dimensions(ground=100, crank=(10, 300), coupler=(10, 300), rocker=(10, 300)))
     # Coupler and rocker in line at the end of the motion.
