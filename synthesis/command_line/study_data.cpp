@@ -22,6 +22,7 @@ struct DataOptions {
     bool csv = false;
     bool json = false;
     std::string query;
+    std::optional<double> time_limit;
 };
 
 struct ChartOptions {
@@ -73,10 +74,17 @@ int export_all(const DataOptions& options, Console& console) {
         console.err << fmt::format("the study is not complete: {} of {} points", standing.done, standing.points)
                     << std::endl;
     try {
-        export_data(data, options.query, options.json ? DataFormat::json : DataFormat::csv, [&](std::string_view text) {
-            print(console, text);
-            return console.out_error == 0;
-        });
+        StudyQuery query{options.query};
+        query.time_limit = options.time_limit.value_or(query.time_limit);
+        const bool whole =
+            export_data(data, query, options.json ? DataFormat::json : DataFormat::csv, [&](std::string_view text) {
+                print(console, text);
+                return console.out_error == 0;
+            });
+        if (!whole) {
+            complain(console, fmt::format("--sql: stopped after {:g} s; --time-limit gives it more", query.time_limit));
+            return exit_code::limit;
+        }
     } catch (const SqlFault& fault) {
         complain(console, fmt::format("--sql: {}; the table is called points, and names with dots and hyphens stand in "
                                       "double quotes",
@@ -136,6 +144,7 @@ std::vector<Command> add_study_data(CLI::App& study) {
     exported->add_option("--sql", exporting->query, "What this query gives, and not all points")
         ->type_name("QUERY")
         ->check(not_empty);
+    add_positive_number(*exported, "--time-limit", exporting->time_limit, "Seconds for the query (60)");
 
     const auto drawing = std::make_shared<ChartOptions>();
     CLI::App* pictured = study.add_subcommand("charts", "Draw the charts of a study (with gnuplot)");

@@ -35,10 +35,18 @@ std::string objection(const std::string& file, bool special_files) {
     return {};
 }
 
+Bytes too_large(std::size_t most_bytes) {
+    return {.bytes = {}, .failure = fmt::format("larger than {} MB", most_bytes >> 20), .unreadable = false};
+}
+
 }  // namespace
 
 Bytes read_bytes(const std::string& file, std::size_t most_bytes, bool special_files) {
     if (std::string why = objection(file, special_files); !why.empty()) return unreadable(std::move(why));
+    // What is known to be too large is not read at all; special files say nothing of their size.
+    std::error_code unknown;
+    if (const auto size = std::filesystem::file_size(file, unknown); !unknown && size > most_bytes)
+        return too_large(most_bytes);
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return unreadable(reason(errno));
@@ -49,8 +57,7 @@ Bytes read_bytes(const std::string& file, std::size_t most_bytes, bool special_f
         stream.read(block.data(), block.size());
         if (stream.bad()) return unreadable(reason(errno));
         all.bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-        if (all.bytes.size() > most_bytes)
-            return {.bytes = {}, .failure = fmt::format("larger than {} MB", most_bytes >> 20), .unreadable = false};
+        if (all.bytes.size() > most_bytes) return too_large(most_bytes);
     }
     return all;
 }

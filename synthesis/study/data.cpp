@@ -1,8 +1,10 @@
 #include "synthesis/study/data.h"
 
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "synthesis/report/csv_text.h"
@@ -15,16 +17,18 @@ namespace {
 
 constexpr std::size_t flushed_beyond = 1 << 16;
 
-/// Opens the data of a study to be read, and hands them to `use`.
+/// Opens the data of a study to be read, and hands them to `use` where every row is as it was written.
 template <class Use>
 auto with_data(const std::filesystem::path& file, const Use& use) {
     if (!std::filesystem::exists(file))
         throw StoreFault(fmt::format("there is no study in '{}' (no file {})", file.parent_path().string(),
                                      file.filename().string()));
+    if (const std::string why = why_not_a_data_file(file); !why.empty()) throw StoreFault(why);
     try {
         SQLite::Database database(file.string(), SQLite::OPEN_READONLY, patience_in_milliseconds);
         if (!database.tableExists("study") || !database.tableExists("points"))
             throw StoreFault(file.string() + ": is not the data of a study");
+        check_rows(database, file);
         return use(database);
     } catch (const SQLite::Exception& fault) {
         throw StoreFault(explained(fault, file));
@@ -84,10 +88,50 @@ void export_rows(SQLite::Statement& query, DataFormat format, const std::functio
     take(text);
 }
 
+/// What a query of a user may do: read, compute, and nothing that reaches other files.
+int allowed(void*, int action, const char*, const char*, const char*, const char*) {
+    for (const int known : {SQLITE_SELECT, SQLITE_READ, SQLITE_FUNCTION, SQLITE_RECURSIVE})
+        if (action == known) return SQLITE_OK;
+    return SQLITE_DENY;
+}
+
+/// Keeps a user's query to reading, until a deadline.
+struct Fence {
+    std::chrono::steady_clock::time_point deadline;
+
+    void around(SQLite::Database& database) {
+        constexpr int steps_between_looks = 10'000, longest_value = 64 << 20;
+        sqlite3* handle = database.getHandle();
+        sqlite3_set_authorizer(handle, allowed, nullptr);
+        sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, longest_value);
+        sqlite3_progress_handler(
+            handle, steps_between_looks, [](void* fence) { return static_cast<Fence*>(fence)->is_over() ? 1 : 0; },
+            this);
+    }
+    bool is_over() const { return std::chrono::steady_clock::now() >= deadline; }
+};
+
+/// Whether SQL has another statement behind its first.
+bool has_second_statement(SQLite::Database& database, const std::string& query) {
+    const char* rest = nullptr;
+    sqlite3_stmt* first = nullptr;
+    sqlite3_prepare_v2(database.getHandle(), query.c_str(), -1, &first, &rest);
+    sqlite3_finalize(first);
+    sqlite3_stmt* second = nullptr;
+    const int outcome = sqlite3_prepare_v2(database.getHandle(), rest, -1, &second, nullptr);
+    sqlite3_finalize(second);
+    return second != nullptr || outcome != SQLITE_OK;
+}
+
+constexpr const char* only_reading = "only queries that read are allowed: SELECT";
+
 SQLite::Statement understood(SQLite::Database& database, const std::string& query) {
     try {
-        return {database, query};
+        SQLite::Statement statement(database, query);
+        if (has_second_statement(database, query)) throw SqlFault("one statement is wanted, and there are more");
+        return statement;
     } catch (const SQLite::Exception& fault) {
+        if (fault.getErrorCode() == SQLITE_AUTH) throw SqlFault(only_reading);
         throw SqlFault(fault.what());
     }
 }
@@ -151,12 +195,23 @@ std::filesystem::path write_study_files(const std::filesystem::path& data, const
     return problem_folder / "study.toml";
 }
 
-void export_data(const std::filesystem::path& data, const std::string& query, DataFormat format,
+bool export_data(const std::filesystem::path& data, const StudyQuery& query, DataFormat format,
                  const std::function<bool(std::string_view)>& take) {
-    with_data(data, [&](SQLite::Database& database) {
+    return with_data(data, [&](SQLite::Database& database) {
+        Fence fence{std::chrono::steady_clock::now() +
+                    std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                        std::chrono::duration<double>(std::min(query.time_limit, 1e9)))};
+        if (!query.sql.empty()) fence.around(database);
         SQLite::Statement statement =
-            understood(database, query.empty() ? "SELECT * FROM points ORDER BY point" : query);
-        export_rows(statement, format, take);
+            understood(database, query.sql.empty() ? "SELECT * FROM points ORDER BY point" : query.sql);
+        try {
+            export_rows(statement, format, take);
+        } catch (const SQLite::Exception& fault) {
+            if (fault.getErrorCode() == SQLITE_AUTH) throw SqlFault(only_reading);
+            if (fault.getErrorCode() != SQLITE_INTERRUPT) throw;
+            return false;
+        }
+        return true;
     });
 }
 

@@ -42,9 +42,15 @@ std::string problem_text(const std::filesystem::path& data);
 /// problem file, and returns that. Files with absolute names are left out.
 std::filesystem::path write_study_files(const std::filesystem::path& data, const std::filesystem::path& folder);
 
-/// What an SQL query gives, as text, row by row; an empty query asks for all points in order. The data cannot be
-/// changed by it. `take` returns whether it wants more. Throws SqlFault for a query that SQLite does not understand.
-void export_data(const std::filesystem::path& data, const std::string& query, DataFormat format,
+struct StudyQuery {
+    std::string sql;         ///< one SELECT; empty for all points in order
+    double time_limit = 60;  ///< seconds
+};
+
+/// What a query gives, as text, row by row. It can read the data, and neither change them nor reach other files. `take`
+/// returns whether it wants more. False where the time limit ended it. Throws SqlFault for a query that SQLite does not
+/// understand, or that does more than read.
+bool export_data(const std::filesystem::path& data, const StudyQuery& query, DataFormat format,
                  const std::function<bool(std::string_view)>& take);
 
 /// A point of a study as it stands in the data.

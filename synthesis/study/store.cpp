@@ -14,7 +14,7 @@ namespace {
 
 const std::string named_file_prefix = "file:";
 /// Of the layout of the file.
-constexpr int layout = 1;
+constexpr int layout = 2;
 
 /// The design's numbers as they are, so that a run that goes on has the same ones.
 std::vector<double> packed(const Design& design) {
@@ -54,11 +54,14 @@ void make_tables(SQLite::Database& database, const PreparedStudy& prepared) {
     database.exec("CREATE TABLE IF NOT EXISTS designs (point INTEGER PRIMARY KEY, numbers BLOB)");
     database.exec(
         "CREATE TABLE IF NOT EXISTS strands (strand INTEGER PRIMARY KEY, differed INTEGER, finished INTEGER)");
+    make_sums_table(database);
+    RowSums sums(database, summed::study);
     SQLite::Statement about(database, "INSERT OR IGNORE INTO study VALUES (?, ?)");
-    const auto put = [&about](const char* name, const auto& value) {
+    const auto put = [&](const char* name, const auto& value) {
         about.bind(1, name);
         about.bind(2, value);
         run(about);
+        sums.put(name);
     };
     put("fingerprint", prepared.fingerprint);
     put("layout", layout);
@@ -95,6 +98,14 @@ std::string sql_name(std::string_view name) {
     return quoted + '"';
 }
 
+std::string why_not_a_data_file(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status)
+               ? ""
+               : file.string() + ": is not a regular file, and no data of a study";
+}
+
 std::string explained(const SQLite::Exception& fault, const std::filesystem::path& file) {
     switch (fault.getErrorCode()) {
         case SQLITE_BUSY:
@@ -128,6 +139,7 @@ auto StudyStore::guarded(const Use& use) -> decltype(use()) {
 
 StudyStore::StudyStore(const std::filesystem::path& file, const PreparedStudy& prepared, bool alone) : file_(file) {
     guarded([&] {
+        if (const std::string why = why_not_a_data_file(file); !why.empty()) throw StoreFault(why);
         database_.emplace(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience_in_milliseconds);
         SQLite::Database& database = *database_;
         if (alone) database.exec("PRAGMA locking_mode = EXCLUSIVE");
@@ -144,6 +156,7 @@ StudyStore::StudyStore(const std::filesystem::path& file, const PreparedStudy& p
                 fmt::format("{}: holds another study, or one of another version of its file or of the "
                             "program; name another folder with --out",
                             file.string()));
+        check_rows(database, file);
         std::string marks = "?";
         for (std::size_t i = 0; i < prepared.columns.names().size(); ++i)
             marks += ", ?";
@@ -154,6 +167,9 @@ StudyStore::StudyStore(const std::filesystem::path& file, const PreparedStudy& p
                             "USING (point) WHERE point = ?");
         find_check_.emplace(database, "SELECT differed, finished FROM strands WHERE strand = ?");
         insert_check_.emplace(database, "INSERT OR REPLACE INTO strands VALUES (?, ?, ?)");
+        point_sums_.emplace(database, summed::points);
+        design_sums_.emplace(database, summed::designs);
+        strand_sums_.emplace(database, summed::strands);
         mark_.emplace(database, "UPDATE points SET start = 'both', differed = 0 WHERE point = ?");
     });
 }
@@ -179,11 +195,13 @@ void StudyStore::insert(const StudyRow& row) {
     for (std::size_t i = 0; i < row.cells.size(); ++i)
         bind(*insert_point_, static_cast<int>(i) + 2, row.cells[i]);
     run(*insert_point_);
+    point_sums_->put(point);
     if (!row.design) return;
     const std::vector<double> numbers = packed(*row.design);
     insert_design_->bind(1, point);
     insert_design_->bind(2, numbers.data(), static_cast<int>(numbers.size() * sizeof(double)));
     run(*insert_design_);
+    design_sums_->put(point);
 }
 
 void StudyStore::put(const StudyRow& row) { put(std::span(&row, 1)); }
@@ -199,8 +217,12 @@ void StudyStore::put(std::span<const StudyRow> rows) {
 
 void StudyStore::put_solved_both_ways(std::uint64_t point) {
     guarded([&] {
-        mark_->bind(1, static_cast<std::int64_t>(point));
+        const auto key = static_cast<std::int64_t>(point);
+        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+        mark_->bind(1, key);
         run(*mark_);
+        point_sums_->put(key);
+        transaction.commit();
     });
 }
 
@@ -217,10 +239,14 @@ StrandCheck StudyStore::check_of(std::uint64_t strand) {
 
 void StudyStore::put_check(std::uint64_t strand, const StrandCheck& check) {
     guarded([&] {
-        insert_check_->bind(1, static_cast<std::int64_t>(strand));
+        const auto key = static_cast<std::int64_t>(strand);
+        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+        insert_check_->bind(1, key);
         insert_check_->bind(2, check.differed ? 1 : 0);
         insert_check_->bind(3, check.finished ? 1 : 0);
         run(*insert_check_);
+        strand_sums_->put(key);
+        transaction.commit();
     });
 }
 
@@ -238,11 +264,15 @@ void StudyStore::take_over(const std::filesystem::path& part) {
         if (database_->execAndGet(fmt::format(fmt::runtime(fingerprint), "part")).getString() !=
             database_->execAndGet(fmt::format(fmt::runtime(fingerprint), "main")).getString())
             throw StoreFault(part.string() + ": is a part of another study; remove it and run its chunk again");
+        check_rows(*database_, part, "part");
         {
             SQLite::Transaction transaction(*database_);
             for (const char* table : {"points", "designs", "strands"})
                 database_->exec(
                     fmt::format("INSERT OR REPLACE INTO main.{0} SELECT * FROM part.{0} ORDER BY 1", table));
+            database_->exec(
+                "INSERT OR REPLACE INTO main.sums SELECT * FROM part.sums WHERE of_table IN ('points', 'designs', "
+                "'strands')");
             transaction.commit();
         }
         database_->exec("DETACH part");
@@ -259,6 +289,8 @@ void StudyStore::write_compact(const std::filesystem::path& file) {
 
 void StudyStore::close() {
     guarded([&] {
+        for (auto* sums : {&point_sums_, &design_sums_, &strand_sums_})
+            sums->reset();
         for (auto* statement : {&insert_point_, &insert_design_, &find_point_, &find_check_, &insert_check_, &mark_})
             statement->reset();
         database_->exec("PRAGMA journal_mode = DELETE");

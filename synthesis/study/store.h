@@ -16,6 +16,7 @@
 
 #include "synthesis/program/result.h"
 #include "synthesis/study/prepare.h"
+#include "synthesis/study/row_sums.h"
 
 namespace mechwright {
 
@@ -89,11 +90,16 @@ private:
     std::filesystem::path file_;
     std::optional<SQLite::Database> database_;
     std::optional<SQLite::Statement> insert_point_, insert_design_, find_point_, find_check_, insert_check_, mark_;
+    std::optional<RowSums> point_sums_, design_sums_, strand_sums_;
     std::mutex mutex_;
 };
 
 /// The design in a column of the data; nothing where its numbers are not those of a design.
 std::optional<Design> stored_design(const SQLite::Column& numbers);
+
+/// Why something cannot be the data of a study, by what kind of file it is: reading a pipe can take forever. Empty if
+/// it can, or is not there.
+std::string why_not_a_data_file(const std::filesystem::path& file);
 
 /// A name in an SQL statement.
 std::string sql_name(std::string_view name);

@@ -52,7 +52,7 @@ PageChart page_chart(const StudyChart& chart, const ChartScript& script) {
 /// The points for which an SQL condition holds.
 std::vector<std::uint64_t> points_where(const std::filesystem::path& data, const std::string& where) {
     std::string text;
-    export_data(data, "SELECT point FROM points WHERE " + where + " ORDER BY point", DataFormat::json,
+    export_data(data, {"SELECT point FROM points WHERE " + where + " ORDER BY point"}, DataFormat::json,
                 [&](std::string_view part) {
                     text += part;
                     return true;

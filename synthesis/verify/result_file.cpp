@@ -7,7 +7,7 @@ namespace mechwright {
 
 namespace {
 
-constexpr std::size_t largest_document = std::size_t{1} << 30;
+constexpr std::size_t largest_document = std::size_t{64} << 20;
 constexpr std::size_t longest_reason = 2000;
 
 /// The parser's message without its own name in front.

@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <random>
@@ -66,6 +67,33 @@ TEST(Study, ExportsCsvAndJsonAndWhatSqlSelects) {
     expect_has(wrong.err, "no such column: nowhere");
     EXPECT_NE(run({"study", "export", folder / "out", "--sql", "DROP TABLE points"}).exit_code, 0);
     EXPECT_EQ(exported(folder / "out"), csv);
+}
+
+TEST(Study, QueriesEndAndReadAlone) {
+    const TemporaryFolder folder;
+    run({"study", folder.write("a.toml", quick(4)), "--out", folder / "out"});
+    const auto query = [&](const std::string& sql, const std::string& limit) {
+        return run({"study", "export", folder / "out", "--sql", sql, "--time-limit", limit});
+    };
+    const Outcome endless =
+        query("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT count(*) FROM n", "0.1");
+    EXPECT_EQ(endless.exit_code, 5);
+    expect_has(endless.err, "--time-limit");
+    const Outcome writes = query("VACUUM INTO '" + (folder / "copy") + "'", "10");
+    EXPECT_EQ(writes.exit_code, 2);
+    expect_has(writes.err, "only queries that read");
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "copy"));
+}
+
+TEST(Study, APipeInThePlaceOfTheDataIsNotWaitedFor) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "study.sqlite").c_str(), 0600), 0);
+    for (const char* command : {"status", "export"}) {
+        const Outcome outcome = run({"study", command, folder.path.string()});
+        EXPECT_EQ(outcome.exit_code, 6) << command;
+        expect_has(outcome.err, "is not a regular file");
+    }
+    expect_has(run({"report", folder.path.string()}).err, "is not a regular file");
 }
 
 TEST(Study, WrongUsageIsNamed) {

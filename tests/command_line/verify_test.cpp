@@ -106,5 +106,14 @@ TEST(Verify, TextOfTheDocumentCannotCommandTheTerminal) {
     expect_has_not(outcome.out + outcome.err, "\x1b");
 }
 
+TEST(Verify, DocumentsThatAreTooLargeAreNotRead) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.json", "{");
+    std::filesystem::resize_file(file, std::uintmax_t{1} << 40);
+    const Outcome outcome = run({"verify", file});
+    EXPECT_EQ(outcome.exit_code, 6);
+    expect_has(outcome.err, "larger than 64 MB");
+}
+
 }  // namespace
 }  // namespace mechwright::testing

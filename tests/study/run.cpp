@@ -3,6 +3,7 @@
 #include "synthesis/study/run.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <numbers>
@@ -231,6 +232,9 @@ method = "slsqp"
         database.exec("UPDATE designs SET numbers = (SELECT numbers FROM designs WHERE point = 11) WHERE point = 2");
         database.exec("UPDATE points SET objective = (SELECT objective FROM points WHERE point = 11) WHERE point = 2");
         ASSERT_EQ(database.exec("UPDATE strands SET differed = 1, finished = 0 WHERE strand = 0"), 1);
+        RowSums(database, summed::designs).put(2);
+        RowSums(database, summed::points).put(2);
+        RowSums(database, summed::strands).put(0);
     }
     const Json again = run_to_end(file, data);
     ASSERT_EQ(again.size(), 12u);
@@ -252,7 +256,59 @@ TEST(Data, OfAnotherStudyAreNotMixed) {
     EXPECT_THROW(StudyStore(folder / "text.sqlite", other, false), StoreFault);
     EXPECT_THROW(rows_of(folder / "nothing.sqlite"), StoreFault);
     EXPECT_THROW(rows_of(folder / "study.sqlite", "SELECT * FORM points"), SqlFault);
-    EXPECT_THROW(rows_of(folder / "study.sqlite", "DELETE FROM points"), StoreFault);
+    EXPECT_THROW(rows_of(folder / "study.sqlite", "DELETE FROM points"), SqlFault);
+}
+
+TEST(Data, GoOutByQueriesThatReadAlone) {
+    const TemporaryFolder folder;
+    const std::filesystem::path data = folder / "study.sqlite";
+    run_to_end(folder.write("ratio.toml",
+                            changed(shipped("drag-link-ratio"), {{"{ from = 2, to = 48, count = 47 }", "[30]"}})),
+               data);
+    const std::string before = content_of(data);
+    for (const std::string& query :
+         {"VACUUM INTO '" + (folder / "copy") + "'", "ATTACH '" + (folder / "copy") + "' AS other",
+          std::string("PRAGMA journal_mode = WAL"), std::string("SELECT 1; SELECT 2"),
+          std::string("SELECT 1; DROP TABLE points"), std::string("CREATE TABLE other (x)"), std::string("BEGIN")})
+        EXPECT_THROW(rows_of(data, query), SqlFault) << query;
+    EXPECT_EQ(rows_of(data, "SELECT count(*) AS n FROM points; -- all of them")[0]["n"], 73);
+    EXPECT_EQ(content_of(data), before);
+    EXPECT_EQ(count_files(folder.path), 2u);
+    const bool whole = export_data(
+        data, {"WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT count(*) FROM n", 0.1},
+        DataFormat::csv, [](std::string_view) { return true; });
+    EXPECT_FALSE(whole);
+}
+
+/// SQLite believes what stands in its pages, whatever a disk has made of it.
+TEST(Data, ThatAreDamagedAreNotBelieved) {
+    const TemporaryFolder folder;
+    const std::filesystem::path data = folder / "study.sqlite";
+    const std::string problem = folder.write(
+        "ratio.toml", changed(shipped("drag-link-ratio"), {{"{ from = 2, to = 48, count = 47 }", "[30]"}}));
+    const Json rows = run_to_end(problem, data);
+    const std::string whole = content_of(data);
+    std::size_t refused = 0;
+    for (std::size_t at = 100; at < whole.size(); at += 211) {
+        std::string bytes = whole;
+        bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
+        folder.write("study.sqlite", bytes);
+        try {
+            EXPECT_EQ(rows_of(data), rows) << at;  // a place that no row uses
+            EXPECT_EQ(problem_text(data), content_of(problem)) << at;
+        } catch (const StoreFault&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 20u);
+}
+
+TEST(Data, ThatAreAPipeAreNotWaitedFor) {
+    const TemporaryFolder folder;
+    const std::filesystem::path data = folder / "study.sqlite";
+    ASSERT_EQ(::mkfifo(data.c_str(), 0600), 0);
+    EXPECT_THROW(standing_of_study(data), StoreFault);
+    EXPECT_THROW(StudyStore(data, prepared(shipped("drag-link-ratio")), false), StoreFault);
 }
 
 TEST(Data, CanBeSelectedBySql) {

@@ -26,7 +26,7 @@ inline PreparedStudy prepared(const std::string& file) {
 /// What all points of a study came to, as JSON.
 inline nlohmann::ordered_json rows_of(const std::filesystem::path& data, const std::string& query = "") {
     std::string text;
-    export_data(data, query, DataFormat::json, [&](std::string_view part) {
+    export_data(data, {query}, DataFormat::json, [&](std::string_view part) {
         text += part;
         return true;
     });
