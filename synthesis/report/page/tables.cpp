@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/mechanism/mechanism.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/drawing/svg.h"
+#include "synthesis/report/names.h"
 #include "synthesis/report/table.h"
 
 namespace mechwright {
@@ -33,28 +33,36 @@ std::optional<double> number_in(const Json& json, const char* name) {
     return json[name].get<double>();
 }
 
-/// Units of quantities and dimensions by their names, for any of the mechanisms of the document's name.
+/// The mechanism of a document: the one of its name that has every number of its dimensions. Cams of several kinds have
+/// one name, and the same word means a length of one and an angle of another. Null where there is none.
+const Mechanism* mechanism_of(const Json& document) {
+    const std::string name = text_in(object_in(document, "problem"), "mechanism");
+    const auto has_all = [&](const Mechanism& m, const Json& numbers) {
+        for (const auto& [key, value] : numbers.items())
+            if (value.is_number() && find_dimension(m, key) < 0) return false;
+        return true;
+    };
+    for (const Mechanism* m : mechanisms_named(name))
+        if (has_all(*m, object_in(document, "design")) && has_all(*m, object_in(document, "dimensions"))) return m;
+    return nullptr;
+}
+
+/// Units of quantities and dimensions by their names.
 struct UnitsOf {
-    std::string mechanism;
+    const Mechanism* mechanism;
     Units units;
 
-    explicit UnitsOf(const Json& document) : mechanism(text_in(object_in(document, "problem"), "mechanism")) {
+    explicit UnitsOf(const Json& document) : mechanism(mechanism_of(document)) {
         units.degrees = text_in(object_in(document, "units"), "angle") != "rad";
         units.length = text_in(object_in(document, "units"), "length");
     }
     std::string of_quantity(std::string_view name) const {
-        for (const Mechanism* m : mechanisms())
-            if (m->name == mechanism)
-                if (const int i = find_quantity(*m, name); i >= 0)
-                    return unit_label(m->quantities[static_cast<std::size_t>(i)].unit, units);
-        return "";
+        const int i = mechanism ? find_quantity(*mechanism, name) : -1;
+        return i < 0 ? "" : unit_label(mechanism->quantities[static_cast<std::size_t>(i)].unit, units);
     }
     std::string of_dimension(std::string_view name) const {
-        for (const Mechanism* m : mechanisms())
-            if (m->name == mechanism)
-                if (const int i = find_dimension(*m, name); i >= 0)
-                    return unit_label(unit_of(m->dimensions[static_cast<std::size_t>(i)].kind), units);
-        return "";
+        const int i = mechanism ? find_dimension(*mechanism, name) : -1;
+        return i < 0 ? "" : unit_label(unit_of(mechanism->dimensions[static_cast<std::size_t>(i)].kind), units);
     }
 };
 
