@@ -82,7 +82,7 @@ std::vector<Cell> split(std::string_view row, char separator) {
 
 struct Parsed {
     double number = 0;
-    std::string_view objection;  ///< empty if it is a number
+    std::string objection{};  ///< empty if it is a number
 };
 
 Parsed parse(std::string_view text) {
@@ -93,8 +93,8 @@ Parsed parse(std::string_view text) {
         parsed.objection = "is outside the range of numbers";
     else if (error != std::errc{} || end != text.data() + text.size())
         parsed.objection = "is not a number";
-    else if (!std::isfinite(parsed.number))
-        parsed.objection = "is not a finite number";
+    else if (const std::string_view needed = needed_of(parsed.number); !needed.empty())
+        parsed.objection = fmt::format("must be {}", needed);
     return parsed;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "synthesis/problem/text.h"
 
@@ -84,8 +83,8 @@ std::optional<double> to_number(const toml::node& node, std::string_view what, M
     }
     const double number =
         node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
-    if (!std::isfinite(number)) {
-        add_error(messages, place_of(node), fmt::format("{} must be a finite number, not {}", what, number));
+    if (const std::string_view needed = needed_of(number); !needed.empty()) {
+        add_error(messages, place_of(node), fmt::format("{} must be {}, not {}", what, needed, number));
         return {};
     }
     return number;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "synthesis/mechanism/mechanism.h"
 
@@ -96,6 +97,14 @@ std::optional<BadText> find_bad_text(std::string_view bytes) {
         place = bytes[0] == '\n' ? Place{place.line + 1, 1} : Place{place.line, place.column + 1};
         bytes.remove_prefix(length);
     }
+    return {};
+}
+
+std::string_view needed_of(double number) {
+    constexpr double greatest = 1e60, least = 1e-60;
+    if (!std::isfinite(number)) return "a finite number";
+    if (std::abs(number) > greatest) return "at most 1e60 in size";
+    if (number != 0 && std::abs(number) < least) return "0, or at least 1e-60 in size";
     return {};
 }
 

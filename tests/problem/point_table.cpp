@@ -62,6 +62,7 @@ TEST(PointTable, WhatIsNoFiniteNumberIsAnErrorAtItsPlace) {
     EXPECT_TRUE(only_says(read_table("1,2\n3,\n"), "points.csv:2:3", {"''", "not a number"}));
     EXPECT_TRUE(only_says(read_table("1,2\n3,4mm\n"), "points.csv:2:3", {"'4mm'", "not a number"}));
     EXPECT_TRUE(only_says(read_table("1,2\n3,1e999\n"), "points.csv:2:3", {"'1e999'", "outside the range"}));
+    EXPECT_TRUE(only_says(read_table("1,2\n3,-1e99\n"), "points.csv:2:3", {"'-1e99'", "at most 1e60"}));
     EXPECT_TRUE(only_says(read_table("1,2\nnan,4\n"), "points.csv:2:1", {"'nan'", "finite"}));
     EXPECT_TRUE(only_says(read_table("1,2\n3,-inf\n"), "points.csv:2:3", {"'-inf'", "finite"}));
     EXPECT_TRUE(only_says(read_table("1,2\n+-3,4\n"), "points.csv:2:1", {"'+-3'", "not a number"}));

@@ -30,6 +30,14 @@ TEST(Syntax, NumbersOutsideTheRangeOfDoublesAreErrorsWhereTheyStart) {
                           {"'99999999999999999999'", "9223372036854775807"}));
 }
 
+/// Angles of linkages of 1e78 were wrong, products of their lengths being infinite.
+TEST(Syntax, NumbersOfExtremeSizeAreErrors) {
+    EXPECT_TRUE(only_says(read(with_line(4, "ground = 100e78")), "p.toml:4:10", {"'ground'", "at most 1e60", "1e+80"}));
+    EXPECT_TRUE(only_says(read(with_line(4, "ground = -2e60")), "p.toml:4:10", {"'ground'", "at most 1e60"}));
+    EXPECT_TRUE(only_says(read(with_line(4, "ground = 1e-61")), "p.toml:4:10", {"'ground'", "0, or at least 1e-60"}));
+    EXPECT_TRUE(only_says(read(with_line(5, "crank = { min = 1, max = 1.5e99 }")), "p.toml:5:26", {"at most 1e60"}));
+}
+
 TEST(Syntax, SlipsAreNamedWithTheirRemedy) {
     EXPECT_TRUE(only_says(read(with_line(4, "ground = 1,5")), "p.toml:4:11", {"decimal point", "comma"}));
     EXPECT_TRUE(only_says(read(with_line(4, "ground = .5")), "p.toml:4:10", {"digit before its decimal point"}));
