@@ -17,6 +17,7 @@ Section peers();
 Section work_precision();
 Section data_profiles();
 Section recovery();
+Section everyday();
 Section agreement();
 
 }  // namespace mechwright::bench

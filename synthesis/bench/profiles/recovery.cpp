@@ -7,11 +7,11 @@
 
 #include "analysis/four_bar.h"
 #include "synthesis/bench/markdown.h"
+#include "synthesis/bench/profiles/drawn.h"
 #include "synthesis/bench/profiles/success.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/solve.h"
 
 namespace mechwright::bench {
@@ -22,15 +22,10 @@ constexpr double turn = 2 * std::numbers::pi;
 /// Points are met if the root of their mean squared distance is below this part of the curve's size.
 constexpr double met_within = 1e-10;
 
-/// A number in (0, 1) of linkage k.
-double drawn(std::uint64_t k, std::uint64_t i) {
-    return std::ldexp(static_cast<double>(mixed(mixed(k) ^ (i * 7919)) >> 11) + 0.5, -53);
-}
-
 /// A random crank-rocker or drag link with at least 0.02 of Grashof margin, links from 0.2 to 1.
 FourBar<double> random_linkage(std::uint64_t k) {
     for (std::uint64_t tries = 0;; ++tries) {
-        const auto length = [&](std::uint64_t i) { return 0.2 * std::pow(5.0, drawn(k, 10 * tries + i)); };
+        const auto length = [&](std::uint64_t i) { return 0.2 * std::pow(5.0, drawn_number(k, 10 * tries + i)); };
         const FourBar<double> m{length(1), length(2), length(3), length(4)};
         const FourBarClass kind = classify(m).kind;
         const bool turns = kind == FourBarClass::crank_rocker || kind == FourBarClass::double_crank;
@@ -61,9 +56,10 @@ assembly = "either"
 
 TracedPath traced(std::uint64_t k, int count, bool timed) {
     const FourBar<double> m = random_linkage(k);
-    const CouplerPoint<double> point{2 * drawn(k, 901) - 1, 2 * drawn(k, 902) - 1};
-    const Placement<double> placement{{2 * drawn(k, 903) - 1, 2 * drawn(k, 904) - 1}, turn * drawn(k, 905)};
-    const double start = turn * drawn(k, 906);
+    const CouplerPoint<double> point{2 * drawn_number(k, 901) - 1, 2 * drawn_number(k, 902) - 1};
+    const Placement<double> placement{{2 * drawn_number(k, 903) - 1, 2 * drawn_number(k, 904) - 1},
+                                      turn * drawn_number(k, 905)};
+    const double start = turn * drawn_number(k, 906);
     TracedPath path;
     Vector<double> first{};
     std::string points, angles;
