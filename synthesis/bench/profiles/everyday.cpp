@@ -109,7 +109,7 @@ constexpr std::array<Task, 4> tasks{{{"poses", poses},
 
 /// What two seeds come to.
 std::vector<Row> measured(const Task& task, bool four_bar, const Effort& effort) {
-    const int problems = effort.pick(2, 25);
+    const int problems = effort.pick(1, 25);
     RunOptions options;
     options.jobs = effort.jobs;
     options.stop = effort.stop;
