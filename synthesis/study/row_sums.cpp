@@ -80,8 +80,9 @@ void check_rows(SQLite::Database& database, const std::filesystem::path& file, c
                          ": has no checksums: it is of another version of the program; name another "
                          "folder, or run the study again");
     for (const SummedTable& table : {summed::layout, summed::study, summed::points, summed::designs, summed::strands}) {
+        // The plus keeps the type of the key's column out of the comparison: with it the index would not serve.
         SQLite::Statement rows(database, fmt::format("SELECT t.*, s.sum FROM (SELECT {3} FROM {0}.{1} WHERE {4}) t "
-                                                     "LEFT JOIN {0}.sums s ON s.of_table = '{1}' AND s.key = t.{2}",
+                                                     "LEFT JOIN {0}.sums s ON s.of_table = '{1}' AND s.key = +t.{2}",
                                                      schema, table.name, table.key, table.columns, table.condition));
         const int columns = rows.getColumnCount() - 1;
         while (rows.executeStep()) {
