@@ -27,8 +27,8 @@ std::string remedy(std::string_view unknown, std::span<const std::string_view> k
 /// How many characters a piece of UTF-8 has.
 int count_characters(std::string_view text);
 
-/// What a number of a file would have to be, or nothing: "a finite number". Products of four lengths stay in the range of
-/// doubles.
+/// What a number of a file would have to be, or nothing: "a finite number". Products of four lengths stay in the range
+/// of doubles.
 std::string_view needed_of(double number);
 
 struct BadText {
