@@ -226,11 +226,12 @@ ExactDesigns isolated(const AccuracyProblem& a) {
     }
     out.counts = counts;
     out.evaluations = static_cast<long>(counts.tracked);
-    out.complete = counts.distinct + counts.at_infinity == counts.tracked;
-    if (out.complete)
-        out.argument = fmt::format(
-            "Freudenstein: all {} four-bars that meet {} accuracy points are accounted for, {} of them real",
-            counts.tracked, a.count(), counts.real);
+    if (counts.distinct + counts.at_infinity == counts.tracked)
+        out.proof = proof_by(
+            fmt::format(
+                "Freudenstein: all {} four-bars that meet {} accuracy points are accounted for, {} of them real",
+                counts.tracked, a.count(), counts.real),
+            CountCertificate{});
     rank(a.problem, out);
     return out;
 }

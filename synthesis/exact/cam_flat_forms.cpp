@@ -35,42 +35,57 @@ bool covers(const Problem& problem) {
                        [](const DimensionRange& range) { return range.fixed(); });
 }
 
+/// The place of a motion at which a formula of the lift is least, with its value there.
+template <template <class> class F, class Formula>
+std::pair<double, CamPlace> least_over_turn(const Motion& motion, std::span<const double> dimensions,
+                                            const Formula& formula) {
+    std::pair<double, CamPlace> least{std::numeric_limits<double>::infinity(), {}};
+    for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+        const PlacedSegment placed = placed_segment<F>(motion, dimensions, i);
+        const auto deficit = [&]<class T>(const Lift<T>& lift) { return T(-formula(lift)); };
+        const Place at = greatest_places<1>(placed.segment, i, placed.start_lift, deficit)[0];
+        const double value = formula(lift_at(placed.segment, at.piece, at.u, placed.start_lift));
+        if (value < least.first) least = {value, {i, at.piece, at.u}};
+    }
+    return least;
+}
+
+/// Room for what the tolerance lets pass, where that there is no design is to be shown.
+double room(const Problem& problem, double limit) { return 2 * problem.solver.tolerance * std::abs(limit); }
+
 /// The radius of curvature is the base radius and s + s'' together, so that the least base radius follows from the
 /// least s + s'' over the turn (Carver and Quinn).
-std::optional<ClosedFormOutcome> solve(const Problem& problem) {
+std::optional<ClosedFormOutcome> solve(const Problem& problem, std::size_t assembly) {
     const DimensionRange& range = problem.dimensions[0];
     const double radius = least_radius(problem);
-    std::optional<ClosedFormOutcome> best;
-    for (const std::size_t assembly : problem.assemblies) {
-        const Motion motion = motion_of(problem, 0, assembly);
-        Design design = smallest_design(problem, assembly);
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < problem.program->segments.size(); ++i) {
-            const PlacedSegment placed = placed_segment<TranslatingFlat>(motion, design.dimensions, i);
-            const auto deficit = []<class T>(const Lift<T>& lift) { return T(-(lift.s + lift.a)); };
-            const Place at = greatest_places<1>(placed.segment, i, placed.start_lift, deficit)[0];
-            least = std::min(least, -deficit(lift_at(placed.segment, at.piece, at.u, placed.start_lift)));
-        }
-        const double base = std::max(radius - least, range.min);
-        ClosedFormOutcome outcome;
-        outcome.infeasible = base > range.max * (1 + problem.solver.tolerance);
-        design.dimensions[0] = std::clamp(base, range.min, range.max);
-        outcome.argument = fmt::format(
-            "closed form: under a flat face the radius of curvature is base radius + s + s'', and the least s + s'' "
-            "over "
-            "the turn is {:.9g}{}",
-            least, outcome.infeasible ? fmt::format("; the least base radius is {:.9g}", base) : "");
-        outcome.best = assess(problem, std::move(design));
-        if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;  // something else is asked too
-        keep_smaller(best, std::move(outcome));
-    }
-    return best;
+    const Motion motion = motion_of(problem, 0, assembly);
+    Design design = smallest_design(problem, assembly);
+    const auto [least, place] = least_over_turn<TranslatingFlat>(
+        motion, design.dimensions, []<class T>(const Lift<T>& lift) { return T(lift.s + lift.a); });
+    const double base = std::max(radius - least, range.min);
+    ClosedFormOutcome outcome;
+    outcome.infeasible = radius - room(problem, radius) - least > range.max + room(problem, range.max);
+    design.dimensions[0] = std::clamp(base, range.min, range.max);
+    outcome.best = assess(problem, std::move(design));
+    if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;  // something else is asked too
+    outcome.proof = proof_by(
+        fmt::format("closed form: under a flat face the radius of curvature is base radius + s + s'', and the least "
+                    "s + s'' over the turn is {:.9g}{}",
+                    least, outcome.infeasible ? fmt::format("; the least base radius is {:.9g}", base) : ""),
+        CurvatureCertificate{0, {{assembly, place}}});
+    return outcome;
+}
+
+std::optional<ClosedFormOutcome> solve_all(const Problem& problem) {
+    return best_of_assemblies<CurvatureCertificate>(problem,
+                                                    [&](std::size_t assembly) { return solve(problem, assembly); });
 }
 
 /// What is asked of an oscillating face: the angle that it starts at, and a radius of curvature.
 struct SwingTask {
     double start_angle = 0;
     double radius = 0;
+    std::size_t size = 0;  ///< the dimension that is to be least
 };
 
 std::optional<SwingTask> swing_task(const Problem& problem) {
@@ -84,6 +99,7 @@ std::optional<SwingTask> swing_task(const Problem& problem) {
                      [](const DimensionRange& range) { return range.fixed(); }))
         return std::nullopt;
     SwingTask task;
+    task.size = asked == &measure_dimension<OscillatingFlat, 0> ? 0 : 1;
     for (const Requirement& r : problem.requirements) {
         const auto measure = problem.mechanism->quantities[r.quantity].measure;
         if (measure == &measure_at_start<OscillatingFlat, StartAngle> && r.equal) task.start_angle = *r.equal;
@@ -97,52 +113,53 @@ bool covers_swing(const Problem& problem) { return swing_task(problem).has_value
 
 /// For a given start angle the radius of curvature is pivot distance times g, less the face offset, where g depends on
 /// the motion alone: the least g over the turn gives the least pivot distance, or shows that there is none.
-std::optional<ClosedFormOutcome> solve_swing(const Problem& problem) {
+std::optional<ClosedFormOutcome> solve_swing(const Problem& problem, std::size_t assembly) {
     const SwingTask task = *swing_task(problem);
-    std::optional<ClosedFormOutcome> best;
-    for (const std::size_t assembly : problem.assemblies) {
-        const Motion motion = motion_of(problem, 0, assembly);
-        Design design = smallest_design(problem, assembly);
-        std::vector<double>& d = design.dimensions;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < problem.program->segments.size(); ++i) {
-            const PlacedSegment placed = placed_segment<OscillatingFlat>(motion, d, i);
-            const auto deficit = [&]<class T>(const Lift<T>& lift) {
-                // At pivot distance 1 with the face in line with its pivot.
-                const OscillatingFlat<T> unit{T(std::sin(task.start_angle)), T(1), T(0), sense_of(assembly)};
-                return T(-face_contact(unit, lift).radius);
-            };
-            const Place at = greatest_places<1>(placed.segment, i, placed.start_lift, deficit)[0];
-            least = std::min(least, -deficit(lift_at(placed.segment, at.piece, at.u, placed.start_lift)));
-        }
-        const double offset = d[2];
-        ClosedFormOutcome outcome;
-        outcome.argument = fmt::format(
-            "closed form: for this start angle the radius of curvature is the pivot distance times {:.9g}, less the "
-            "face "
-            "offset, where it is least",
-            least);
-        const double distance = (task.radius + offset) / least;
-        const bool none = !(least > 0) || distance > problem.dimensions[1].max * (1 + problem.solver.tolerance);
-        outcome.infeasible = none;
-        if (least > 0 && none) outcome.argument += fmt::format("; the least pivot distance is {:.9g}", distance);
-        if (!(least > 0)) outcome.argument += ": no pivot distance is enough";
-        d[1] = none ? problem.dimensions[1].max : std::max(distance, problem.dimensions[1].min);
-        d[0] = std::clamp(d[1] * std::sin(task.start_angle) - offset, problem.dimensions[0].min,
-                          problem.dimensions[0].max);
-        outcome.best = assess(problem, std::move(design));
-        if (!none && !outcome.best->feasible) return std::nullopt;
-        keep_smaller(best, std::move(outcome));
-    }
-    return best;
+    const Motion motion = motion_of(problem, 0, assembly);
+    Design design = smallest_design(problem, assembly);
+    std::vector<double>& d = design.dimensions;
+    const auto [least, place] = least_over_turn<OscillatingFlat>(motion, d, [&]<class T>(const Lift<T>& lift) {
+        // At pivot distance 1 with the face in line with its pivot.
+        const OscillatingFlat<T> unit{T(std::sin(task.start_angle)), T(1), T(0), sense_of(assembly)};
+        return T(face_contact(unit, lift).radius);
+    });
+    const double offset = d[2], needed = task.radius + offset;
+    const DimensionRange &bases = problem.dimensions[0], &distances = problem.dimensions[1];
+    const double distance = needed / least;
+    // The start angle may be missed by the tolerance: g changes by less than a few times that.
+    const double tolerance = problem.solver.tolerance, greatest_part = least + 10 * tolerance;
+    const bool none =
+        needed > room(problem, needed) &&
+        (greatest_part < 0 || (needed - room(problem, needed)) / greatest_part > distances.max * (1 + 2 * tolerance));
+    ClosedFormOutcome outcome;
+    outcome.infeasible = none;
+    if (!none && !(least > 0)) return std::nullopt;
+    std::string argument = fmt::format(
+        "closed form: for this start angle the radius of curvature is the pivot distance times {:.9g}, less the "
+        "face offset, where it is least",
+        least);
+    if (none)
+        argument +=
+            least > 0 ? fmt::format("; the least pivot distance is {:.9g}", distance) : ": no pivot distance is enough";
+    d[1] = none ? distances.max : std::max(distance, distances.min);
+    d[0] = std::clamp(d[1] * std::sin(task.start_angle) - offset, bases.min, bases.max);
+    outcome.best = assess(problem, std::move(design));
+    if (!none && !outcome.best->feasible) return std::nullopt;
+    outcome.proof = proof_by(std::move(argument), CurvatureCertificate{none ? 1 : task.size, {{assembly, place}}});
+    return outcome;
+}
+
+std::optional<ClosedFormOutcome> solve_all_swings(const Problem& problem) {
+    return best_of_assemblies<CurvatureCertificate>(
+        problem, [&](std::size_t assembly) { return solve_swing(problem, assembly); });
 }
 
 }  // namespace
 
-ClosedForm swinging_flat_cam_closed_form() { return {covers_swing, solve_swing, {}}; }
+ClosedForm swinging_flat_cam_closed_form() { return {covers_swing, solve_all_swings, {}}; }
 
 ClosedForm flat_cam_closed_form() {
-    return {covers, solve, "cams with translating flat followers, of least base radius for a radius of curvature"};
+    return {covers, solve_all, "cams with translating flat followers, of least base radius for a radius of curvature"};
 }
 
 }  // namespace mechwright

@@ -108,6 +108,25 @@ struct Centre {
     std::vector<Row> rows;
 };
 
+HalfPlaneCertificate::Part part_of(const Centre& centre, std::size_t assembly) {
+    HalfPlaneCertificate::Part part{assembly};
+    for (std::size_t i = 0; i < centre.closest.binding_count; ++i) {
+        const std::size_t at = centre.closest.binding[i];
+        const Row& row = centre.rows[at];
+        WeightedHalfPlane one;
+        one.weight = centre.closest.weight[i];
+        if (row.limit) {
+            one.place = {row.limit->segment, row.place.piece, row.place.u};
+            one.limit = row.limit->limit;
+            one.side = row.limit->sign;
+        } else {  // in the order of fixed_rows
+            one.origin = static_cast<WeightedHalfPlane::Origin>(at + 1);
+        }
+        part.rows.push_back(one);
+    }
+    return part;
+}
+
 /// Rows are added where the cam centre violates them most, until none is violated but by rounding. Each step is the
 /// optimum of fewer half-planes than there are, so that the last one, which violates none, is the optimum of all; and
 /// where these few have no point, there is none.
@@ -229,24 +248,27 @@ Vector<double> target_of(std::span<const double> d, std::size_t size) {
 /// Whether no design is small enough, whatever the tolerance lets pass. Nothing where that is not proven. `asked` is
 /// the least size by the limits as they stand, or infinite.
 template <template <class> class F>
-std::optional<std::string> why_none(const Problem& given, std::size_t assembly, std::size_t size, double asked) {
+std::shared_ptr<const Proof> why_none(const Problem& given, std::size_t assembly, std::size_t size, double asked) {
     const auto limits = loosened(angle_limits<F>(given), given.solver.tolerance);
-    if (!limits) return std::nullopt;
+    if (!limits) return nullptr;
     const Problem problem = loosened(given);
     const Motion motion = motion_of(problem, 0, assembly);
     const std::vector<double> d = smallest_design(problem, assembly).dimensions;
     const Vector<double> target = target_of<F>(d, size);
     const Centre centre = closest_centre<F>(problem, motion, d, *limits, target);
     const Digits50 least = certified_distance<F>(motion, d, centre, target);
-    if (!(least > problem.dimensions[size].max)) return std::nullopt;
+    if (!(least > problem.dimensions[size].max)) return nullptr;
+    HalfPlaneCertificate certificate{size, {part_of(centre, assembly)}};
     if (centre.closest.region == Region::is_empty)
-        return fmt::format(
-            "half-planes: for every cam angle a limit on the pressure angle is a half-plane for the {}, and {} of them "
-            "exclude each other",
-            region_of(problem), centre.closest.binding_count);
-    return argument_of(centre, problem) + fmt::format("; the least {} is {:.9g}",
-                                                      problem.mechanism->dimensions[size].name,
-                                                      std::isfinite(asked) ? asked : least.convert_to<double>());
+        return proof_by(fmt::format("half-planes: for every cam angle a limit on the pressure angle is a half-plane "
+                                    "for the {}, and {} of them "
+                                    "exclude each other",
+                                    region_of(problem), centre.closest.binding_count),
+                        std::move(certificate));
+    return proof_by(
+        argument_of(centre, problem) + fmt::format("; the least {} is {:.9g}", problem.mechanism->dimensions[size].name,
+                                                   std::isfinite(asked) ? asked : least.convert_to<double>()),
+        std::move(certificate));
 }
 
 /// Every dimension at its preferred value, or in the middle of its range.
@@ -276,26 +298,24 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem, std::size_t assem
         if (!Layout<F>::oscillating && d[0] < problem.dimensions[0].min)
             d[0] = problem.dimensions[0].min;  // a higher guide meets the limits too
         Solution best = assess(problem, design);
-        if (best.feasible && proven) return ClosedFormOutcome{std::move(best), false, argument_of(centre, problem)};
+        if (best.feasible && proven)
+            return ClosedFormOutcome{
+                std::move(best), false,
+                proof_by(argument_of(centre, problem), HalfPlaneCertificate{size, {part_of(centre, assembly)}})};
     }
-    const auto why = why_none<F>(problem, assembly, size, least);
+    auto why = why_none<F>(problem, assembly, size, least);
     if (!why) return std::nullopt;
     if (centre.closest.region == Region::holds_the_point)
         d[size] = problem.dimensions[size].max;
     else
         design = middle_design(problem, assembly);
-    return ClosedFormOutcome{assess(problem, std::move(design)), true, *why};
+    return ClosedFormOutcome{assess(problem, std::move(design)), true, std::move(why)};
 }
 
 template <template <class> class F>
 std::optional<ClosedFormOutcome> solve_all(const Problem& problem) {
-    std::optional<ClosedFormOutcome> best;
-    for (const std::size_t assembly : problem.assemblies) {
-        auto outcome = solve<F>(problem, assembly);
-        if (!outcome) return std::nullopt;
-        keep_smaller(best, *std::move(outcome));
-    }
-    return best;
+    return best_of_assemblies<HalfPlaneCertificate>(problem,
+                                                    [&](std::size_t assembly) { return solve<F>(problem, assembly); });
 }
 
 }  // namespace

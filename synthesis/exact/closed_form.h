@@ -5,14 +5,15 @@
 #include <optional>
 #include <string>
 
+#include "synthesis/program/proof.h"
 #include "synthesis/program/result.h"
 
 namespace mechwright {
 
 struct ClosedFormOutcome {
-    std::optional<Solution> best;  ///< the optimum, or where the problem is infeasible the best that can be had
-    bool infeasible = false;       ///< proved
-    std::string argument;          ///< why this is the whole answer
+    std::optional<Solution> best;          ///< the optimum, or where the problem is infeasible the best that can be had
+    bool infeasible = false;               ///< proved
+    std::shared_ptr<const Proof> proof{};  ///< that this is the whole answer
 };
 
 /// Why no closed form covers a problem; empty if one does. One that covers a problem may still not conclude it, where
@@ -24,6 +25,24 @@ std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem);
 
 /// Keeps the better of two answers to one problem: one that is feasible, then the smaller objective.
 void keep_smaller(std::optional<ClosedFormOutcome>& best, ClosedFormOutcome outcome);
+
+/// The smallest of all assemblies, each of which is answered by `of_assembly`; its proof has the parts of all. Nothing
+/// where one of them has no answer.
+template <class CertificateKind, class OfAssembly>
+std::optional<ClosedFormOutcome> best_of_assemblies(const Problem& problem, const OfAssembly& of_assembly) {
+    std::optional<ClosedFormOutcome> best;
+    CertificateKind all;
+    for (const std::size_t assembly : problem.assemblies) {
+        std::optional<ClosedFormOutcome> outcome = of_assembly(assembly);
+        if (!outcome) return std::nullopt;
+        const auto& one = std::get<CertificateKind>(outcome->proof->certificate);
+        all.dimension = one.dimension;
+        all.parts.insert(all.parts.end(), one.parts.begin(), one.parts.end());
+        keep_smaller(best, *std::move(outcome));
+    }
+    if (best) best->proof = proof_by(best->proof->argument, std::move(all));
+    return best;
+}
 
 /// One closed form: whether it covers a problem, its answer if so, and what it is good for in half a sentence.
 struct ClosedForm {

@@ -9,6 +9,7 @@
 #include "synthesis/exact/family_size.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/proof/known_limits.h"
 
 namespace mechwright {
 
@@ -77,7 +78,6 @@ Design design_of(const Problem& problem, const FourBar<double>& m) {
 /// By how many families of crank-rockers a swing and a time ratio can be met.
 std::string argument_for(int families) {
     switch (families) {
-        case 0: return "closed form: no crank-rocker has this swing and time ratio";
         case 1:
             return "closed form: all crank-rockers of this swing and time ratio form one one-parameter family; this is "
                    "its optimum";
@@ -108,9 +108,11 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem) {
             best = of_family;
     }
     if (families > 0 && (!best || worst_transmission(*best) < unknown_below)) return std::nullopt;
-    outcome.argument = argument_for(families);
     outcome.infeasible = families == 0;
-    if (outcome.infeasible) return outcome;
+    if (outcome.infeasible) {
+        outcome.proof = proof_by_limits(problem);
+        return outcome.proof ? std::optional(outcome) : std::nullopt;
+    }
     const FourBar<double>& better = *best;
     outcome.infeasible =
         task->least_transmission && worst_transmission(better) < *task->least_transmission - problem.solver.tolerance;
@@ -123,6 +125,12 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem) {
     }
     outcome.best = assess(problem, design_of(problem, *linkage));
     if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;
+    const auto quantity = static_cast<std::size_t>(find_quantity(*problem.mechanism, "transmission-angle-worst"));
+    if (outcome.infeasible || problem.objective)
+        outcome.proof =
+            proof_by(argument_for(families), LimitCertificate{"family", quantity, worst_transmission(better)});
+    else
+        outcome.proof = proof_by(argument_for(families), GivenCertificate{});
     return outcome;
 }
 

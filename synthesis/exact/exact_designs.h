@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "synthesis/exact/guided_linkage.h"
+#include "synthesis/program/proof.h"
 #include "synthesis/program/result.h"
 
 namespace mechwright {
@@ -15,8 +16,7 @@ struct ExactDesigns {
     std::vector<Solution> designs;         ///< without a defect that shows at the targets, best first
     std::vector<ExcludedDesign> excluded;  ///< with one
     std::optional<SolutionCounts> counts;  ///< of solutions that are isolated; none where they form families
-    bool complete = false;                 ///< every solution is accounted for
-    std::string argument;                  ///< if so, how
+    std::shared_ptr<const Proof> proof{};  ///< that every solution is accounted for
     long evaluations = 0;                  ///< paths that were followed, or members of families that were examined
     std::string note;                      ///< for the user, where there is no design
     int starts = 0;                        ///< local searches in a family

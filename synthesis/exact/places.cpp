@@ -102,7 +102,6 @@ ExactDesigns place_designs(const Problem& problem, const RunOptions& options, co
     out.evaluations = static_cast<long>(found.tracked);
     const std::vector<RealSolution> real = real_solutions(found.solutions, target, places, options.jobs, end);
     out.stopped = end.reached();
-    out.complete = found.complete() && !out.stopped;
     out.counts->real = real.size();
     for (const RealSolution& solution : real) {
         if (solution.certified) ++out.counts->certified;
@@ -111,12 +110,13 @@ ExactDesigns place_designs(const Problem& problem, const RunOptions& options, co
                 add_design(out, exact_design(problem, *linkage));
     }
     rank(problem, out);
-    if (!out.complete) return out;
+    if (!found.complete() || out.stopped) return out;
     const std::size_t points = problem.path->points.size() - problem.path->poses();
-    out.argument =
+    out.proof = proof_by(
         fmt::format("homotopy: all {} {} through {} are accounted for, {} of them real", out.counts->tracked,
                     system.poses == 1 ? "cognate triplets" : "pairs of dyads",
-                    problem.path->guides_body() ? counted(system.poses, points) : "nine points", out.counts->real);
+                    problem.path->guides_body() ? counted(system.poses, points) : "nine points", out.counts->real),
+        CountCertificate{});
     return out;
 }
 

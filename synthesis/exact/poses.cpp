@@ -158,9 +158,9 @@ constexpr std::string_view not_independent =
 
 ExactDesigns through_five_poses(const PoseTargets& g) {
     ExactDesigns out;
-    out.complete = true;
+    bool complete = true;
     SolutionCounts counts;
-    const std::vector<RealDyad> real = counted(g.displacements, g.exact, counts, out.complete);
+    const std::vector<RealDyad> real = counted(g.displacements, g.exact, counts, complete);
     counts.real = real.size();
     counts.certified = certified_of(real);
     const std::vector<Dyad> dyads = plain(real);
@@ -169,20 +169,21 @@ ExactDesigns through_five_poses(const PoseTargets& g) {
                          [&](ExactDesign design) { add_design(out, std::move(design)); });
     out.counts = counts;
     out.evaluations = static_cast<long>(counts.tracked);
-    out.argument =
-        fmt::format("Burmester: all 4 dyads through five poses are accounted for, {} of them real", counts.real);
+    if (complete)
+        out.proof = proof_by(
+            fmt::format("Burmester: all 4 dyads through five poses are accounted for, {} of them real", counts.real),
+            CountCertificate{});
     return out;
 }
 
 ExactDesigns through_five_timed_points(const PoseTargets& g) {
     ExactDesigns out;
-    out.complete = true;
+    bool complete = true;
     SolutionCounts counts;
-    const std::vector<RealDyad> cranks = counted(g.displacements, g.exact, counts, out.complete);
+    const std::vector<RealDyad> cranks = counted(g.displacements, g.exact, counts, complete);
     for (const auto& [seen, proof] : cranks) {
         const TimedCrank crank = timed_crank(g, seen);
-        const std::vector<RealDyad> rockers =
-            counted(crank.displacements, exact_coupler(g, proof), counts, out.complete);
+        const std::vector<RealDyad> rockers = counted(crank.displacements, exact_coupler(g, proof), counts, complete);
         for (const RealDyad& rocker : rockers)
             for_each_linkage(g, crank.dyad, crank.displacements, {rocker.dyad}, [&](ExactDesign design) {
                 ++counts.real;
@@ -192,10 +193,12 @@ ExactDesigns through_five_timed_points(const PoseTargets& g) {
     }
     out.counts = counts;
     out.evaluations = static_cast<long>(counts.tracked);
-    out.argument = fmt::format(
-        "Burmester, twice: of all 4 cranks at five points with their timing {} are real; the 4 dyads that go with "
-        "each of these are accounted for",
-        cranks.size());
+    if (complete)
+        out.proof = proof_by(
+            fmt::format("Burmester, twice: of all 4 cranks at five points with their timing {} are real; the 4 dyads "
+                        "that go with each of these are accounted for",
+                        cranks.size()),
+            CountCertificate{});
     return out;
 }
 
@@ -216,7 +219,6 @@ std::string why_not_so_many(std::size_t count, std::string_view targets) {
 }
 
 ExactDesigns finished(const Problem& problem, ExactDesigns out) {
-    if (!out.complete) out.argument.clear();
     if (out.counts && out.counts->distinct + out.counts->at_infinity + out.counts->singular < out.counts->tracked)
         out.note = not_independent;
     rank(problem, out);

@@ -10,6 +10,7 @@
 #include "synthesis/mechanism/quick_return/formulas.h"
 #include "synthesis/mechanism/quick_return/transmission.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/proof/known_limits.h"
 
 namespace mechwright {
 
@@ -76,14 +77,28 @@ Design preferred_design(const Problem& problem) {
     return design;
 }
 
+/// The transmission angle that is required, or else to be greatest.
+std::size_t transmission_asked(const Problem& problem, bool required) {
+    if (!required) return problem.objective->terms.front().quantity;
+    for (const Requirement& r : problem.requirements)
+        if (problem.mechanism->quantities[r.quantity].name.starts_with("transmission-angle")) return r.quantity;
+    return 0;
+}
+
 /// What a best design says of a problem: it is the answer, proves that there is none, or lies outside the ranges.
+/// `limit` is the name of what limits the transmission angle (synthesis/proof/known_limits.h).
 std::optional<ClosedFormOutcome> concluded(const Problem& problem, const RamTask& task, double best_transmission,
-                                           Design design, std::string argument) {
+                                           Design design, std::string limit, std::string argument) {
     ClosedFormOutcome outcome;
     outcome.infeasible =
         task.least_transmission && best_transmission < *task.least_transmission - problem.solver.tolerance;
     outcome.best = assess(problem, std::move(design));
-    outcome.argument = std::move(argument);
+    if (outcome.infeasible || problem.objective)
+        outcome.proof = proof_by(
+            std::move(argument),
+            LimitCertificate{std::move(limit), transmission_asked(problem, outcome.infeasible), best_transmission});
+    else
+        outcome.proof = proof_by(std::move(argument), GivenCertificate{});
     if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;
     return outcome;
 }
@@ -95,10 +110,10 @@ double least_transmission_of(const SliderCrank<double>& m) {
 std::optional<ClosedFormOutcome> solve_slider_crank(const Problem& problem) {
     const RamTask task = *ram_task<SliderCrank>(problem);
     const auto unit = best_transmission_slider_crank(task.stroke > 0 ? task.stroke : 1, task.time_ratio);
-    if (!unit)
-        return ClosedFormOutcome{std::nullopt, true,
-                                 "the time ratio of a slider-crank whose crank turns fully is less than 3: its limits "
-                                 "are seen from the crank pivot under less than a right angle"};
+    if (!unit) {
+        auto none = proof_by_limits(problem);
+        return none ? std::optional(ClosedFormOutcome{std::nullopt, true, std::move(none)}) : std::nullopt;
+    }
     for (const double side : {1.0, -1.0}) {
         const std::array<UnitDimension, 3> dimensions{{{0, unit->crank}, {1, unit->rod}, {2, side * unit->offset}}};
         const auto size = task.stroke > 0 ? std::optional(1.0) : size_in_ranges(problem, dimensions);
@@ -107,7 +122,7 @@ std::optional<ClosedFormOutcome> solve_slider_crank(const Problem& problem) {
         for (const auto& [index, value] : dimensions)
             design.dimensions[index] =
                 problem.dimensions[index].fixed() ? problem.dimensions[index].min : *size * value;
-        auto outcome = concluded(problem, task, least_transmission_of(*unit), std::move(design),
+        auto outcome = concluded(problem, task, least_transmission_of(*unit), std::move(design), "ratio-family",
                                  "closed form: all slider-cranks of this time ratio form one one-parameter family and "
                                  "its mirror image; this is the only maximum of the least transmission angle in it");
         if (outcome) return outcome;
@@ -150,7 +165,7 @@ std::optional<ClosedFormOutcome> solve_crank_shaper(const Problem& problem) {
     const double at_ends = d[lever] * ends;
     const double slope = std::max(d[lever] - d[ram_distance], d[ram_distance] - at_ends) / d[rod];
     return concluded(
-        problem, task, std::acos(std::clamp(slope, -1.0, 1.0)), std::move(design),
+        problem, task, std::acos(std::clamp(slope, -1.0, 1.0)), std::move(design), "lever",
         best ? "closed form: the time ratio fixes crank over centre distance, the stroke the lever; the rod "
                "slopes least with the longest rod and the ram line half way between the extreme heights of "
                "its pin"
@@ -173,7 +188,7 @@ std::optional<ClosedFormOutcome> solve_whitworth(const Problem& problem) {
         d[arm] = problem.dimensions[arm].min;
     if (best) d[rod] = problem.dimensions[rod].max;
     const double transmission = std::acos(std::min(1.0, d[arm] / d[rod]));
-    return concluded(problem, task, transmission, std::move(design),
+    return concluded(problem, task, transmission, std::move(design), "arm",
                      best ? "closed form: the time ratio fixes centre distance over crank, the stroke the arm; the rod "
                             "slopes least when it is longest"
                           : "closed form: the time ratio fixes centre distance over crank, the stroke the arm");

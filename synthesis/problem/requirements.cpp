@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "synthesis/mechanism/possible_values.h"
 #include "synthesis/problem/sections.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
@@ -69,23 +68,6 @@ void narrow(Bounds& bounds, const Values& values, const Section& section, std::s
     bounds = {};
 }
 
-/// Reports a requirement that no design meets, whatever its dimensions: an angle between two lines of 200 deg.
-void compare_with_possible(const Section& section, const Values& values, const Quantity& quantity, const Units& units,
-                           Messages& messages) {
-    constexpr double rounding = 1 + 1e-12;  // of a right angle written in radians
-    const PossibleValues possible = possible_values(quantity.name);
-    const auto report = [&](const char* key, const char* side, double limit) {
-        const std::string unit = quantity.unit == Unit::angle ? ' ' + unit_label(quantity.unit, units) : "";
-        add_error(messages, place_of(section, values.equal ? "equal" : key),
-                  fmt::format("no design can meet this: '{}' never is {} than {:.6g}{} ({})", quantity.name, side,
-                              limit, unit, quantity.meaning));
-    };
-    const double least = in_file_unit(possible.least, quantity.unit, units);
-    const double greatest = in_file_unit(possible.greatest, quantity.unit, units);
-    if (values.equal.value_or(values.max.value_or(least)) < least) report("max", "less", least);
-    if (values.equal.value_or(values.min.value_or(greatest)) > greatest * rounding) report("min", "greater", greatest);
-}
-
 std::optional<double> converted(const Units& units, Unit unit, const std::optional<double>& value) {
     return value && unit == Unit::angle ? to_radians(units, *value) : value;
 }
@@ -107,7 +89,6 @@ void read_requirement(const toml::node& node, const Section& file, Problem& prob
     report_unknown_keys(section, messages);
     if (!index || !values.right) return;
     const Quantity& quantity = problem.mechanism->quantities[*index];
-    compare_with_possible(section, values, quantity, problem.units, messages);
     narrow(bounds[*index], values, section, quantity.name, messages);
     problem.requirements.push_back({*index, converted(problem.units, quantity.unit, values.equal),
                                     converted(problem.units, quantity.unit, values.min),

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,20 +44,25 @@ struct SolutionCounts {
     std::size_t defect_free = 0;  ///< designs that passed verification
 };
 
+/// See synthesis/program/proof.h.
+struct Proof;
+
 struct SearchReport {
     std::string method;
-    bool complete = false;     ///< the method proves its answer
-    std::string argument;      ///< by what argument
-    int starts = 0;            ///< local searches run
-    int local_optima = 0;      ///< distinct feasible local optima found
-    int hits = 0;              ///< starts that ended at the best one
-    double missed_chance = 1;  ///< estimated chance that a better local optimum was not seen
-    long evaluations = 0;      ///< of the program's functions, over all local searches
+    std::shared_ptr<const Proof> proof{};  ///< that this is the whole answer; null where nothing is proven
+    int starts = 0;                        ///< local searches run
+    int local_optima = 0;                  ///< distinct feasible local optima found
+    int hits = 0;                          ///< starts that ended at the best one
+    double missed_chance = 1;              ///< estimated chance that a better local optimum was not seen
+    long evaluations = 0;                  ///< of the program's functions, over all local searches
     double seconds = 0;
     long screened = 0;                          ///< candidates that were ranked to find starts
     std::optional<double> bound{};              ///< no design has a better objective than this
     long boxes = 0;                             ///< that were examined for it
     std::optional<SolutionCounts> solutions{};  ///< of an exact method
+
+    /// Whether the answer is proven.
+    bool complete() const { return proof != nullptr; }
 };
 
 /// A design on the trade-off front between two objectives.

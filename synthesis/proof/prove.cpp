@@ -8,6 +8,7 @@
 
 #include "synthesis/mechanism/four_bar/timed_path_bound.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/proof/branch_and_bound.h"
 #include "synthesis/proof/function_bound.h"
@@ -21,10 +22,10 @@ bool report_bound(const LowerBound& found, double bound, std::string_view over, 
     report.bound = bound;
     report.boxes = found.boxes;
     if (!found.reached) return !found.ended;
-    report.complete = true;
     report.missed_chance = 0;
-    report.argument = fmt::format("branch and bound over {}, {} box{}: no design is better by a millionth", over,
-                                  found.boxes, found.boxes == 1 ? "" : "es");
+    report.proof = proof_by(fmt::format("branch and bound over {}, {} box{}: no design is better by a millionth", over,
+                                        found.boxes, found.boxes == 1 ? "" : "es"),
+                            BoundCertificate{});
     return true;
 }
 

@@ -9,6 +9,7 @@
 #include "synthesis/report/cam_document.h"
 #include "synthesis/report/followed_document.h"
 #include "synthesis/report/function_document.h"
+#include "synthesis/report/proof_document.h"
 #include "synthesis/report/versions.h"
 
 namespace mechwright {
@@ -210,8 +211,11 @@ Json front_of(const Problem& problem, const Result& result) {
 }
 
 Json search_of(const Problem& problem, const SearchReport& search) {
-    Json json{{"method", search.method}, {"complete", search.complete}};
-    if (!search.argument.empty()) json["argument"] = search.argument;
+    Json json{{"method", search.method}, {"complete", search.complete()}};
+    if (search.proof) {
+        json["argument"] = search.proof->argument;
+        json["certificate"] = certificate_document(problem, search.proof->certificate);
+    }
     json["starts"] = search.starts;
     json["local_optima"] = search.local_optima;
     json["hits"] = search.hits;

@@ -7,6 +7,7 @@
 
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
 #include "synthesis/report/document.h"
@@ -34,7 +35,7 @@ Headline headline_of(const Result& result) {
         case Status::solved:
             return {"Solved", "all requirements are met, and the design passed verification.", Emphasis::good};
         case Status::infeasible:
-            if (result.search.complete)
+            if (result.search.complete())
                 return {"Infeasible", "it is proven that no design meets all requirements.", Emphasis::bad};
             return {"Infeasible",
                     "no design that meets all requirements was found by a search that ran to its end. "
@@ -120,8 +121,8 @@ std::string counted(long count, std::string_view one, std::string_view many) {
 
 std::string search_section(const SearchReport& search, bool colour) {
     std::string how = search.method;
-    if (search.complete) {
-        how += fmt::format(", complete: {}.", search.argument.empty() ? "every solution was found" : search.argument);
+    if (search.proof) {
+        how += fmt::format(", complete: {}.", search.proof->argument);
     } else if (search.starts > 0) {
         how += fmt::format(": {}, {}", counted(search.starts, "start", "starts"),
                            counted(search.local_optima, "local optimum", "local optima"));
@@ -142,7 +143,7 @@ std::string search_section(const SearchReport& search, bool colour) {
                                n.certified == n.real ? "all" : std::to_string(n.certified), n.defect_free);
         how += '.';
     }
-    if (search.bound && !search.complete)
+    if (search.bound && !search.complete())
         how += fmt::format(" No design has an objective below {}: {} boxes were examined.", number_text(*search.bound),
                            search.boxes);
     how += fmt::format(" {} in {}.", counted(search.evaluations, "evaluation", "evaluations"),

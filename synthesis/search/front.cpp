@@ -148,6 +148,7 @@ std::vector<FrontPoint> front(const Problem& problem, const RunOptions& options,
         if (!point.solution.feasible) continue;
         Result alone;
         alone.status = Status::solved;
+        alone.status = Status::solved;
         alone.best = point.solution;
         point.verification = verify(document(problem, alone));
         if (all_passed(point.verification)) points.push_back(std::move(point));

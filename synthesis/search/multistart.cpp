@@ -1,11 +1,13 @@
 #include "synthesis/search/multistart.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <mutex>
 #include <optional>
 
 #include "synthesis/program/assess.h"
+#include "synthesis/program/zero_objective.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/starts.h"
@@ -82,10 +84,13 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     std::mutex reporting;
     int done = 0;
     std::optional<Solution> best;
+    // The first start that ends at a zero that nothing can be below: those after it are not needed, those before it are
+    // run, so that the answer does not depend on the threads.
+    std::atomic<int> zero_at{total};
     const auto run = [&](const auto& search) {
         done = 0;
         share_work(total, options.jobs, [&](int task) {
-            if (limits.reached()) return;
+            if (limits.reached() || task > zero_at) return;
             const auto variant = static_cast<std::size_t>(task % count);
             Slot& slot = slots[static_cast<std::size_t>(task)];
             const Eigen::VectorXd start = start_point(programs[variant], problem.solver.seed, task / count, candidates);
@@ -94,6 +99,9 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
             slot.hessians += outcome.hessians;
             if (outcome.x.size() > 0) slot.solution = assess(problem, design_at(programs[variant], outcome.x));
             slot.done = !limits.reached();
+            if (slot.solution && is_at_zero(problem, *slot.solution))
+                for (int before = zero_at; task < before && !zero_at.compare_exchange_weak(before, task);) {
+                }
             if (!options.progress) return;
             const std::lock_guard lock(reporting);
             ++done;
@@ -111,6 +119,10 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
             return search_nearly_feasible(program, start, method, limits);
         });
 
+    if (zero_at < total) {
+        slots.resize(static_cast<std::size_t>(zero_at) + 1);
+        result.report.proof = proof_by_zero(problem);
+    }
     for (const Slot& slot : slots) {
         result.report.starts += slot.done ? 1 : 0;
         result.report.evaluations += slot.evaluations;
@@ -120,6 +132,7 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     for (const Slot& slot : slots)
         if (slot.solution) found.push_back(&*slot.solution);
     result.optima = distinct_optima(problem, found, result.report);
+    if (result.report.proof) result.report.missed_chance = 0;
     result.milestones = milestones_of(problem, slots, candidates);
     return result;
 }

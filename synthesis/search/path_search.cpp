@@ -12,6 +12,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/program/zero_objective.h"
 #include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/polished_search.h"
@@ -65,8 +66,6 @@ constexpr int least_rounds = 2;
 /// A round has as many starts as the problem asks for, but no more than this; and with them come so many rounds.
 constexpr int most_starts_of_round = 32;
 constexpr int rounds_for_starts = 12;
-/// Points met to this part of the path's size are met exactly.
-constexpr double exact_within = 1e-13;
 
 /// A search of a fit. Its program is one that has all kinds of motion among its designs, where there is such a one.
 struct Trial {
@@ -78,14 +77,6 @@ struct Trial {
 void sort_by_sum(std::vector<Trial>& trials) {
     std::stable_sort(trials.begin(), trials.end(),
                      [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
-}
-
-/// The greatest distance of a point from the first, or the length of a guided body that stays in one place.
-double path_size(const PathTarget& path) {
-    double size = path.body_length;
-    for (const Vector<double>& p : path.points)
-        size = std::max(size, std::hypot(p.x - path.points.front().x, p.y - path.points.front().y));
-    return size;
 }
 
 /// All the state of one run.
@@ -286,11 +277,7 @@ struct Search {
     }
 
     /// Whether the best design meets every point to rounding: then no other is better.
-    bool best_is_exact() const {
-        if (!led || !best || !best->feasible) return false;
-        const double allowed = exact_within * path_size(*problem.path);
-        return path_values(problem, best->design)->greatest <= allowed;
-    }
+    bool best_is_exact() const { return best && is_at_zero(problem, *best); }
 
     bool enough(int rounds) const {
         if (best_is_exact()) return true;
@@ -415,8 +402,7 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     if (search.least_squares) result.report.hits = std::max(result.report.hits, search.hits);
     result.stopped = search.limits.reached();
     if (search.best_is_exact()) {
-        result.report.complete = true;
-        result.report.argument = "the points are met exactly, and no distance is less than zero";
+        result.report.proof = proof_by_zero(problem);
         result.report.missed_chance = 0;
     }
     return result;

@@ -6,16 +6,21 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "synthesis/exact/closed_form.h"
 #include "synthesis/exact/exact.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/program/proof.h"
+#include "synthesis/proof/known_limits.h"
 #include "synthesis/proof/prove.h"
 #include "synthesis/report/document.h"
 #include "synthesis/search/front.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/search/nearby.h"
 #include "synthesis/search/path_search.h"
+#include "synthesis/verify/proof_checks.h"
 #include "synthesis/verify/verify.h"
 
 namespace mechwright {
@@ -43,6 +48,12 @@ struct Method {
     Found (*run)(const Problem&, const RunOptions&, Clock::time_point deadline);
 };
 
+/// Best first.
+void rank(const Problem& problem, std::vector<Solution>& all) {
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const Solution& a, const Solution& b) { return preferred(problem, a, b); });
+}
+
 std::size_t design_variables(const Problem& problem) {
     return static_cast<std::size_t>(std::count_if(problem.dimensions.begin(), problem.dimensions.end(),
                                                   [](const DimensionRange& d) { return !d.fixed() && !d.tied(); }));
@@ -68,8 +79,7 @@ Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) 
     }
     if (outcome->best) found.candidates.push_back(*outcome->best);
     found.infeasible = outcome->infeasible;
-    found.report.complete = true;
-    found.report.argument = outcome->argument;
+    found.report.proof = outcome->proof;
     found.report.local_optima = outcome->infeasible ? 0 : 1;
     found.report.missed_chance = 0;
     found.report.evaluations = 1;
@@ -80,7 +90,7 @@ bool found_feasible(const Found& found) { return !found.candidates.empty() && fo
 
 /// The best design at the very optimum that its search ended near.
 void settle_best(const Problem& problem, Found& found, const RunOptions& options, Clock::time_point deadline) {
-    if (found.stopped || !problem.objective || !found_feasible(found) || found.report.complete) return;
+    if (found.stopped || !problem.objective || !found_feasible(found) || found.report.complete()) return;
     LocalLimits limits;
     limits.deadline = deadline;
     limits.stop = options.stop;
@@ -125,7 +135,7 @@ Found with_branch_and_bound(const Problem& problem, const RunOptions& options, C
     Found found =
         problem.function ? with_slsqp(problem, options, deadline) : with_least_squares(problem, options, deadline);
     found.report.method = "branch-and-bound";
-    if (found.stopped || !found_feasible(found) || found.report.complete) return found;
+    if (found.stopped || !found_feasible(found) || found.report.complete()) return found;
     found.stopped = !prove(problem, found.candidates.front(), found.report, options, deadline);
     return found;
 }
@@ -151,21 +161,25 @@ std::string why_no_least_squares(const Problem& problem) {
     return why.empty() ? why_no_search(problem) : why;
 }
 
+/// Whether every solution is known and listed: singular ones are counted alone.
+bool leaves_none_out(const SearchReport& report) {
+    return report.complete() && report.solutions && report.solutions->singular == 0;
+}
+
 Found every_solution(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     ExactDesigns designs = exact_designs(problem, options, {deadline, options.stop});
     Found found;
     found.candidates = std::move(designs.designs);
     found.excluded = std::move(designs.excluded);
     found.report.method = "exact";
-    found.report.complete = designs.complete;
-    found.report.argument = designs.argument;
+    found.report.proof = designs.proof;
     found.report.solutions = designs.counts;
     found.report.starts = designs.starts;
     found.report.local_optima = designs.local_optima;
     found.report.missed_chance = designs.counts ? 0 : 1;
     found.report.evaluations = designs.evaluations;
     found.most_tried = std::max<std::size_t>(found.candidates.size(), 1);
-    found.infeasible = found.candidates.empty() && designs.complete;
+    found.infeasible = found.candidates.empty() && leaves_none_out(found.report);
     found.stopped = designs.stopped;
     // Of a family the member that comes closest is shown where none has all that is asked for.
     if (!designs.counts && found.candidates.empty() && !found.excluded.empty() &&
@@ -189,17 +203,25 @@ Found better(const Problem& problem, Found first, Found second) {
     return std::move(chosen);
 }
 
+/// Whether a design passes verification.
+bool passes(const Problem& problem, const Solution& solution) {
+    Result alone;
+    alone.status = Status::solved;
+    alone.best = solution;
+    return all_passed(verify(document(problem, alone)));
+}
+
 Found automatic(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     if (why_no_closed_form(problem).empty()) {
         Found found = closed_form(problem, options, deadline);
-        if (found.report.complete) return found;
+        if (found.report.complete() && (found.infeasible || passes(problem, found.candidates.front()))) return found;
     }
     if (problem.has_instant && why_not_exact(problem).empty()) return every_solution(problem, options, deadline);
     if (options.neighbour) return near_neighbour(problem, options, deadline);
     if (!why_no_path_search(problem).empty()) return with_slsqp(problem, options, deadline);
     Found found = with_least_squares(problem, options, deadline);
     // Where other things than the distances count, the best are not where least squares look first.
-    if (found.stopped || least_squares_suffice(problem)) return found;
+    if (found.stopped || found.report.complete() || least_squares_suffice(problem)) return found;
     if (least_squares_lead_on(problem) && found_feasible(found)) return found;
     return better(problem, std::move(found), with_slsqp(problem, options, deadline));
 }
@@ -247,6 +269,9 @@ void choose_verified(const Problem& problem, std::vector<Solution> candidates, s
     constexpr std::size_t most_alternatives = 20;
     std::vector<Check> first_checks;
     std::size_t chosen = 0;
+    // What a method proved of its best design does not hold for the next.
+    auto proof = std::exchange(result.search.proof, nullptr);
+    result.status = Status::solved;
     for (std::size_t i = 0; i < std::min(most_tried, candidates.size()) && candidates[i].feasible; ++i) {
         result.best = candidates[i];
         result.verification = verify(document(problem, result));
@@ -259,10 +284,7 @@ void choose_verified(const Problem& problem, std::vector<Solution> candidates, s
         result.best = candidates.front();
         result.verification = std::move(first_checks);
     }
-    if (chosen > 0) {  // what a method proved of its best design does not hold for the next
-        result.search.complete = false;
-        result.search.argument.clear();
-    }
+    if (chosen == 0 && result.verified()) result.search.proof = std::move(proof);
     candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(chosen));
     for (Solution& s : candidates)
         if (s.feasible && result.alternatives.size() < most_alternatives) result.alternatives.push_back(std::move(s));
@@ -275,11 +297,11 @@ void choose_all_verified(const Problem& problem, Found& found, const RunEnd& end
     for (Solution& candidate : found.candidates) {
         if (&candidate != &found.candidates.front() && end.reached()) {
             found.stopped = true;
-            found.report.complete = result.search.complete = false;
-            result.search.argument.clear();
+            found.report.proof = result.search.proof = nullptr;
             break;
         }
         Result alone;
+        alone.status = Status::solved;
         alone.best = candidate;
         const std::vector<Check> checks = verify(document(problem, alone));
         const auto failed = std::find_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
@@ -316,8 +338,14 @@ Result solve(const Problem& problem, const RunOptions& options) {
     Result result;
     Found found;
     if (design_variables(problem) == 0 && !(problem.path && !problem.path->prescribed_timing)) {
-        found.candidates.push_back(evaluate_given(problem));
-        found.report = {"given", true, "every dimension is given", 0, 1, 0, 0, 1, 0};
+        for (const std::size_t assembly : problem.assemblies)
+            found.candidates.push_back(evaluate_given(problem, assembly));
+        rank(problem, found.candidates);
+        found.report.method = "given";
+        found.report.proof = proof_by("every dimension is given", GivenCertificate{});
+        found.report.local_optima = 1;
+        found.report.missed_chance = 0;
+        found.report.evaluations = static_cast<long>(found.candidates.size());
         found.infeasible = !found.candidates.front().feasible;
     } else if (options.neighbour && is_search(*method)) {
         found = near_neighbour(problem, options, deadline);
@@ -329,12 +357,24 @@ Result solve(const Problem& problem, const RunOptions& options) {
     if (found.report.solutions) {
         choose_all_verified(problem, found, end, result);
         feasible = result.best.has_value();
-        found.infeasible = !feasible && found.report.complete;
+        found.infeasible = !feasible && leaves_none_out(found.report);
         if (options.all) result.excluded = std::move(found.excluded);
     } else if (feasible)
         choose_verified(problem, std::move(found.candidates), found.most_tried, end, result);
     else if (!found.candidates.empty())
         result.best = std::move(found.candidates.front());
+
+    bool limited = false;
+    if (!(feasible && result.verified()) && !found.infeasible)
+        if (auto proof = why_infeasible(problem)) {
+            result.search.proof = std::move(proof);
+            result.verification.clear();
+            result.alternatives.clear();
+            if (result.best) result.best->feasible = false;
+            found.infeasible = limited = true;
+            feasible = found.stopped = false;
+        }
+    if (!feasible && !found.infeasible) result.search.proof.reset();
 
     const auto asked_to_stop = [&] { return options.stop && options.stop->load(); };
     if (feasible && problem.solver.pareto > 0) {
@@ -352,8 +392,8 @@ Result solve(const Problem& problem, const RunOptions& options) {
     if (result.status == Status::infeasible) {
         if (found.infeasible && found.report.solutions)
             result.note = found.excluded_note;
-        else if (found.infeasible && !result.best)
-            result.note = "proved: no design meets the requirements; " + found.report.argument;
+        else if (found.infeasible && (limited || !result.best))
+            result.note = "proved: no design meets the requirements; " + result.search.proof->argument;
         else if (found.infeasible)
             result.note = "proved: no design meets the requirements; the best that can be had is shown";
         else if (result.best)
@@ -362,6 +402,8 @@ Result solve(const Problem& problem, const RunOptions& options) {
             result.note = found.note;
     }
     result.search.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    for (const Check& check : check_proof(document(problem, result)))
+        if (!check.passed) throw std::logic_error("a proof does not hold: " + check.name + ": " + check.detail);
     return result;
 }
 
@@ -377,11 +419,13 @@ std::string why_not_applicable(std::string_view name, const Problem& problem) {
     return method ? method->why_not(problem) : "there is no method of this name";
 }
 
-Solution evaluate_given(const Problem& problem) {
+Solution evaluate_given(const Problem& problem) { return evaluate_given(problem, problem.assemblies.front()); }
+
+Solution evaluate_given(const Problem& problem, std::size_t assembly) {
     Design design;
     for (const DimensionRange& d : problem.dimensions)
         design.dimensions.push_back(d.min);
-    design.assembly = problem.assemblies.front();
+    design.assembly = assembly;
     if (problem.path && problem.path->prescribed_timing)
         for (const double angle : problem.path->crank_angles)
             design.path_angles.push_back(design.dimensions[problem.mechanism->path_roles.start] + angle);

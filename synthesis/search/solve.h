@@ -33,7 +33,8 @@ struct RunOptions {
     const homotopy::StartSystem* start_system = nullptr;
 };
 
-/// Solves, then verifies. Never throws for anything a problem file can contain.
+/// Solves, then verifies. Never throws for anything a problem file can contain; a proof whose certificate does not hold
+/// is a defect of the program, std::logic_error.
 Result solve(const Problem& problem, const RunOptions& options);
 
 struct MethodDescription {
@@ -48,7 +49,8 @@ std::vector<MethodDescription> all_methods();
 std::string why_not_applicable(std::string_view method, const Problem& problem);
 
 /// A design that is given, not sought (every dimension fixed): evaluated, not verified; objective and violation as for
-/// any other solution.
+/// any other solution. In the first of the problem's assemblies, or another one.
 Solution evaluate_given(const Problem& problem);
+Solution evaluate_given(const Problem& problem, std::size_t assembly);
 
 }  // namespace mechwright

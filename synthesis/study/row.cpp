@@ -140,7 +140,7 @@ StudyRow row_of(const PreparedStudy& prepared, std::uint64_t point, const Proble
     Cell both_ways;
     if (start == Start::both) both_ways = std::int64_t{differed};
     maker.add_outcome(status_of(problem, result), std::string(name_of(start)), std::move(both_ways), &problem, best,
-                      std::int64_t{result.search.complete});
+                      std::int64_t{result.search.complete()});
     maker.add_design(&problem, design);
     maker.add_quantities(&problem, design);
     maker.add(note_of(result));

@@ -135,7 +135,7 @@ private:
             const Result near = solved(problem, &*before_->design);
             if (near.status == Status::interrupted) return {};
             if (near.status == Status::solved)
-                return keep(point, problem, near, near.search.complete ? Start::own : Start::neighbour, false);
+                return keep(point, problem, near, near.search.complete() ? Start::own : Start::neighbour, false);
         }
         const Result own = solved(problem, nullptr);
         if (own.status == Status::interrupted) return {};
@@ -145,7 +145,7 @@ private:
     KnownPoint keep(std::uint64_t point, const Problem& problem, const Result& result, Start start, bool differed) {
         const StudyRow row = row_of(shared_.prepared, point, problem, result, start, differed);
         shared_.store.put(row);
-        return {std::string(name_of(result.status)), std::string(name_of(start)), result.search.complete, row.design};
+        return {std::string(name_of(result.status)), std::string(name_of(start)), result.search.complete(), row.design};
     }
 
     /// Solves a point once more, now without help, and keeps the better design. Whether the help was no help; nothing

@@ -10,6 +10,7 @@
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/verify/path_checks.h"
+#include "synthesis/verify/proof_checks.h"
 #include "synthesis/verify/rebuilt.h"
 
 namespace mechwright {
@@ -194,7 +195,22 @@ Check check_accuracy_points(const Rebuilt& design) {
                             : std::string("the mechanism does not assemble at one of them")};
 }
 
-std::vector<Check> checks_of(const Claim& claim) {
+constexpr std::string_view as_stated = "as stated";
+
+/// What is wrong with a design that is shown for a problem without one that meets its requirements: it has to miss
+/// something, and what is stated of it is checked as it is of any other.
+std::vector<Check> checks_of_miss(const std::vector<Check>& checks) {
+    std::vector<Check> kept{{"the design that is shown misses what is asked for", false, "it meets all of it"}};
+    for (const Check& check : checks) {
+        if (check.name.ends_with(as_stated))
+            kept.push_back(check);
+        else if (!check.passed && !kept.front().passed)
+            kept.front() = {kept.front().name, true, check.name + ": " + check.detail};
+    }
+    return kept;
+}
+
+std::vector<Check> checks_of(const Claim& claim, bool infeasible) {
     std::vector<Check> checks{check_ranges(claim)};
     const Rebuilt design = rebuilt(claim);
     if (claim.kind) checks.push_back(check_kind(design));
@@ -204,10 +220,12 @@ std::vector<Check> checks_of(const Claim& claim) {
     Measurements measurements(design);
     for (const ClaimedRequirement& r : claim.requirements) {
         checks.push_back(check_requirement(r, measurements));
+        if (infeasible && !r.value) continue;
         checks.push_back(stated_check(fmt::format("{} is as stated", quantity_of(claim, r.quantity).name),
                                       {stated_defect(r.quantity, r.value, measurements)}));
     }
-    if (claim.objective) checks.push_back(check_objective(*claim.objective, measurements));
+    if (claim.objective && (!infeasible || claim.objective->value))
+        checks.push_back(check_objective(*claim.objective, measurements));
     if (!claim.quantities.empty()) {
         std::vector<std::string> defects;
         for (const auto& [quantity, value] : claim.quantities)
@@ -258,9 +276,17 @@ std::vector<Check> verify(const nlohmann::ordered_json& document) {
         return std::vector<Check>{{"the document can be understood", false, std::move(why)}};
     };
     try {
-        const auto [claim, defect] = read_claim(document);
+        const bool infeasible = says_infeasible(document);
+        const auto [claim, defect] = read_claim(with_some_design(document));
         if (!defect.empty()) return not_understood(defect);
-        std::vector<Check> checks = checks_of(claim);
+        std::vector<Check> checks;
+        if (!infeasible)
+            checks = checks_of(claim, false);
+        else if (document.contains("design"))
+            checks = checks_of_miss(checks_of(claim, true));
+        for (Check& check : check_proof(document))
+            checks.push_back(std::move(check));
+        if (checks.empty()) checks.push_back({"nothing is claimed but that no design was found", true, ""});
         add_front_checks(document, checks);
         return checks;
     } catch (const std::bad_alloc&) {

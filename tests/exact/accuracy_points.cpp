@@ -76,7 +76,7 @@ TEST(AccuracyPoints, OfTheTextbookGiveItsLinkages) {
             EXPECT_NEAR(d[3], c.rocker, 5e-7) << c.name;
         }
         EXPECT_NEAR(result.best->objective, c.greatest_error, 5e-7) << c.name;
-        EXPECT_TRUE(result.search.complete) << c.name;
+        EXPECT_TRUE(result.search.complete()) << c.name;
         EXPECT_EQ(result.search.solutions->certified, 1u) << c.name;
     }
 }
@@ -192,7 +192,7 @@ TEST(AccuracyPoints, FourWithOneStartAreThoseOfAQuadraticEquation) {
                     rows.links(start * degree, std::atan2(-f[1] + sign * std::sqrt(discriminant), 2 * f[2])));
         real += static_cast<int>(expected.size());
         const Result result = all_solutions(p);
-        EXPECT_TRUE(result.search.complete);
+        EXPECT_TRUE(result.search.complete());
         expect_same(found_links(result), expected, 1e-6);
     }
     EXPECT_GT(real, 40);
@@ -238,7 +238,7 @@ TEST(AccuracyPoints, FiveAreThoseOfAResultant) {
                 if (links.allFinite() && links.minCoeff() > 1e-6 && links.maxCoeff() < 1e5) expected.push_back(links);
             }
             const Result result = all_solutions(p);
-            EXPECT_TRUE(result.search.complete) << expression;
+            EXPECT_TRUE(result.search.complete()) << expression;
             expect_same(found_links(result), expected, 1e-4);
         }
     }
@@ -250,7 +250,7 @@ TEST(AccuracyPoints, FewerThanTheFreeScalesLeaveAFamily) {
         function_problem("expression = \"log10(x)\"\nx = [1, 2]\naccuracy_points = 4\ninput = " + free_start +
                          "60 }\noutput = " + free_start + "90 }"));
     ASSERT_EQ(four.status, Status::solved);
-    EXPECT_FALSE(four.search.complete);
+    EXPECT_FALSE(four.search.complete());
     EXPECT_FALSE(four.search.solutions);
     EXPECT_LT(four.best->objective, 0.0097);
     EXPECT_GT(four.best->objective, 0.0069708);  // the least error that any such four-bar has

@@ -112,7 +112,7 @@ TEST(FivePoses, HaveTheFourBarThatMadeThemAmongTheirSolutions) {
         const Problem problem = guided(with_body, poses_of(made));
         const Result result = all_solutions(problem);
         ASSERT_EQ(result.status, Status::solved) << k;
-        EXPECT_TRUE(result.search.complete);
+        EXPECT_TRUE(result.search.complete());
         EXPECT_TRUE(is_among(made, result)) << k;
         const SolutionCounts& n = *result.search.solutions;
         EXPECT_EQ(n.distinct + n.at_infinity + n.singular, 4u);
@@ -131,7 +131,7 @@ TEST(FiveTimedPoints, HaveTheFourBarThatMadeThemAmongTheirSolutions) {
         const Problem problem = guided(with_start, timed_points_of(made));
         const Result result = all_solutions(problem);
         ASSERT_EQ(result.status, Status::solved) << k;
-        EXPECT_TRUE(result.search.complete);
+        EXPECT_TRUE(result.search.complete());
         EXPECT_TRUE(is_among(made, result)) << k;
         EXPECT_EQ(result.search.solutions->certified, result.search.solutions->real);
         expect_met(problem, *result.best);
@@ -148,7 +148,7 @@ TEST(FewerTargets, LeaveFamiliesWhoseMembersMeetThemExactly) {
                 guided(timed ? with_start : with_body, timed ? timed_points_of(made) : poses_of(made));
             const Result result = all_solutions(problem);
             ASSERT_EQ(result.status, Status::solved) << places << timed;
-            EXPECT_FALSE(result.search.complete);
+            EXPECT_FALSE(result.search.complete());
             EXPECT_FALSE(result.search.solutions);
             EXPECT_TRUE(result.verified());
             expect_met(problem, *result.best);
@@ -217,7 +217,7 @@ TEST(SpecialTargets, ComeToAnEndWithATrueAccount) {
         if (result.search.solutions) {
             const SolutionCounts& n = *result.search.solutions;
             EXPECT_LE(n.distinct + n.at_infinity + n.singular, n.tracked) << targets;
-            EXPECT_EQ(result.search.complete, n.distinct + n.at_infinity + n.singular == n.tracked) << targets;
+            EXPECT_EQ(result.search.complete(), n.distinct + n.at_infinity + n.singular == n.tracked) << targets;
         }
     }
 }

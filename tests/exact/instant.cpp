@@ -50,7 +50,7 @@ TEST(Instants, OfTheTextbookGiveItsLinkages) {
         const Result result =
             solve(four_bar_problem(fmt::format("{}", c.ground), instant(c.velocity, c.acceleration)), {});
         ASSERT_EQ(result.status, Status::solved);
-        EXPECT_TRUE(result.search.complete);
+        EXPECT_TRUE(result.search.complete());
         const auto& d = result.best->design.dimensions;
         // The ground link is given to eight digits.
         EXPECT_NEAR(d[1], c.crank, 2e-6);

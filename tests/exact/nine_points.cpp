@@ -245,7 +245,7 @@ TEST(ExactMethod, SinglesOutTheUsableLinkageOfProblem3) {
     options.all = true;
     const Result result = solve(problem, options);
     EXPECT_EQ(result.status, Status::solved);
-    EXPECT_TRUE(result.search.complete);
+    EXPECT_TRUE(result.search.complete());
     ASSERT_TRUE(result.search.solutions);
     EXPECT_EQ(result.search.solutions->real, 64u);
     // One triplet, of which two cognates with a crank can be driven.

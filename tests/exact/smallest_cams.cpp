@@ -146,7 +146,7 @@ void expect_agreement(const Cam& cam, int& solved, int& infeasible) {
     constexpr double missing = 1e-4;
     if (outcome->infeasible) {
         ++infeasible;
-        EXPECT_GT(least, cam.greatest_size * (1 - missing)) << outcome->argument << "\n" << text;
+        EXPECT_GT(least, cam.greatest_size * (1 - missing)) << outcome->proof->argument << "\n" << text;
         return;
     }
     ++solved;

@@ -37,14 +37,14 @@ class TimeLimits : public ::testing::TestWithParam<const char*> {};
 TEST_P(TimeLimits, AreKept) {
     const Ended e = ended(shipped(GetParam(), "exact"), 0.05, nullptr);
     EXPECT_LT(e.seconds, 0.25);
-    EXPECT_FALSE(e.result.search.complete && e.result.status == Status::limit);
+    EXPECT_FALSE(e.result.search.complete() && e.result.status == Status::limit);
 }
 
 TEST_P(TimeLimits, AStopEndsItToo) {
     const std::atomic<bool> stop = true;
     const Ended e = ended(shipped(GetParam(), "exact"), 100, &stop);
     EXPECT_LT(e.seconds, 0.2);
-    EXPECT_FALSE(e.result.search.complete && e.result.status == Status::interrupted);
+    EXPECT_FALSE(e.result.search.complete() && e.result.status == Status::interrupted);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, TimeLimits,

@@ -50,7 +50,7 @@ const std::string smallest_prime = "[objective]\nminimize = \"prime-radius\"\n";
 void expect_size(const std::string& text, const char* dimension, double known, double within) {
     const Solved exact = solved(text);
     ASSERT_EQ(exact.result.status, Status::solved) << text;
-    EXPECT_TRUE(exact.result.search.complete) << text;
+    EXPECT_TRUE(exact.result.search.complete()) << text;
     EXPECT_NEAR(exact.dimension(dimension), known, within) << text;
     const double value = exact.dimension(dimension);
     for (const char* method : {"slsqp", "ipopt"}) {
@@ -109,7 +109,7 @@ TEST(CamSize, B2B3B4WithAnOffset) {
             cam_text(knife, c.turn, with_offset, rise_and_return(c.rise_limit, c.fall_limit) + smallest_prime);
         expect_size(text, "prime-radius", known.prime_radius, 1e-9 * known.prime_radius);
         EXPECT_NEAR(solved(text).dimension("offset"), known.offset, 1e-9 * known.prime_radius);
-        EXPECT_NE(solved(text).result.search.argument.find("none negative"), std::string::npos);
+        EXPECT_NE(solved(text).result.search.proof->argument.find("none negative"), std::string::npos);
     }
 }
 
@@ -145,7 +145,7 @@ TEST(CamSize, TableOfSixLaws) {
             const Solved s = solved(cam_text(knife, {row.law, 1, angle, 90, angle}, in_line,
                                              at_most("pressure-angle-rise", 30) + smallest_prime));
             EXPECT_NEAR(s.dimension("prime-radius"), known, 5.1e-7) << row.law << " " << angle;
-            EXPECT_TRUE(s.result.search.complete);
+            EXPECT_TRUE(s.result.search.complete());
         }
     }
 }
@@ -218,7 +218,7 @@ TEST(CamSize, AnArmOfFreeLengthIsTheShortest) {
             at_most("pressure-angle-max", 35) + smallest_prime);
     };
     const Solved exact = solved(text("{ min = 60, max = 100 }"));
-    EXPECT_TRUE(exact.result.search.complete);
+    EXPECT_TRUE(exact.result.search.complete());
     EXPECT_EQ(exact.dimension("arm-length"), 60);
     EXPECT_NEAR(exact.dimension("prime-radius"), solved(text("80")).dimension("prime-radius") * 0.75, 1e-12 * 30);
     EXPECT_NEAR(solved(text("{ min = 60, max = 100 }"), "slsqp").dimension("prime-radius"),
@@ -229,7 +229,7 @@ TEST(CamSize, AnArmOfFreeLengthIsTheShortest) {
 TEST(CamSize, OscillatingFlatFace) {
     const Solved s = solved(shipped("oscillating-flat.toml", "cam"));
     ASSERT_EQ(s.result.status, Status::solved);
-    EXPECT_TRUE(s.result.search.complete);
+    EXPECT_TRUE(s.result.search.complete());
     EXPECT_NEAR(s.dimension("pivot-distance"), 38.3565087485219572843622429632, 1e-9 * 38);
     for (const char* method : {"slsqp", "ipopt"}) {
         const Solved other = solved(shipped("oscillating-flat.toml", "cam"), method);
@@ -239,15 +239,15 @@ TEST(CamSize, OscillatingFlatFace) {
     steep.replace(steep.find("= 40\n"), 5, "= 30\n");
     const Solved none = solved(steep);
     EXPECT_EQ(none.result.status, Status::infeasible);
-    EXPECT_TRUE(none.result.search.complete);
-    EXPECT_NE(none.result.search.argument.find("no pivot distance"), std::string::npos);
+    EXPECT_TRUE(none.result.search.complete());
+    EXPECT_NE(none.result.search.proof->argument.find("no pivot distance"), std::string::npos);
 }
 
 TEST(CamSize, TooSmallACircleIsProvenImpossible) {
     const Solved s = solved(shipped("not-possible.toml", "cam"));
     EXPECT_EQ(s.result.status, Status::infeasible);
-    EXPECT_TRUE(s.result.search.complete);
-    EXPECT_NE(s.result.search.argument.find("56.7701748"), std::string::npos) << s.result.search.argument;
+    EXPECT_TRUE(s.result.search.complete());
+    EXPECT_NE(s.result.search.proof->argument.find("56.7701748"), std::string::npos) << s.result.search.proof->argument;
 }
 
 // Every combination of laws: the best of them all.
@@ -317,10 +317,10 @@ TEST(CamSize, WithCurvatureAndEnvelope) {
     const std::string dimensions = with_offset + "roller-radius = 5\n";
     const Turn turn{"cycloidal", 20, 90, 90, 90};
     const Solved loose = solved(cam_text("follower = \"roller\"", turn, dimensions, limits + "10\n" + smallest_prime));
-    EXPECT_TRUE(loose.result.search.complete);
+    EXPECT_TRUE(loose.result.search.complete());
     const Solved tight = solved(cam_text("follower = \"roller\"", turn, dimensions, limits + "25\n" + smallest_prime));
     ASSERT_EQ(tight.result.status, Status::solved);
-    EXPECT_FALSE(tight.result.search.complete);
+    EXPECT_FALSE(tight.result.search.complete());
     EXPECT_NEAR(tight.value("profile-radius-min"), 25, 1e-7);
     EXPECT_GT(tight.dimension("prime-radius"), loose.dimension("prime-radius"));
     const Solved other =

@@ -140,8 +140,8 @@ TEST(CrankRockers, MethodsAgreeToNineDigits) {
 
 TEST(CrankRockers, ClosedFormSaysWhyItsAnswerIsComplete) {
     const Solved s = solved(problem_of(rows[1]));
-    EXPECT_TRUE(s.result.search.complete);
-    EXPECT_FALSE(s.result.search.argument.empty());
+    EXPECT_TRUE(s.result.search.complete());
+    EXPECT_FALSE(s.result.search.proof->argument.empty());
 }
 
 /// The best that can be had for 60 deg and 1.4 is 32.631949 deg; every method says so, one with proof.
@@ -153,7 +153,7 @@ TEST(CrankRockers, UnreachableTransmissionAngleIsInfeasibleWithTheBestThatCanBeH
         EXPECT_EQ(s.result.status, Status::infeasible) << method;
         EXPECT_NEAR(s.value("transmission-angle-worst") / degree, 32.631949, 5.1e-7) << method;
         EXPECT_NEAR(s.value("swing") / degree, 60, 1e-8) << method;
-        EXPECT_EQ(s.result.search.complete, method == "auto");
+        EXPECT_EQ(s.result.search.complete(), method == "auto");
     }
 }
 
@@ -164,7 +164,7 @@ TEST(CrankRockers, RangesThatExcludeTheOptimumAreRespected) {
     const Solved s = solved(text);
     EXPECT_EQ(s.result.status, Status::solved);
     EXPECT_EQ(s.result.search.method, "slsqp");
-    EXPECT_FALSE(s.result.search.complete);
+    EXPECT_FALSE(s.result.search.complete());
     EXPECT_NEAR(s.dimension("coupler"), 80, 1e-9);
     EXPECT_LT(s.value("transmission-angle-worst") / degree, 45.00822);
 }

@@ -170,7 +170,7 @@ minimize = "path-rms"
 )");
     ASSERT_EQ(s.result.status, Status::solved);
     EXPECT_GT(s.value("path-rms"), 1);
-    EXPECT_FALSE(s.result.search.complete);
+    EXPECT_FALSE(s.result.search.complete());
 }
 
 /// A linkage that exists is found again: points of a known crank-rocker, prescribed timing, everything free.

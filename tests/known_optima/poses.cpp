@@ -17,7 +17,7 @@ TEST(Poses, FiveAreMetExactly) {
     for (const std::uint64_t seed : {1, 2, 3}) {
         const Solved s = solved(shipped("five-poses.toml", "poses"), "auto", seed);
         EXPECT_EQ(s.result.status, Status::solved);
-        EXPECT_TRUE(s.result.search.complete);
+        EXPECT_TRUE(s.result.search.complete());
         EXPECT_LE(s.value("pose-rms"), 1e-13);
     }
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "synthesis/problem/reader.h"
+#include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/document.h"
 #include "synthesis/search/solve.h"

@@ -54,17 +54,11 @@ TEST(Requirements, ARangeThatNoValueCanMeetIsAnError) {
                           {"no value can meet", "'min' 3", "'max' 2"}));
 }
 
-TEST(Requirements, WhatNoMechanismReachesIsAnError) {
-    EXPECT_TRUE(only_says(read_requirement("quantity = \"time-ratio\"\nequal = 0.8"), "p.toml:10:9",
-                          {"'time-ratio' never is less than 1", "slow stroke"}));
-    EXPECT_TRUE(only_says(read_requirement("quantity = \"transmission-angle-worst\"\nmin = 100"), "p.toml:10:7",
-                          {"'transmission-angle-worst' never is greater than 90 deg"}));
-    EXPECT_TRUE(only_says(read_requirement("quantity = \"total-length\"\nmax = -1"), "p.toml:10:7",
-                          {"'total-length' never is less than 0"}));
-    EXPECT_TRUE(accepted(read_requirement("quantity = \"transmission-angle-worst\"\nmin = 90")));
-    EXPECT_TRUE(accepted(read_requirement("quantity = \"transmission-angle-max\"\nmax = 200")));
+// What no mechanism reaches is a well-formed question, whose answer is that there is none.
+TEST(Requirements, WhatNoMechanismReachesCanBeAskedFor) {
+    EXPECT_TRUE(accepted(read_requirement("quantity = \"time-ratio\"\nequal = 0.8")));
+    EXPECT_TRUE(accepted(read_requirement("quantity = \"transmission-angle-worst\"\nmin = 100")));
     EXPECT_TRUE(accepted(read_requirement("quantity = \"velocity-ratio-min\"\nequal = -3")));
-    EXPECT_TRUE(accepted(read("units = { angle = \"rad\" }\n" + valid + equal("swing", "3.14159265358979324"))));
 }
 
 /// A name in the list of possible values that no mechanism has would be one that changed.

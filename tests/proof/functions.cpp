@@ -19,7 +19,7 @@ TEST(FunctionBound, ProvesTheExercisesOfTheSource) {
     for (const char* file : {"power.toml", "tangent.toml", "reciprocal.toml"}) {
         const Solved s = solved(shipped(file, "function"));
         ASSERT_EQ(s.result.status, Status::solved) << file;
-        EXPECT_TRUE(s.result.search.complete) << file;
+        EXPECT_TRUE(s.result.search.complete()) << file;
         ASSERT_TRUE(s.result.search.bound);
         EXPECT_GE(*s.result.search.bound, s.result.best->objective * (1 - 1.1e-6)) << file;
         EXPECT_LE(*s.result.search.bound, s.result.best->objective) << file;
@@ -42,7 +42,7 @@ output = { start = 68, range = 60 }
 minimize = "function-max"
 )toml");
     ASSERT_EQ(s.result.status, Status::solved);
-    EXPECT_TRUE(s.result.search.complete);
+    EXPECT_TRUE(s.result.search.complete());
 }
 
 /// With a link held short the least error of the problem is not that of all linkages.
@@ -51,7 +51,7 @@ TEST(FunctionBound, LeavesAGapWhereARangeIsActive) {
     text.replace(text.find("max = 100 }", text.find("\ncoupler ")), 11, "max = 12 }");
     const Solved s = solved(text);
     ASSERT_EQ(s.result.status, Status::solved);
-    EXPECT_FALSE(s.result.search.complete);
+    EXPECT_FALSE(s.result.search.complete());
     EXPECT_LT(*s.result.search.bound, s.result.best->objective * (1 - 1e-3));
 }
 

@@ -156,8 +156,8 @@ TEST(TimedPathBound, IsNeverAboveALinkageOfFreeStart) { expect_no_bound_above_a_
 TEST(TimedPathBound, ProvesTheSecondCaseOfTheLiterature) {
     const auto s = solved(shipped("case-2.toml", "path"), "branch-and-bound");
     ASSERT_EQ(s.result.status, Status::solved);
-    EXPECT_TRUE(s.result.search.complete);
-    EXPECT_FALSE(s.result.search.argument.empty());
+    EXPECT_TRUE(s.result.search.complete());
+    EXPECT_FALSE(s.result.search.proof->argument.empty());
     EXPECT_NEAR(s.result.best->objective, 7.41575130678e-7, 1e-16);
     EXPECT_GE(*s.result.search.bound, s.result.best->objective * (1 - 1.1e-6));
     EXPECT_LE(*s.result.search.bound, s.result.best->objective);
@@ -170,7 +170,7 @@ TEST(TimedPathBound, LeavesAGapWhereARangeIsActive) {
     text += "[solver]\ntime_limit = 6\n";
     const auto s = solved(text, "branch-and-bound");
     EXPECT_EQ(s.result.status, Status::limit);
-    EXPECT_FALSE(s.result.search.complete);
+    EXPECT_FALSE(s.result.search.complete());
     ASSERT_TRUE(s.result.search.bound);
     EXPECT_LE(*s.result.search.bound, 7.41575130678e-7);
     EXPECT_GT(s.result.best->objective, 7.42e-7);

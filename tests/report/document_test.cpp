@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/json_text.h"
 #include "tests/report/examples.h"
@@ -240,10 +241,10 @@ TEST(Document, SearchSaysHowThoroughItWas) {
     EXPECT_EQ(names_of(document(problem, result)["search"]),
               (std::vector<std::string>{"method", "complete", "starts", "local_optima", "hits", "missed_chance",
                                         "evaluations", "seed", "seconds"}));
-    result.search.complete = true;
-    result.search.argument = "every solution of a cubic";
+    result.search.proof = proof_by("every solution of a cubic", CountCertificate{});
     const Json search = document(problem, result)["search"];
     EXPECT_EQ(search["argument"], "every solution of a cubic");
+    EXPECT_EQ(search["certificate"]["kind"], "count");
     EXPECT_EQ(search["seed"], 7);
 }
 

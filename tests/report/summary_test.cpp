@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "synthesis/program/proof.h"
 #include "synthesis/report/table.h"
 #include "tests/report/examples.h"
 
@@ -64,8 +65,7 @@ TEST(Summary, OfAnInfeasibleProblemNamesTheObstacle) {
     expect_has(text, "It fails most at swing, which has to be 60");
     expect_has(text, "missed by 1.413");
 
-    result.search.complete = true;
-    result.search.argument = "the cubic has no root in the range";
+    result.search.proof = proof_by("the cubic has no root in the range", CountCertificate{});
     const std::string proven = summary(problem_of(crank_rocker_text), result, false);
     expect_readable(proven);
     expect_has(proven, "Infeasible: it is proven that no design meets all requirements.");

@@ -27,7 +27,7 @@ Row row_of(const Answer& answer, Cell apart, const std::optional<Return>& nearby
             bench::name_of(answer.kind),
             mechwright::name_of(answer.result.status),
             answer.result.verified(),
-            search.complete,
+            search.complete(),
             part(0),
             part(1),
             std::move(apart),

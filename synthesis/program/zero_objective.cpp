@@ -1,0 +1,61 @@
+#include "synthesis/program/zero_objective.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/mechanism/possible_values.h"
+#include "synthesis/problem/units.h"
+
+namespace mechwright {
+
+namespace {
+
+/// Zero to this part of the size of what a value is computed from.
+constexpr double exact_within = 1e-13;
+
+/// The greatest distance of a target from the first, or the length of a guided body that stays in one place; without
+/// targets the longest length.
+double size_of(const Problem& problem, const Design& design) {
+    double size = 0;
+    if (problem.path) {
+        size = problem.path->body_length;
+        for (const Vector<double>& p : problem.path->points)
+            size =
+                std::max(size, std::hypot(p.x - problem.path->points.front().x, p.y - problem.path->points.front().y));
+        return size;
+    }
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+        if (problem.mechanism->dimensions[i].kind == DimensionKind::length) size = std::max(size, design.dimensions[i]);
+    return size;
+}
+
+}  // namespace
+
+bool is_at_zero(const Problem& problem, const Solution& solution) {
+    if (!solution.feasible || !problem.objective || problem.objective->terms.size() != 1) return false;
+    const ObjectiveTerm& term = problem.objective->terms.front();
+    const Quantity& quantity = problem.mechanism->quantities[term.quantity];
+    if (term.maximize || possible_values(quantity.name).least != 0) return false;
+    const double value = from_file_unit(solution.objective, quantity.unit, problem.units);
+    const double size = size_of(problem, solution.design);
+    switch (quantity.unit) {
+        case Unit::length: return value <= exact_within * size;
+        case Unit::area: return value <= exact_within * exact_within * size * size;
+        case Unit::none:
+        case Unit::angle: return value <= exact_within;
+        case Unit::force:
+        case Unit::torque: return value == 0;
+    }
+    return false;
+}
+
+std::shared_ptr<const Proof> proof_by_zero(const Problem& problem) {
+    const std::string_view name = problem.mechanism->quantities[problem.objective->terms.front().quantity].name;
+    return proof_by(problem.path ? std::string("the points are met exactly, and no distance is less than zero")
+                                 : fmt::format("{} is zero, and cannot be less", name),
+                    ZeroCertificate{});
+}
+
+}  // namespace mechwright

@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// Objectives that cannot be negative, at zero: no design is better.
+
+#include <memory>
+
+#include "synthesis/program/proof.h"
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+/// Whether a feasible solution makes zero, but for rounding, what is to be least and cannot be negative.
+bool is_at_zero(const Problem& problem, const Solution& solution);
+
+/// That then no other is better.
+std::shared_ptr<const Proof> proof_by_zero(const Problem& problem);
+
+}  // namespace mechwright

@@ -1,0 +1,274 @@
+// Proofs with certificates: what is proven verifies from the document alone, and does not where it was tampered with.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "synthesis/mechanism/possible_values.h"
+#include "synthesis/proof/known_limits.h"
+#include "synthesis/verify/proof_checks.h"
+#include "synthesis/verify/verify.h"
+#include "tests/known_optima/solved.h"
+
+namespace mechwright {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::shipped;
+using testing::Solved;
+using testing::solved;
+
+std::string require(const char* quantity, const char* key, double value) {
+    return fmt::format("[[require]]\nquantity = \"{}\"\n{} = {}\n", quantity, key, value);
+}
+
+std::string four_bar(const std::string& rest) {
+    return "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 100\ncrank = { min = 5, max = 90 }\n"
+           "coupler = { min = 20, max = 300 }\nrocker = { min = 20, max = 200 }\n[solver]\nstarts = 4\n" +
+           rest;
+}
+
+std::string slider_crank(const std::string& rest) {
+    return "schema = 1\nmechanism = \"slider-crank\"\n[dimensions]\ncrank = { min = 5, max = 200 }\n"
+           "rod = { min = 20, max = 100 }\noffset = { min = -100, max = 100 }\n[solver]\nstarts = 4\n" +
+           rest;
+}
+
+const std::string short_linkage = "[objective]\nminimize = \"total-length\"\n";
+
+/// A flat face whose cam is limited to a base radius.
+std::string flat_cam(double greatest) {
+    return fmt::format(R"(schema = 1
+mechanism = "cam"
+[cam]
+follower = "flat"
+[[segment]]
+kind = "rise"
+angle = 90
+lift = 20
+law = ["cycloidal", "harmonic"]
+[[segment]]
+kind = "return"
+angle = 90
+lift = 20
+law = "cycloidal"
+[[segment]]
+kind = "dwell"
+angle = 180
+[dimensions]
+base-radius = {{ min = 1, max = {} }}
+[[require]]
+quantity = "profile-radius-min"
+min = 5
+[objective]
+minimize = "base-radius"
+)",
+                       greatest);
+}
+
+void expect_verified(const Solved& s, const std::string& text) {
+    const auto checks = verify(document(s.problem, s.result));
+    EXPECT_FALSE(checks.empty());
+    for (const Check& check : checks)
+        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail << "\n" << text;
+}
+
+std::vector<std::string> infeasible_problems() {
+    return {
+        four_bar(require("swing", "equal", 200) + short_linkage),
+        four_bar(require("swing", "equal", 110) + require("transmission-angle-worst", "min", 45) + short_linkage),
+        four_bar(require("swing", "equal", 30) + require("time-ratio", "equal", 4) + short_linkage),
+        four_bar(require("swing", "equal", 60) + require("time-ratio", "equal", 1.3) +
+                 require("transmission-angle-worst", "min", 40) +
+                 "[objective]\nmaximize = \"transmission-angle-worst\"\n"),
+        four_bar(require("transmission-angle-worst", "min", 100) + short_linkage),
+        slider_crank(require("time-ratio", "min", 3.2) + short_linkage),
+        slider_crank(require("stroke", "min", 150) + require("transmission-angle-worst", "min", 60) + short_linkage),
+        slider_crank(require("time-ratio", "equal", 1.5) + require("transmission-angle-worst", "min", 60) +
+                     short_linkage),
+        flat_cam(10),
+        shipped("not-possible.toml", "cam")};
+}
+
+TEST(Certificates, OfProblemsWithoutADesignVerify) {
+    for (const std::string& text : infeasible_problems()) {
+        const Solved s = solved(text);
+        EXPECT_EQ(s.result.status, Status::infeasible) << text;
+        EXPECT_TRUE(s.result.search.complete()) << text;
+        EXPECT_NE(s.result.note.find("proved"), std::string::npos) << s.result.note;
+        expect_verified(s, text);
+    }
+}
+
+// The same without the quantity that makes it impossible: solved, or at least not said to be impossible.
+TEST(Certificates, NothingIsProvenOfProblemsWithADesign) {
+    for (const std::string& text :
+         {four_bar(require("swing", "equal", 110) + require("transmission-angle-worst", "min", 30) + short_linkage),
+          slider_crank(require("stroke", "min", 90) + require("transmission-angle-worst", "min", 60) + short_linkage),
+          flat_cam(100)}) {
+        const Solved s = solved(text);
+        EXPECT_EQ(s.result.status, Status::solved) << text;
+        expect_verified(s, text);
+    }
+}
+
+TEST(Certificates, RangesThatHoldNoLinkageAreSaidToHoldNone) {
+    const std::string text = R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = { min = 1, max = 10 }
+crank = 1e12
+coupler = { min = 1, max = 10 }
+rocker = { of = "coupler" }
+point-along = { of = "coupler", times = 2 }
+[line]
+start = 90
+range = 180
+full_turn = true
+[objective]
+minimize = "line-deviation"
+)";
+    const Solved s = solved(text);
+    EXPECT_EQ(s.result.status, Status::infeasible);
+    EXPECT_TRUE(s.result.search.complete());
+    expect_verified(s, text);
+}
+
+void expect_refused(const Json& document, const char* what) {
+    const auto checks = check_proof(document);
+    EXPECT_FALSE(all_passed(checks)) << what;
+}
+
+TEST(Certificates, ThatWereTamperedWithDoNotHold) {
+    const Solved cam = solved(shipped("roller-offset.toml", "cam"));
+    ASSERT_TRUE(cam.result.search.complete());
+    const Json good = document(cam.problem, cam.result);
+    ASSERT_TRUE(all_passed(check_proof(good)));
+    Json bad = good;
+    bad["search"].erase("certificate");
+    expect_refused(bad, "no certificate");
+    bad = good;
+    bad["search"]["complete"] = false;
+    expect_refused(bad, "not complete");
+    for (const char* kind : {"zero", "count", "bound", "given", "ranges", "curvature", "limit", "other"}) {
+        bad = good;
+        bad["search"]["certificate"]["kind"] = kind;
+        expect_refused(bad, kind);
+    }
+    const auto rows = [](Json& json) -> Json& { return json["search"]["certificate"]["parts"][0]["half_planes"]; };
+    for (const auto& [key, value] : {std::pair{"weight", -1.0},
+                                     {"weight", 1e6},
+                                     {"side", -rows(bad = good)[0].value("side", 1.0)},
+                                     {"at", 0.9},
+                                     {"limit", 5.0},
+                                     {"segment", 9.0},
+                                     {"piece", 7.0}}) {
+        bad = good;
+        rows(bad)[0][key] = value;
+        expect_refused(bad, key);
+    }
+    bad = good;
+    bad["search"]["certificate"]["parts"] = Json::array();
+    expect_refused(bad, "parts");
+    bad = good;
+    bad["status"] = "infeasible";
+    expect_refused(bad, "status");
+    bad = good;
+    bad["design"]["prime-radius"] = 2 * good["design"]["prime-radius"].get<double>();
+    expect_refused(bad, "design");
+
+    const Solved wiper = solved(
+        four_bar(require("swing", "equal", 110) + require("transmission-angle-worst", "min", 45) + short_linkage));
+    const Json none = document(wiper.problem, wiper.result);
+    ASSERT_TRUE(all_passed(check_proof(none)));
+    for (const double value : {20.0, 50.0}) {
+        bad = none;
+        bad["search"]["certificate"]["value"] = value;
+        expect_refused(bad, "value");
+    }
+    bad = none;
+    bad["search"]["certificate"]["limit"] = "stroke";
+    expect_refused(bad, "limit");
+    bad = none;
+    bad["requirements"][1]["min"] = 34;
+    expect_refused(bad, "requirement");
+    bad = none;
+    bad["status"] = "solved";
+    expect_refused(bad, "status");
+}
+
+// Poses of a slider-crank of the ranges: a greatest distance of zero is the end of the search.
+TEST(Certificates, ZeroOfWhatCannotBeNegativeEndsTheSearch) {
+    const Solved s = solved(R"(schema = 1
+mechanism = "slider-crank"
+[poses]
+poses=[[-4.505142428228116, -6.394951387925073, 68.81154742526309], [-3.4958780860062353, -3.5170617062447533, 67.28260620752809], [-3.9586581054057874, -0.40341157998903254, 62.497838940716875], [-5.875501155682532, 3.340752490006716, 53.837309789331876], [-8.616788865720515, 6.176294543061843, 44.156319121703916], [-10.432407188133077, 7.194686847796179, 38.53849108865869], [-12.466638740529351, 7.495588179470178, 33.112097000915995], [-15.607381115691446, 4.4871308113368675, 29.77905954821618]]
+length=5.0
+[dimensions]
+crank = { min = 0.0, max = 60.0 }
+rod = { min = 0.0, max = 60.0 }
+offset = { min = -60.0, max = 60.0 }
+point-along = { min = -60.0, max = 60.0 }
+point-across = { min = -60.0, max = 60.0 }
+origin-x = { min = -60.0, max = 60.0 }
+origin-y = { min = -60.0, max = 60.0 }
+tilt = { min = -180.0, max = 180.0 }
+body-angle = { min = -180.0, max = 180.0 }
+[objective]
+minimize = "pose-max"
+)");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_TRUE(s.result.search.complete());
+    EXPECT_LT(s.result.best->objective, 1e-12);
+    EXPECT_LT(s.result.search.starts, 40);
+    expect_verified(s, "poses");
+}
+
+/// What a random linkage measures of a quantity, or nothing.
+std::optional<double> measured(const Problem& problem, const Design& design, std::string_view quantity) {
+    return quantity_value(problem, static_cast<std::size_t>(find_quantity(*problem.mechanism, quantity)), design);
+}
+
+/// No limit excludes a linkage that is there: its own values are asked for, and each limit has to hold them.
+TEST(KnownLimits, HoldForRandomLinkages) {
+    std::mt19937 random(static_cast<unsigned>(1 + ::testing::UnitTest::GetInstance()->random_seed()));
+    const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    int checked = 0;
+    for (const std::string& text : {four_bar(short_linkage), slider_crank(short_linkage)}) {
+        const ReadProblem read = parse_problem(text, "random.toml");
+        for (int round = 0; round < 5000; ++round) {
+            Problem problem = read.problem;
+            Design design;
+            for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
+                const bool coordinate = problem.mechanism->dimensions[i].kind != DimensionKind::length;
+                const bool shape = problem.mechanism->dimensions[i].required;
+                const double value = !shape ? 0 : coordinate ? between(-60, 60) : std::exp(between(1, 5));
+                design.dimensions.push_back(value);
+                problem.dimensions[i].min = problem.dimensions[i].max = value;
+            }
+            for (const char* quantity :
+                 {"swing", "time-ratio", "stroke", "transmission-angle-worst", "transmission-angle-min"}) {
+                if (find_quantity(*problem.mechanism, quantity) < 0) continue;
+                const auto value = measured(problem, design, quantity);
+                if (!value) continue;
+                const auto index = static_cast<std::size_t>(find_quantity(*problem.mechanism, quantity));
+                problem.requirements.push_back({index, *value, {}, {}});
+            }
+            if (problem.requirements.size() < 3) continue;
+            ++checked;
+            for (const KnownLimit& limit : known_limits(problem)) {
+                const Asked asked = asked_of(problem, problem.mechanism->quantities[limit.quantity].name);
+                EXPECT_LE(asked.least, limit.greatest + 1e-7) << limit.name;
+                EXPECT_GE(asked.greatest, limit.least - 1e-7) << limit.name;
+            }
+        }
+    }
+    EXPECT_GT(checked, 500);
+    RecordProperty("checked", checked);
+}
+
+}  // namespace
+}  // namespace mechwright
