@@ -4,6 +4,7 @@
 
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/input.h"
+#include "synthesis/problem/text.h"
 #include "synthesis/program/left_open.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/write_file.h"
@@ -38,6 +39,9 @@ int read_result(const std::string& file, std::size_t alternative, Console& conso
             return exit_code::wrong_usage;
         }
         document = with_other_design(document, document["alternatives"][alternative - 1]);
+        if (document.contains("defect") && document["defect"].is_string())
+            complain(console, fmt::format("{}: alternative {} is no use: {}", file, alternative,
+                                          reading::printable(document["defect"].get<std::string>(), 2000)));
     }
     FinishedOrNot finished = finished_design(document);
     if (!finished.defect.empty()) {

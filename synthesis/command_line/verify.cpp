@@ -5,11 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
+#include "synthesis/command_line/input.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/table.h"
+#include "synthesis/verify/asked.h"
 #include "synthesis/verify/result_file.h"
 
 namespace mechwright {
@@ -22,7 +25,9 @@ constexpr std::size_t longest_detail = 2000;
 
 struct VerifyOptions {
     std::vector<std::string> files;
+    std::string problem_file;
     bool quiet = false;
+    std::optional<Problem> problem;  ///< read from the file
 };
 
 /// Prints every check of one document. Returns the exit code.
@@ -31,7 +36,11 @@ int verify_document(const Json& json, const std::string& name, const VerifyOptio
         complain(console, name + ": not a result document: " + fault);
         return exit_code::invalid_file;
     }
-    const std::vector<Check> checks = verify(json);
+    std::vector<Check> checks = verify(json);
+    if (options.problem) {
+        const std::string otherwise = asked_otherwise(json, *options.problem);
+        checks.insert(checks.begin(), {"answers " + options.problem_file, otherwise.empty(), otherwise});
+    }
     const bool colour = colour_wanted(console);
     const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
     const bool good = failed == 0 && !checks.empty();
@@ -78,8 +87,15 @@ Command add_verify(CLI::App& program) {
     command->add_option("RESULT", options->files, "Result documents, as solve writes them")
         ->required()
         ->option_text(" ");
+    command->add_option("--problem", options->problem_file, "That the results answer this problem file")
+        ->option_text("FILE");
     command->add_flag("--quiet", options->quiet, "Only what failed");
     const auto run = [options](Console& console) {
+        if (!options->problem_file.empty()) {
+            ReadProblem read;
+            if (const int outcome = read_and_report(options->problem_file, false, console, read)) return outcome;
+            options->problem = std::move(read.problem);
+        }
         int code = exit_code::solved;
         for (const std::string& file : options->files)
             code = exit_code::worse(code, verify_file(file, *options, console));

@@ -226,6 +226,10 @@ struct Mechanism {
     Vector<Digits50> (*path_point)(std::size_t assembly, std::span<const Digits50> dimensions,
                                    const Digits50& crank_angle) = nullptr;
 
+    /// Whether the guided points of two designs draw one curve though the designs are different: cognates. Null where
+    /// there are none.
+    bool (*draws_same_curve)(std::span<const double> a, std::span<const double> b) = nullptr;
+
     /// Margins that must be >= 0 for a design to assemble over the input range of a function or a line; null: the
     /// mechanism does neither.
     const Quantity* input_margin = nullptr;

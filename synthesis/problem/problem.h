@@ -104,6 +104,7 @@ struct SolverOptions {
 struct Problem {
     std::string file;    ///< as given on the command line
     std::string sha256;  ///< of the file's bytes
+    std::string text;    ///< the file's bytes; empty where they name other files
     std::string title;
     const Mechanism* mechanism = nullptr;
     Units units;

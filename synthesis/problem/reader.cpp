@@ -98,6 +98,7 @@ ReadProblem parse_problem(std::string_view text, const std::string& file) {
     read.problem.file = file;
     reading::read_text(text, read.problem, messages);
     reading::conclude(read, std::move(messages));
+    if (read.ok() && read.named_files.empty()) read.problem.text = text;
     return read;
 }
 

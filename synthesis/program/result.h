@@ -65,13 +65,15 @@ struct SearchReport {
     bool complete() const { return proof != nullptr; }
 };
 
-/// A design on the trade-off front between two objectives.
-struct FrontPoint {
+/// A design beside the best one, of a front or another local optimum, verified by itself.
+struct VerifiedDesign {
     Solution solution;
-    std::vector<Check> verification;  ///< of it alone
+    std::vector<Check> verification;
+    /// Draws the same curve as the best design (0) or an alternative (counted from 1); nothing where none does.
+    std::optional<std::size_t> cognate_of{};
 };
 
-/// A solution of an exact problem that is no use as a mechanism.
+/// A design that is no use as a mechanism, though it meets what the search looked at.
 struct ExcludedDesign {
     Solution solution;
     std::string defect;
@@ -82,10 +84,12 @@ bool all_passed(const std::vector<Check>& checks);
 
 struct Result {
     Status status = Status::infeasible;
-    std::optional<Solution> best;          ///< the least-violating one if not feasible
-    std::vector<Solution> alternatives;    ///< other local optima, best first
-    std::vector<ExcludedDesign> excluded;  ///< by an exact method, where they are asked for
-    std::vector<FrontPoint> front;         ///< where it was asked for
+    std::optional<Solution> best;              ///< the least-violating one if not feasible
+    std::vector<VerifiedDesign> alternatives;  ///< other local optima, best first
+    /// Local optima that verification does not pass; by an exact method, solutions with a defect where they are asked
+    /// for.
+    std::vector<ExcludedDesign> excluded;
+    std::vector<VerifiedDesign> front;  ///< where it was asked for
     std::vector<Check> verification;
     SearchReport search;
     std::string note;  ///< one sentence for the user where the status needs one

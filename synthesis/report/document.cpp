@@ -5,6 +5,7 @@
 
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/program/singular.h"
 #include "synthesis/program/standing.h"
 #include "synthesis/report/cam_document.h"
 #include "synthesis/report/followed_document.h"
@@ -78,7 +79,8 @@ void put_value_of(Json& json, std::string_view name, const Problem& problem, std
         put(json, name, in_file_unit(*value, problem.mechanism->quantities[quantity].unit, problem.units));
 }
 
-Json objective_of(const Problem& problem, const Solution& solution) {
+/// Values only where there is a solution.
+Json objective_of(const Problem& problem, const Solution* solution) {
     const Objective& objective = *problem.objective;
     const auto quantity_and_sense = [&](const ObjectiveTerm& term) {
         return Json{{"quantity", problem.mechanism->quantities[term.quantity].name},
@@ -92,20 +94,20 @@ Json objective_of(const Problem& problem, const Solution& solution) {
         for (const ObjectiveTerm& term : objective.terms) {
             Json one = quantity_and_sense(term);
             put(one, "weight", term.weight);
-            put_value_of(one, "value", problem, term.quantity, solution.design);
+            if (solution) put_value_of(one, "value", problem, term.quantity, solution->design);
             terms.push_back(std::move(one));
         }
         json = {{"terms", std::move(terms)}, {"reduce", objective.worst ? "max" : "sum"}};
     }
-    put(json, "value", solution.objective);
+    if (solution) put(json, "value", solution->objective);
     return json;
 }
 
-Json requirements_of(const Problem& problem, const Design& design) {
+Json requirements_of(const Problem& problem, const Design* design) {
     Json list = Json::array();
     for (const Requirement& requirement : problem.requirements) {
         const Quantity& quantity = problem.mechanism->quantities[requirement.quantity];
-        const Standing standing = standing_of(problem, requirement, design);
+        const Standing standing = design ? standing_of(problem, requirement, *design) : Standing{};
         const auto outside = [&](double x) { return in_file_unit(x, quantity.unit, problem.units); };
         Json one{{"quantity", quantity.name}};
         if (standing.value) put(one, "value", outside(*standing.value));
@@ -113,7 +115,7 @@ Json requirements_of(const Problem& problem, const Design& design) {
         if (requirement.min) put(one, "min", outside(*requirement.min));
         if (requirement.max) put(one, "max", outside(*requirement.max));
         if (standing.violation) put(one, "violation", *standing.violation);
-        one["active"] = standing.active;
+        if (design) one["active"] = standing.active;
         list.push_back(std::move(one));
     }
     return list;
@@ -159,13 +161,18 @@ Json alternative_of(const Problem& problem, const Solution& solution) {
     const std::vector<double>& path_angles = solution.design.path_angles;
     if (!path_angles.empty() && std::all_of(path_angles.begin(), path_angles.end(), finite))
         one["path_angles"] = angles(solution.design.path_angles, problem.units);
+    if (const std::optional<PathValues> values = path_values(problem, solution.design))
+        one["distances"] = values->distances;
     return one;
 }
 
 Json alternatives_of(const Problem& problem, const Result& result) {
     Json list = Json::array();
-    for (const Solution& solution : result.alternatives)
-        list.push_back(alternative_of(problem, solution));
+    for (const VerifiedDesign& other : result.alternatives) {
+        list.push_back(alternative_of(problem, other.solution));
+        if (other.cognate_of) list.back()["cognate_of"] = *other.cognate_of;
+        if (!other.verification.empty()) list.back()["verification"] = verification_document(other.verification);
+    }
     for (const ExcludedDesign& excluded : result.excluded) {
         list.push_back(alternative_of(problem, excluded.solution));
         list.back()["defect"] = excluded.defect;
@@ -189,19 +196,31 @@ void put_targets(Json& json, const Problem& problem, const Solution* best) {
             followed_document(problem, design);
 }
 
+/// Where the design stands close to a singular position.
+void put_warnings(Json& json, const Problem& problem, const Design& design) {
+    for (const SingularMargin& m : singular_margins(problem, design)) {
+        Json one{{"name", m.name}};
+        put(one, "margin", m.margin);
+        put(one, "relative", m.relative);
+        one["warned_below"] = singular_below;
+        json["warnings"].push_back(std::move(one));
+    }
+}
+
 /// The members that are about one design.
 void put_findings(Json& json, const Problem& problem, const Solution& solution) {
     json["design"] = design_of(problem, solution.design);
-    if (problem.objective) json["objective"] = objective_of(problem, solution);
-    if (!problem.requirements.empty()) json["requirements"] = requirements_of(problem, solution.design);
+    if (problem.objective) json["objective"] = objective_of(problem, &solution);
+    if (!problem.requirements.empty()) json["requirements"] = requirements_of(problem, &solution.design);
     json["quantities"] = quantities_of(problem, solution.design);
     put_targets(json, problem, &solution);
+    put_warnings(json, problem, solution.design);
 }
 
 /// Every design of the front with all that the document says of one.
 Json front_of(const Problem& problem, const Result& result) {
     Json list = Json::array();
-    for (const FrontPoint& point : result.front) {
+    for (const VerifiedDesign& point : result.front) {
         Json one = Json::object();
         put_findings(one, problem, point.solution);
         one["verification"] = verification_document(point.verification);
@@ -231,13 +250,17 @@ Json search_of(const Problem& problem, const SearchReport& search) {
     return json;
 }
 
+Json problem_of(const Problem& problem) {
+    Json json{{"file", problem.file}, {"sha256", problem.sha256}};
+    if (!problem.text.empty()) json["text"] = problem.text;
+    json["title"] = problem.title;
+    json["mechanism"] = problem.mechanism->name;
+    return json;
+}
+
 Json head(const Problem& problem) {
     return {{"schema", 1},
-            {"problem",
-             {{"file", problem.file},
-              {"sha256", problem.sha256},
-              {"title", problem.title},
-              {"mechanism", problem.mechanism->name}}},
+            {"problem", problem_of(problem)},
             {"program",
              {{"version", program_version()},
               {"libraries", {{"ipopt", ipopt_version()}, {"nlopt", nlopt_version()}, {"eigen", eigen_version()}}}}},
@@ -287,6 +310,15 @@ nlohmann::ordered_json document(const Problem& problem, const Result& result) {
     if (problem.solver.pareto > 0) json["front"] = front_of(problem, result);
     json["alternatives"] = alternatives_of(problem, result);
     json["search"] = search_of(problem, result.search);
+    return json;
+}
+
+nlohmann::ordered_json asked_document(const Problem& problem) {
+    Json json{{"problem", {{"title", problem.title}, {"mechanism", problem.mechanism->name}}}};
+    json["units"] = head(problem)["units"];
+    put_body(json, problem, nullptr);
+    if (problem.objective) json["objective"] = objective_of(problem, nullptr);
+    if (!problem.requirements.empty()) json["requirements"] = requirements_of(problem, nullptr);
     return json;
 }
 

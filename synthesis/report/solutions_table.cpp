@@ -61,8 +61,8 @@ std::string solutions_table(const Problem& problem, const Result& result) {
     std::size_t number = 0;
     const bool verified = result.status != Status::infeasible && result.status != Status::unverified;
     if (result.best) text += row(problem, ++number, *result.best, verified ? "" : "it does not meet all requirements");
-    for (const Solution& solution : result.alternatives)
-        text += row(problem, ++number, solution, "");
+    for (const VerifiedDesign& other : result.alternatives)
+        text += row(problem, ++number, other.solution, "");
     for (const ExcludedDesign& excluded : result.excluded)
         text += row(problem, ++number, excluded.solution, excluded.defect);
     return text;

@@ -7,8 +7,10 @@
 
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/program/assess.h"
 #include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/program/singular.h"
 #include "synthesis/program/standing.h"
 #include "synthesis/report/document.h"
 #include "synthesis/report/followed_document.h"
@@ -96,6 +98,8 @@ std::string obstacle(const Problem& problem, const Solution& best) {
     std::string text = "The design below comes closest. ";
     if (!(motion.from <= motion.to))
         text += "It does not assemble.";
+    else if (!assembles_over_range(problem, best.design))
+        text += "It does not assemble throughout the range of crank angles.";
     else if (const Requirement* worst = most_missed(problem, best.design))
         text += fmt::format("It fails most at {}.", how_missed(problem, *worst, best.design));
     else if (std::isfinite(best.violation))
@@ -153,7 +157,7 @@ std::string search_section(const SearchReport& search, bool colour) {
 
 /// The solutions with a defect, a line for each.
 std::string excluded_section(const Problem& problem, const Result& result, bool colour) {
-    if (result.excluded.empty()) return {};
+    if (result.excluded.empty() || !result.search.solutions) return {};
     Table table{{Align::right, Align::right, Align::right, Align::right, Align::left}, {{}}};
     for (std::size_t i = 0; i < 4; ++i)
         table.rows.front().emplace_back(problem.mechanism->dimensions[i].name);
@@ -170,10 +174,30 @@ std::string excluded_section(const Problem& problem, const Result& result, bool 
 
 std::string alternatives_section(const Problem& problem, const Result& result) {
     if (result.alternatives.empty()) return {};
+    const auto cognates = std::count_if(result.alternatives.begin(), result.alternatives.end(),
+                                        [](const VerifiedDesign& d) { return d.cognate_of.has_value(); });
     std::string text = counted(static_cast<long>(result.alternatives.size()), "other design", "other designs");
     if (problem.objective)
-        text += fmt::format(", the next best with objective {}", number_text(result.alternatives.front().objective));
+        text += fmt::format(", the next best with objective {}",
+                            number_text(result.alternatives.front().solution.objective));
+    if (cognates > 0)
+        text += fmt::format("; {} of them {} of another", cognates, cognates == 1 ? "a cognate" : "cognates");
     return folded("Alternatives: ", text + " (see --json or --out).");
+}
+
+/// What a search found and verification does not pass: the best of it by name, above all where it is better than the
+/// design.
+std::string set_aside_section(const Problem& problem, const Result& result) {
+    if (result.excluded.empty() || result.search.solutions) return {};
+    const ExcludedDesign& first = result.excluded.front();
+    std::string text =
+        counted(static_cast<long>(result.excluded.size()), "design that is", "designs that are") + " no use";
+    if (problem.objective) {
+        const bool better = result.verified() && preferred(problem, first.solution, *result.best);
+        text += fmt::format("; {} objective {}", better ? "one of them has the better" : "the first has the",
+                            number_text(first.solution.objective));
+    }
+    return folded("Set aside: ", text + ", but it fails a check: " + first.defect + ".");
 }
 
 /// The front between two objectives, a line for each design.
@@ -209,6 +233,17 @@ std::string motion_line(const Problem& problem, const Design& design) {
                        value_with_unit(motion.to, Unit::angle, problem.units));
 }
 
+/// Where the design stands close to a singular position.
+std::string warning_section(const Problem& problem, const Design& design) {
+    std::string text;
+    for (const SingularMargin& m : singular_margins(problem, design))
+        text +=
+            folded("Warning: ", fmt::format("close to a singular position. {} (warned of below {:g}): the errors of "
+                                            "manufacture decide how it moves there.",
+                                            to_text(m, problem.units), singular_below));
+    return text.empty() ? text : '\n' + text;
+}
+
 /// What is said of a function, a line or an arc.
 std::string generated_section(const Problem& problem, const Design& design, bool colour) {
     if (problem.function) return function_section(problem, design, colour);
@@ -224,17 +259,20 @@ std::string summary(const Problem& problem, const Result& result, bool colour) {
         if (!best.feasible) text += obstacle(problem, best);
         text += design_section(problem, best.design, colour) + objective_section(problem, best, colour) +
                 requirement_section(problem, best.design, colour) + path_section(problem, best.design, colour) +
-                generated_section(problem, best.design, colour) + verification_section(result.verification, colour);
+                generated_section(problem, best.design, colour) + warning_section(problem, best.design) +
+                verification_section(result.verification, colour);
     }
     return text + front_section(problem, result, colour) + excluded_section(problem, result, colour) +
-           search_section(result.search, colour) + alternatives_section(problem, result);
+           search_section(result.search, colour) + alternatives_section(problem, result) +
+           set_aside_section(problem, result);
 }
 
 std::string analysis_summary(const Problem& problem, const Solution& solution, bool colour) {
     const Design& design = solution.design;
     return title_section(problem, colour) + design_section(problem, design, colour) + motion_line(problem, design) +
            quantity_section(problem, design, colour) + requirement_section(problem, design, colour) +
-           path_section(problem, design, colour) + generated_section(problem, design, colour);
+           path_section(problem, design, colour) + generated_section(problem, design, colour) +
+           warning_section(problem, design);
 }
 
 }  // namespace mechwright

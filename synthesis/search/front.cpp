@@ -46,6 +46,9 @@ struct Front {
     }
 
     int points() const { return problem.solver.pareto; }
+    int searches() const {
+        return points() + 1 + (is_error(problem, optimised) ? 0 : 1) + (is_error(problem, limited) ? 0 : 1);
+    }
     bool stopped() const { return (options.stop && options.stop->load()) || Clock::now() >= deadline; }
 
     /// The term's value, its sign turned so that less is better.
@@ -58,18 +61,11 @@ struct Front {
     /// The problem of one objective, the other one limited where a limit is given.
     Problem part(const ObjectiveTerm& term, std::optional<double> limit) const {
         Problem sub = problem;
+        sub.text.clear();  // which asks for something else
         sub.solver.pareto = 0;
         sub.objective = Objective{};
         sub.objective->terms.push_back({term.quantity, term.maximize, 1});
-        if (limit) {
-            Requirement r;
-            r.quantity = limited.quantity;
-            if (limited.maximize)
-                r.min = -*limit;
-            else
-                r.max = *limit;
-            sub.requirements.push_back(r);
-        }
+        if (limit) require(sub, limited, *limit, false);
         return sub;
     }
 
@@ -81,9 +77,46 @@ struct Front {
         quiet.bounding = nullptr;
         const Result result = solve(sub, quiet);
         ++done;
-        if (options.progress) options.progress(done, points() + 1, own_best);
+        if (options.progress) options.progress(done, searches(), own_best);
         if (!result.best || !result.best->feasible) return std::nullopt;
         return result.best->design;
+    }
+
+    /// Adds to a problem that a term has the value of a cost exactly, or at least to the problem's tolerance.
+    static void require(Problem& sub, const ObjectiveTerm& term, double cost, bool exactly) {
+        const double value = term.maximize ? -cost : cost;
+        Requirement r;
+        r.quantity = term.quantity;
+        if (exactly)
+            r.equal = value;
+        else
+            (term.maximize ? r.min : r.max) = value;
+        sub.requirements.push_back(r);
+    }
+
+    /// An end of the front: of all designs that are as good in one objective as a design that was found the best in the
+    /// other. Where the one is held at a limit of the problem there is a choice.
+    Design settled_end(const ObjectiveTerm& best, const ObjectiveTerm& other, const Design& found) {
+        const double least = cost(best, found);
+        const double reached = least + problem.solver.tolerance * std::abs(least);
+        Design end = found;
+        const auto consider = [&](const std::optional<Design>& candidate) {
+            if (candidate && cost(best, *candidate) <= reached && cost(other, *candidate) < cost(other, end))
+                end = *candidate;
+        };
+        if (!is_error(problem, best)) {
+            Problem exact = part(other, std::nullopt);
+            require(exact, best, least, true);
+            consider(searched(exact));
+        }
+        if (stopped()) return end;
+        Problem near = part(other, std::nullopt);
+        require(near, best, least, false);
+        LocalLimits limits;
+        limits.deadline = deadline;
+        limits.stop = options.stop;
+        if (const auto local = nearby(near, end, limits).solution) consider(local->design);
+        return end;
     }
 
     struct Limited {
@@ -108,9 +141,11 @@ struct Front {
 
     std::vector<Design> designs() {
         std::vector<Limited> all;
-        const auto first = searched(part(optimised, std::nullopt));
-        const auto last = searched(part(limited, std::nullopt));
+        auto first = searched(part(optimised, std::nullopt));
+        auto last = searched(part(limited, std::nullopt));
         if (!first || !last) return {};
+        first = settled_end(optimised, limited, *first);
+        last = settled_end(limited, optimised, *last);
         const double from = cost(limited, *first), to = cost(limited, *last);
         if (!(from > to)) return {*first};
         all.push_back({from, first});
@@ -130,43 +165,47 @@ struct Front {
         return found;
     }
 
-    /// Whether a is as good as b in both objectives, and better in one.
-    bool dominates(const Design& a, const Design& b) const {
-        const double first = cost(optimised, a) - cost(optimised, b), second = cost(limited, a) - cost(limited, b);
-        return first <= 0 && second <= 0 && (first < 0 || second < 0);
+    /// -1 where a is better than b in a term by more than the problem's tolerance, 1 where it is worse, else 0.
+    int compared(const ObjectiveTerm& term, const Design& a, const Design& b) const {
+        const double of_a = cost(term, a), of_b = cost(term, b);
+        const double same = problem.solver.tolerance * std::max(std::abs(of_a), std::abs(of_b));
+        return of_a < of_b - same ? -1 : of_a > of_b + same ? 1 : 0;
+    }
+
+    /// Whether a is as good as b in both objectives within the tolerance, and better in one; or, of two that are alike
+    /// in both, comes first.
+    bool beats(const Design& a, const Design& b, bool first) const {
+        const int one = compared(optimised, a, b), other = compared(limited, a, b);
+        return one <= 0 && other <= 0 && (one < 0 || other < 0 || first);
     }
 };
 
 }  // namespace
 
-std::vector<FrontPoint> front(const Problem& problem, const RunOptions& options, Clock::time_point deadline,
-                              double best) {
+std::vector<VerifiedDesign> front(const Problem& problem, const RunOptions& options, Clock::time_point deadline,
+                                  double best) {
     Front search(problem, options, deadline, best);
-    std::vector<FrontPoint> points;
+    std::vector<VerifiedDesign> points;
     for (const Design& design : search.designs()) {
-        FrontPoint point{assess(problem, design), {}};
+        VerifiedDesign point{assess(problem, design), {}};
         if (!point.solution.feasible) continue;
         Result alone;
         alone.status = Status::solved;
-        alone.status = Status::solved;
         alone.best = point.solution;
-        point.verification = verify(document(problem, alone));
+        point.verification = verify_design(document(problem, alone), Stated::everything);
         if (all_passed(point.verification)) points.push_back(std::move(point));
     }
-    std::vector<FrontPoint> kept;
+    std::vector<VerifiedDesign> kept;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Design& design = points[i].solution.design;
         bool beaten = false;
         for (std::size_t k = 0; k < points.size() && !beaten; ++k) {
-            const Design& other = points[k].solution.design;
-            const bool same = k < i && search.cost(search.optimised, other) == search.cost(search.optimised, design) &&
-                              search.cost(search.limited, other) == search.cost(search.limited, design);
-            beaten = same || search.dominates(other, design);
+            if (k != i) beaten = search.beats(points[k].solution.design, design, k < i);
         }
         if (!beaten) kept.push_back(points[i]);
     }
     const ObjectiveTerm& first = problem.objective->terms.front();
-    std::stable_sort(kept.begin(), kept.end(), [&](const FrontPoint& a, const FrontPoint& b) {
+    std::stable_sort(kept.begin(), kept.end(), [&](const VerifiedDesign& a, const VerifiedDesign& b) {
         return search.cost(first, a.solution.design) < search.cost(first, b.solution.design);
     });
     return kept;

@@ -9,25 +9,11 @@ namespace mechwright {
 
 namespace {
 
-/// Designs whose dimensions agree to this are one optimum.
-constexpr double same_within = 1e-5;
+/// Designs whose dimensions agree to this part of the longest length are one optimum: searches in a flat valley end at
+/// places along it.
+constexpr double same_within = 1e-3;
 /// Objectives that agree to this (or to this part of the problem's scale) are equally good.
 constexpr double same_objective_within = 1e-7;
-
-bool same_design(const Problem& problem, const Design& a, const Design& b) {
-    if (a.assembly != b.assembly) return false;
-    double size = 0;
-    for (std::size_t i = 0; i < a.dimensions.size(); ++i)
-        if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
-            size = std::max({size, a.dimensions[i], b.dimensions[i]});
-    for (std::size_t i = 0; i < a.dimensions.size(); ++i) {
-        const bool is_angle = problem.mechanism->dimensions[i].kind == DimensionKind::angle;
-        const double difference = a.dimensions[i] - b.dimensions[i];
-        if (is_angle ? std::abs(std::sin(difference / 2)) > same_within : std::abs(difference) > same_within * size)
-            return false;
-    }
-    return true;
-}
 
 /// Expected share of starts that lead to optima not yet seen, from the number of searches and of distinct optima
 /// (Boender and Rinnooy Kan 1987).
@@ -40,13 +26,28 @@ double unseen_share(int searches, int optima) {
 
 }  // namespace
 
+bool same_design(const Problem& problem, const Design& a, const Design& b, double within) {
+    if (a.assembly != b.assembly) return false;
+    double size = 0;
+    for (std::size_t i = 0; i < a.dimensions.size(); ++i)
+        if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
+            size = std::max({size, a.dimensions[i], b.dimensions[i]});
+    for (std::size_t i = 0; i < a.dimensions.size(); ++i) {
+        const bool is_angle = problem.mechanism->dimensions[i].kind == DimensionKind::angle;
+        const double difference = a.dimensions[i] - b.dimensions[i];
+        if (is_angle ? std::abs(std::sin(difference / 2)) > within : std::abs(difference) > within * size) return false;
+    }
+    return true;
+}
+
 std::vector<Solution> distinct_optima(const Problem& problem, std::vector<const Solution*> all, SearchReport& report) {
     std::stable_sort(all.begin(), all.end(),
                      [&](const Solution* a, const Solution* b) { return preferred(problem, *a, *b); });
     std::vector<Solution> optima;
     for (const Solution* s : all) {
-        const bool known = std::any_of(optima.begin(), optima.end(),
-                                       [&](const Solution& o) { return same_design(problem, o.design, s->design); });
+        const bool known = std::any_of(optima.begin(), optima.end(), [&](const Solution& o) {
+            return same_design(problem, o.design, s->design, same_within);
+        });
         if (!known) optima.push_back(*s);
         const bool as_good = s->feasible && std::abs(s->objective - optima.front().objective) <=
                                                 same_objective_within * std::abs(optima.front().objective);

@@ -19,6 +19,7 @@
 #include "synthesis/search/front.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/search/nearby.h"
+#include "synthesis/search/optima.h"
 #include "synthesis/search/path_search.h"
 #include "synthesis/verify/proof_checks.h"
 #include "synthesis/verify/verify.h"
@@ -263,31 +264,76 @@ const Method* find_method(std::string_view name) {
     return at == methods.end() ? nullptr : &*at;
 }
 
-/// The first candidate that passes verification becomes the design, the others alternatives; if none passes, the first.
-void choose_verified(const Problem& problem, std::vector<Solution> candidates, std::size_t most_tried,
+/// A design by itself as verification sees it.
+std::vector<Check> checks_of(const Problem& problem, const Solution& solution) {
+    Result alone;
+    alone.status = Status::solved;
+    alone.best = solution;
+    return verify_design(document(problem, alone), Stated::everything);
+}
+
+/// By name, the first check that a design does not pass.
+std::string defect_of(const std::vector<Check>& checks) {
+    const auto failed = std::find_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
+    if (failed == checks.end()) return checks.empty() ? "it was not verified" : "";
+    return failed->name + (failed->detail.empty() ? "" : ": " + failed->detail);
+}
+
+/// Which of the designs already taken (0: the best one) draws the curve of another.
+std::optional<std::size_t> cognate_of(const Problem& problem, const Result& result, const Solution& other) {
+    const auto draws_same_curve = problem.mechanism->draws_same_curve;
+    if (!problem.path || draws_same_curve == nullptr) return std::nullopt;
+    const auto is_cognate = [&](const Solution& known) {
+        return draws_same_curve(known.design.dimensions, other.design.dimensions);
+    };
+    if (is_cognate(*result.best)) return 0;
+    for (std::size_t i = 0; i < result.alternatives.size(); ++i)
+        if (is_cognate(result.alternatives[i].solution)) return i + 1;
+    return std::nullopt;
+}
+
+/// Whether a design is of no interest beside those already taken: in a flat valley searches end at many places.
+bool is_known(const Problem& problem, const Result& result, const Solution& other) {
+    constexpr double alike_within = 1e-2;
+    const auto is_like = [&](const Solution& known) {
+        return same_design(problem, known.design, other.design, alike_within);
+    };
+    return (result.best && is_like(*result.best)) ||
+           std::any_of(result.alternatives.begin(), result.alternatives.end(),
+                       [&](const VerifiedDesign& d) { return is_like(d.solution); });
+}
+
+/// The first candidate that passes verification becomes the design, the others alternatives, or are set aside with the
+/// check that they do not pass; if none passes, the first is shown.
+void choose_verified(const Problem& problem, const std::vector<Solution>& candidates, std::size_t most_tried,
                      const RunEnd& end, Result& result) {
     constexpr std::size_t most_alternatives = 20;
-    std::vector<Check> first_checks;
-    std::size_t chosen = 0;
-    // What a method proved of its best design does not hold for the next.
     auto proof = std::exchange(result.search.proof, nullptr);
+    bool is_first = false;
     result.status = Status::solved;
-    for (std::size_t i = 0; i < std::min(most_tried, candidates.size()) && candidates[i].feasible; ++i) {
-        result.best = candidates[i];
-        result.verification = verify(document(problem, result));
-        if (i == 0) first_checks = result.verification;
-        chosen = i;
-        if (result.verified() || end.reached()) break;
+    for (std::size_t i = 0; i < candidates.size() && candidates[i].feasible; ++i) {
+        if ((!result.best && i >= most_tried) || (i > 0 && end.reached())) break;
+        if (result.alternatives.size() + result.excluded.size() >= most_alternatives) break;
+        if (is_known(problem, result, candidates[i])) continue;
+        std::vector<Check> checks = checks_of(problem, candidates[i]);
+        if (!all_passed(checks)) {
+            result.excluded.push_back({candidates[i], defect_of(checks)});
+        } else if (result.best) {
+            result.alternatives.push_back(
+                {candidates[i], std::move(checks), cognate_of(problem, result, candidates[i])});
+        } else {
+            is_first = i == 0;
+            result.best = candidates[i];
+            result.verification = std::move(checks);
+        }
     }
-    if (!result.verified()) {
-        chosen = 0;
+    if (!result.best) {
         result.best = candidates.front();
-        result.verification = std::move(first_checks);
+        result.verification = checks_of(problem, candidates.front());
+        result.excluded.erase(result.excluded.begin());
     }
-    if (chosen == 0 && result.verified()) result.search.proof = std::move(proof);
-    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(chosen));
-    for (Solution& s : candidates)
-        if (s.feasible && result.alternatives.size() < most_alternatives) result.alternatives.push_back(std::move(s));
+    // What a method proved of its best design does not hold for the next.
+    if (is_first) result.search.proof = std::move(proof);
 }
 
 /// Every design that passes verification is one of the answers, the best first; what does not pass has a defect between
@@ -300,21 +346,18 @@ void choose_all_verified(const Problem& problem, Found& found, const RunEnd& end
             found.report.proof = result.search.proof = nullptr;
             break;
         }
-        Result alone;
-        alone.status = Status::solved;
-        alone.best = candidate;
-        const std::vector<Check> checks = verify(document(problem, alone));
-        const auto failed = std::find_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
-        if (failed != checks.end()) {
-            found.excluded.push_back({std::move(candidate), failed->name + ": " + failed->detail});
+        std::vector<Check> checks = checks_of(problem, candidate);
+        if (!all_passed(checks)) {
+            found.excluded.push_back({std::move(candidate), defect_of(checks)});
             continue;
         }
         ++result.search.solutions->defect_free;
         if (result.best) {
-            result.alternatives.push_back(std::move(candidate));
+            const auto cognate = cognate_of(problem, result, candidate);
+            result.alternatives.push_back({std::move(candidate), std::move(checks), cognate});
         } else {
             result.best = std::move(candidate);
-            result.verification = checks;
+            result.verification = std::move(checks);
         }
     }
     result.search.local_optima = static_cast<int>(result.search.solutions->defect_free);
@@ -360,7 +403,7 @@ Result solve(const Problem& problem, const RunOptions& options) {
         found.infeasible = !feasible && leaves_none_out(found.report);
         if (options.all) result.excluded = std::move(found.excluded);
     } else if (feasible)
-        choose_verified(problem, std::move(found.candidates), found.most_tried, end, result);
+        choose_verified(problem, found.candidates, found.most_tried, end, result);
     else if (!found.candidates.empty())
         result.best = std::move(found.candidates.front());
 

@@ -126,6 +126,7 @@ Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_
         meet_nearest_points(design.problem, piece);
     // The ranges of the dimensions are for design, not for pieces.
     Problem as_made = design.problem;
+    as_made.text.clear();  // it asks for other dimensions
     for (std::size_t i = 0; i < piece.dimensions.size(); ++i)
         as_made.dimensions[i].min = as_made.dimensions[i].max = piece.dimensions[i];
     return assess(as_made, std::move(piece));

@@ -148,7 +148,9 @@ void read_requirements(Reader& in, const Json& document, Claim& claim) {
         const auto quantity = quantity_named(in, member(one, "quantity"), place + ".quantity", claim);
         if (!quantity) return;
         const auto number = [&](const char* name) { return in.optional_number(member(one, name), place + "." + name); };
-        const ClaimedRequirement r{*quantity, number("value"), number("equal"), number("min"), number("max")};
+        ClaimedRequirement r{
+            *quantity, number("value"), number("equal"), number("min"), number("max"), number("violation"), {}};
+        if (const Json* active = member(one, "active")) r.active = in.flag(active, place + ".active");
         if (!r.equal && !r.min && !r.max) in.fail(place + " requires nothing: it has neither equal, min nor max");
         claim.requirements.push_back(r);
     }

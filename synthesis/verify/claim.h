@@ -27,6 +27,8 @@ struct ClaimedRequirement {
     std::optional<double> equal;
     std::optional<double> min;
     std::optional<double> max;
+    std::optional<double> violation;
+    std::optional<bool> active;
 };
 
 struct ClaimedTerm {

@@ -71,8 +71,14 @@ SegmentPlan segment_of(Reader& in, const Json& json, const Json* law, const std:
     SegmentPlan plan;
     plan.kind = static_cast<SegmentKind>(word(in, member(json, "kind"), place + ".kind", segment_kind_names));
     if (plan.kind == SegmentKind::cycle) plan.table = table_of(in, json, place, claim, angular);
-    if (plan.kind != SegmentKind::rise && plan.kind != SegmentKind::fall) return plan;
+    if (plan.kind != SegmentKind::rise && plan.kind != SegmentKind::fall) {
+        if (law && *law != "") in.fail(fmt::format("{} has no law, stated is {}", place, law->dump()));
+        return plan;
+    }
     plan.laws = {law_named(in, law, "the law of " + place)};
+    if (const Json* allowed = member(json, "laws");
+        allowed && law && allowed->is_array() && std::find(allowed->begin(), allowed->end(), *law) == allowed->end())
+        in.fail(fmt::format("the law of {} is {}, which it does not list", place, law->dump()));
     plan.first_coefficient = coefficients;
     plan.start_count = count(in, member(json, "start"), place + ".start", MotionProgram::most_ends);
     plan.end_count = count(in, member(json, "end"), place + ".end", MotionProgram::most_ends);

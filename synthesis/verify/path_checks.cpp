@@ -204,16 +204,19 @@ Check check_sweep(const Rebuilt& design, const std::vector<Range>& possible) {
 
 }  // namespace
 
-std::vector<Check> check_path(const Rebuilt& design) {
+std::vector<Check> check_path(const Rebuilt& design, Stated parts) {
     const ClaimedPath& path = *design.claim->path;
     const std::size_t count = path.points.size();
-    if (!design.path || path.reached.size() != count || path.distances.size() != count ||
-        path.reached_directions.size() != path.directions.size())
+    const bool reached = path.reached.size() == count && path.reached_directions.size() == path.directions.size();
+    if (!design.path || path.distances.size() != count || (parts == Stated::everything && !reached))
         return {{"says for every point of the path where it is met", false,
                  fmt::format("{} points have {} crank angles, {} reached points and {} distances", count,
                              path.crank_angles.size(), path.reached.size(), path.distances.size())}};
-    std::vector<Check> checks{check_reached(path, *design.path), check_distances(path, *design.path)};
-    if (!path.directions.empty()) checks.push_back(check_faced(path, *design.path, design.claim->units));
+    std::vector<Check> checks;
+    if (parts == Stated::everything) checks.push_back(check_reached(path, *design.path));
+    checks.push_back(check_distances(path, *design.path));
+    if (parts == Stated::everything && !path.directions.empty())
+        checks.push_back(check_faced(path, *design.path, design.claim->units));
     const auto possible = sweeps(design);
     checks.push_back(path.prescribed_timing ? check_prescribed(design)
                      : path.any_order       ? check_nearest(design)

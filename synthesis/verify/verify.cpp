@@ -9,6 +9,10 @@
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/program/result.h"
+#include "synthesis/verify/asked.h"
+#include "synthesis/verify/derived.h"
+#include "synthesis/verify/others.h"
 #include "synthesis/verify/path_checks.h"
 #include "synthesis/verify/proof_checks.h"
 #include "synthesis/verify/rebuilt.h"
@@ -66,6 +70,28 @@ Check check_kind(const Rebuilt& design) {
 Check check_full_turn(const Rebuilt& design) {
     const bool passed = design.claim->mechanism->motion(design.rounded, design.claim->assembly, nullptr).full_turn;
     return {"the crank turns fully", passed, passed ? "it does" : "it does not"};
+}
+
+/// Whether quantities are measured over the motion of the linkage itself, which ends where it cannot go on.
+bool ends_by_itself(const Rebuilt& design) {
+    const Claim& claim = *design.claim;
+    const Motion& motion = design.motion;
+    return !claim.crank_range && !claim.function && !claim.followed && !motion.full_turn && motion.from <= motion.to;
+}
+
+/// A motion that ends by itself, made longer by a little, comes apart: nothing of it is left out.
+Check check_whole_motion(const Rebuilt& design) {
+    constexpr double little = 1e-6;  // radians
+    Check check{"moves as far as it can", true, "beyond both ends of its motion it comes apart"};
+    for (const double sign : {-1.0, 1.0}) {
+        Motion longer = design.motion;
+        (sign < 0 ? longer.from : longer.to) += sign * little;
+        if (!all_passed(design.claim->mechanism->check_motion(longer, design.dimensions))) continue;
+        const double end = sign < 0 ? design.motion.from : design.motion.to;
+        check = {check.name, false,
+                 fmt::format("it goes on beyond crank angle {}", shown(end, Unit::angle, design.claim->units))};
+    }
+    return check;
 }
 
 bool has_its_lengths(const Claim& claim) {
@@ -136,6 +162,43 @@ std::string stated_defect(std::size_t quantity, const std::optional<double>& sta
     return fmt::format("{} is stated as {}, measured again {}", name, shown(value, unit, claim.units), measured);
 }
 
+/// How far a requirement is missed, over its greatest limit (1, the longest length or its square where all are 0), and
+/// whether it is active: within a millionth of its limit.
+std::string standing_defect(const ClaimedRequirement& r, Measurements& measurements) {
+    const Rebuilt& design = *measurements.design;
+    const Unit unit = quantity_of(*design.claim, r.quantity).unit;
+    const auto& again = measurements.of(r.quantity);
+    if (!again) return r.violation ? "a violation is stated of what has no value" : "";
+    constexpr double active_within = 1e-6, stated_within = 1e-9;
+    std::vector<Digits50> limits, shortfalls;
+    const auto add = [&](const std::optional<double>& limit, bool below, bool above) {
+        if (!limit) return;
+        limits.push_back(from_document(*limit, unit, design.claim->units));
+        if (below) shortfalls.push_back(limits.back() - again->value);
+        if (above) shortfalls.push_back(again->value - limits.back());
+    };
+    add(r.equal, true, true);
+    add(r.min, true, false);
+    add(r.max, false, true);
+    Digits50 scale = 0, most = shortfalls.front();
+    for (const Digits50& limit : limits)
+        scale = std::max<Digits50>(scale, abs(limit));
+    if (scale == 0)
+        scale = unit == Unit::length ? design.longest
+                : unit == Unit::area ? Digits50(design.longest * design.longest)
+                                     : Digits50(1);
+    for (const Digits50& shortfall : shortfalls)
+        most = std::max(most, shortfall);
+    const Digits50 violation = std::max<Digits50>(most, 0) / scale;
+    if (r.violation && abs(violation - *r.violation) > stated_within + again->slack / scale)
+        return fmt::format("its violation is stated as {}, measured again {}", *r.violation, shown_small(violation));
+    const Digits50 beyond = most / scale + active_within;
+    const bool unsure = abs(beyond) <= stated_within + again->slack / scale;
+    if (r.active && !unsure && *r.active != (r.equal || beyond >= 0))
+        return *r.active ? "it is stated as active, and is not" : "it is active, and not stated so";
+    return {};
+}
+
 Check stated_check(std::string name, std::vector<std::string> defects) {
     defects.erase(std::remove(defects.begin(), defects.end(), std::string()), defects.end());
     return {std::move(name), defects.empty(),
@@ -165,9 +228,9 @@ std::optional<Measured> objective_again(const ClaimedObjective& objective, Measu
     return total;
 }
 
-Check check_objective(const ClaimedObjective& objective, Measurements& measurements) {
+Check check_objective(const ClaimedObjective& objective, Measurements& measurements, Stated parts) {
     std::vector<std::string> defects;
-    if (objective.terms.size() > 1)
+    if (objective.terms.size() > 1 && parts == Stated::everything)
         for (const ClaimedTerm& term : objective.terms)
             defects.push_back(stated_defect(term.quantity, term.value, measurements));
     const auto again = objective_again(objective, measurements);
@@ -210,22 +273,25 @@ std::vector<Check> checks_of_miss(const std::vector<Check>& checks) {
     return kept;
 }
 
-std::vector<Check> checks_of(const Claim& claim, bool infeasible) {
+/// `parts`: whether everything is stated, or of another design of a result the design and its objective alone.
+std::vector<Check> checks_of(const Claim& claim, bool infeasible, Stated parts) {
     std::vector<Check> checks{check_ranges(claim)};
     const Rebuilt design = rebuilt(claim);
     if (claim.kind) checks.push_back(check_kind(design));
     checks.insert(checks.end(), design.of_motion.begin(), design.of_motion.end());
     if (!has_its_lengths(claim)) return checks;
+    if (ends_by_itself(design) && all_passed(design.of_motion)) checks.push_back(check_whole_motion(design));
 
     Measurements measurements(design);
     for (const ClaimedRequirement& r : claim.requirements) {
         checks.push_back(check_requirement(r, measurements));
-        if (infeasible && !r.value) continue;
-        checks.push_back(stated_check(fmt::format("{} is as stated", quantity_of(claim, r.quantity).name),
-                                      {stated_defect(r.quantity, r.value, measurements)}));
+        if (parts == Stated::everything && (!infeasible || r.value))
+            checks.push_back(
+                stated_check(fmt::format("{} is as stated", quantity_of(claim, r.quantity).name),
+                             {stated_defect(r.quantity, r.value, measurements), standing_defect(r, measurements)}));
     }
     if (claim.objective && (!infeasible || claim.objective->value))
-        checks.push_back(check_objective(*claim.objective, measurements));
+        checks.push_back(check_objective(*claim.objective, measurements, parts));
     if (!claim.quantities.empty()) {
         std::vector<std::string> defects;
         for (const auto& [quantity, value] : claim.quantities)
@@ -235,66 +301,52 @@ std::vector<Check> checks_of(const Claim& claim, bool infeasible) {
     if (claim.function && !claim.function->accuracy_points.empty()) checks.push_back(check_accuracy_points(design));
     if (claim.followed && claim.followed->full_turn) checks.push_back(check_full_turn(design));
     if (claim.path)
-        for (Check& check : check_path(design))
+        for (Check& check : check_path(design, parts))
             checks.push_back(std::move(check));
     return checks;
 }
 
-/// A design of a front stands in the document with all that is stated of it in place of the best one.
-Check check_front_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& entry,
-                         std::size_t number) {
-    Check check{fmt::format("front design {}", number), false, {}};
-    if (!entry.is_object()) {
-        check.detail = "it is not an object";
-        return check;
-    }
-    nlohmann::ordered_json alone = document;
-    alone.erase("front");
-    for (const auto& [key, value] : entry.items())
-        if (key != "front") alone[key] = value;
-    const std::vector<Check> checks = verify(alone);
-    std::vector<std::string> failed;
-    for (const Check& one : checks)
-        if (!one.passed) failed.push_back(one.name + ": " + one.detail);
-    check.passed = failed.empty() && !checks.empty();
-    check.detail = check.passed ? fmt::format("all {} checks passed", checks.size()) : joined(failed, "; ");
-    return check;
-}
-
-void add_front_checks(const nlohmann::ordered_json& document, std::vector<Check>& checks) {
-    const auto front = document.find("front");
-    if (front == document.end()) return;
-    if (!front->is_array()) return checks.push_back({"the front is a list of designs", false, ""});
-    for (std::size_t i = 0; i < front->size(); ++i)
-        checks.push_back(check_front_design(document, (*front)[i], i + 1));
-}
-
 }  // namespace
 
-std::vector<Check> verify(const nlohmann::ordered_json& document) {
-    const auto not_understood = [](std::string why) {
-        return std::vector<Check>{{"the document can be understood", false, std::move(why)}};
-    };
+namespace {
+
+/// The checks that a function makes; one that fails where it cannot be carried out.
+template <class Checks>
+std::vector<Check> guarded(const Checks& checks) {
     try {
-        const bool infeasible = says_infeasible(document);
-        const auto [claim, defect] = read_claim(with_some_design(document));
-        if (!defect.empty()) return not_understood(defect);
-        std::vector<Check> checks;
-        if (!infeasible)
-            checks = checks_of(claim, false);
-        else if (document.contains("design"))
-            checks = checks_of_miss(checks_of(claim, true));
-        for (Check& check : check_proof(document))
-            checks.push_back(std::move(check));
-        if (checks.empty()) checks.push_back({"nothing is claimed but that no design was found", true, ""});
-        add_front_checks(document, checks);
-        return checks;
+        return checks();
     } catch (const std::bad_alloc&) {
         throw;  // says nothing about the document
     } catch (const std::exception&) {
         // The words of a library say nothing of the document.
         return {{"every claim can be computed again", false, "the numbers of the document are beyond what can be"}};
     }
+}
+
+}  // namespace
+
+std::vector<Check> verify_design(const nlohmann::ordered_json& document, Stated parts) {
+    return guarded([&]() -> std::vector<Check> {
+        const bool infeasible = says_infeasible(document);
+        const auto [claim, defect] = read_claim(with_some_design(document));
+        if (!defect.empty()) return {{"the document can be understood", false, defect}};
+        if (!infeasible) return checks_of(claim, false, parts);
+        return document.contains("design") ? checks_of_miss(checks_of(claim, true, parts)) : std::vector<Check>{};
+    });
+}
+
+std::vector<Check> verify(const nlohmann::ordered_json& document) {
+    return guarded([&] {
+        std::vector<Check> checks = verify_design(document, Stated::everything);
+        if (checks.size() == 1 && !checks.front().passed) return checks;  // it is not understood
+        for (const auto& more :
+             {check_proof(document), check_derived(document), check_asked(document), check_others(document)})
+            checks.insert(checks.end(), more.begin(), more.end());
+        if (checks.empty()) checks.push_back({"nothing is claimed but that no design was found", true, ""});
+        const std::vector<Check> said = check_verdict(document, checks);
+        checks.insert(checks.end(), said.begin(), said.end());
+        return checks;
+    });
 }
 
 }  // namespace mechwright

@@ -54,6 +54,24 @@ TEST(Verify, AListIsVerifiedOneByOne) {
     expect_has(outcome.out, "(2 of 2): NOT verified");
 }
 
+TEST(Verify, SaysWhetherAResultAnswersAProblem) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.json", solved(folder).dump());
+    const std::string same = folder.write("same.toml", "# the same in other words\n" + crank_rocker());
+    EXPECT_EQ(run({"verify", file, "--problem", same}).exit_code, 0);
+    std::string text = crank_rocker();
+    text.replace(text.find("ground"), 6, "ground-x");
+    EXPECT_EQ(run({"verify", file, "--problem", folder.write("wrong.toml", text)}).exit_code, 3);
+    text = crank_rocker();
+    const std::size_t title = text.find("title");
+    text = title == std::string::npos
+               ? text + "[solver]\ntolerance = 1e-3\n"
+               : text.substr(0, title) + "title = \"other\"\n" + text.substr(text.find('\n', title) + 1);
+    const Outcome other = run({"verify", file, "--problem", folder.write("other.toml", text)});
+    EXPECT_EQ(other.exit_code, 7) << other.out;
+    expect_has(other.out, "FAILED  answers ");
+}
+
 TEST(Verify, AnInfeasibleResultDoesNotPass) {
     const TemporaryFolder folder;
     const Outcome outcome = run({"solve", "--json", folder.write("a.toml", impossible)});

@@ -156,8 +156,8 @@ std::vector<Eigen::Vector3d> found_links(const Result& result) {
         all.emplace_back(d[1] / d[0], d[2] / d[0], d[3] / d[0]);
     };
     if (result.best) add(*result.best);
-    for (const Solution& s : result.alternatives)
-        add(s);
+    for (const VerifiedDesign& d : result.alternatives)
+        add(d.solution);
     for (const ExcludedDesign& e : result.excluded)
         add(e.solution);
     return all;

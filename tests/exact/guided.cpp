@@ -92,7 +92,7 @@ bool is_among(const Made& made, const Result& result) {
                1e-6;
     };
     return (result.best && is_it(*result.best)) ||
-           std::any_of(result.alternatives.begin(), result.alternatives.end(), is_it);
+           std::ranges::any_of(result.alternatives, is_it, &VerifiedDesign::solution);
 }
 
 /// Every target is met, by the analysis; most_missed is relative to the drawing.

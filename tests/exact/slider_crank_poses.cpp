@@ -82,7 +82,7 @@ TEST(SliderCrankPoses, HaveTheSliderCrankThatMadeThem) {
                    std::abs(d[6] - 1) <
                1e-7;
     };
-    EXPECT_TRUE(is_it(*result.best) || std::any_of(result.alternatives.begin(), result.alternatives.end(), is_it));
+    EXPECT_TRUE(is_it(*result.best) || std::ranges::any_of(result.alternatives, is_it, &VerifiedDesign::solution));
     EXPECT_NE(why_not_applicable("exact", guiding_problem(anywhere, poses_at({20, 80, 140, 200, 260})))
                   .find("up to four poses"),
               std::string::npos);

@@ -13,7 +13,7 @@ using testing::shipped;
 using testing::Solved;
 using testing::solved;
 
-double value_of(const Solved& s, const FrontPoint& point, std::size_t term) {
+double value_of(const Solved& s, const VerifiedDesign& point, std::size_t term) {
     return quantity_value(s.problem, s.problem.objective->terms[term].quantity, point.solution.design).value();
 }
 

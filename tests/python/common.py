@@ -44,7 +44,7 @@ def but_for_time(document):
 
 def without_file(document):
     """A document without what differs between a problem in a file and the same in a dict."""
-    problem = {**document["problem"], "file": None, "sha256": None}
+    problem = {**document["problem"], "file": None, "sha256": None, "text": None}
     return {**but_for_time(document), "problem": problem}
 
 

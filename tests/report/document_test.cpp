@@ -198,12 +198,12 @@ TEST(Document, WithoutADesignItSaysWhatWasAsked) {
 
 TEST(Document, AlternativesHaveDesignObjectiveAndPathAngles) {
     Result result = result_of(Status::solved, path_solution());
-    result.alternatives = {path_solution(), path_solution()};
-    result.alternatives[1].objective = std::nan("");
+    result.alternatives = {{path_solution(), {}}, {path_solution(), {}}};
+    result.alternatives[1].solution.objective = std::nan("");
     const Json json = document(problem_of(path_text), result)["alternatives"];
     ASSERT_EQ(json.size(), 2u);
-    EXPECT_EQ(names_of(json[0]), (std::vector<std::string>{"design", "objective", "path_angles"}));
-    EXPECT_EQ(names_of(json[1]), (std::vector<std::string>{"design", "path_angles"}));
+    EXPECT_EQ(names_of(json[0]), (std::vector<std::string>{"design", "objective", "path_angles", "distances"}));
+    EXPECT_EQ(names_of(json[1]), (std::vector<std::string>{"design", "path_angles", "distances"}));
 }
 
 TEST(Document, NumbersThatAreNotFiniteAreNeverWritten) {
@@ -213,7 +213,7 @@ TEST(Document, NumbersThatAreNotFiniteAreNeverWritten) {
         solution.objective = bad;
         solution.design.path_angles = {0.5, bad, 1};
         Result result = result_of(Status::limit, solution);
-        result.alternatives = {solution};
+        result.alternatives = {{solution, {}}};
         result.search.missed_chance = bad;
         result.search.seconds = bad;
         Problem problem = problem_of(path_text);

@@ -40,7 +40,7 @@ TEST(Summary, OfASolvedProblem) {
     Solution solution = crank_rocker_solution();
     solution.feasible = true;
     Result result = result_of(Status::solved, solution);
-    result.alternatives = {solution, solution};
+    result.alternatives = {{solution, {}}, {solution, {}}};
     const std::string text = summary(problem, result, false);
     expect_readable(text);
     for (const char* part :

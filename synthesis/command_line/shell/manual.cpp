@@ -77,6 +77,39 @@ constexpr std::array<Entry, 4> kinds_of_files{
      {"study.sqlite", "The data of a study, in its folder."},
      {"*.csv", "Tables: points of a path that a problem file names, motions, designs."}}};
 
+/// What verify does about each claim of a result document.
+constexpr std::array<Entry, 11> verified_claims{
+    {{"what was asked for",
+      "The document holds the text of its problem file under its checksum, unless that names other files. The text is "
+      "read again, and mechanism, units, ranges and ties, range of crank angles, segments and laws, targets, "
+      "requirements, objective, tolerance and settings have to be those of the text. With --problem FILE the same is "
+      "done with that file."},
+     {"dimensions",
+      "Given ones are as given, the others within their ranges by the tolerance; the kind of mechanism "
+      "is derived again, and the assembly is one that was allowed."},
+     {"assembly, circuit, branch",
+      "In fifty digits over the whole continuous motion, by circle intersections and brackets of every extreme; none "
+      "of the formulas that designs are made with."},
+     {"quantities, requirements, objective",
+      "Measured again in fifty digits over the motion; stated values have to agree to 1e-9, angles to 1e-9 rad. "
+      "Requirements have to be met by the tolerance; violation and active are derived. At a toggle that ends the "
+      "motion "
+      "a value may be off by what the rounding of the end makes."},
+     {"points of a path, poses",
+      "Where the mechanism is at the stated crank angles, its distances, order and timing; that it stays assembled on "
+      "one branch between them; of points without an order that no place of the curve is nearer."},
+     {"extremes, alternating, free",
+      "Of functions, lines and arcs: derived again by the analysis; errors of an "
+      "expression in fifty digits at the stated places, too."},
+     {"warnings", "Margins below the rule's limit are derived again."},
+     {"front", "Every design as that of the result; none may be as good as another in both objectives."},
+     {"alternatives",
+      "Every one that is not stated with a defect: it meets the requirements with its stated objective, "
+      "is not better than the design, and is the cognate that it is stated to be."},
+     {"status, verification",
+      "Solved and passed only where all other checks pass; unverified only where one does not."},
+     {"not checked", "Texts in words (note, defect, details), versions, times and counts of the search."}}};
+
 constexpr std::array<Entry, 5> examples{
     {{"mechwright new problem.toml", "Asks a few questions and writes a problem file."},
      {"mechwright solve problem.toml --out results", "Designs the mechanism and writes the result to a folder."},
@@ -119,6 +152,7 @@ std::string manual_page(const CommandNode& program) {
     text += ".SH COMMANDS\n" + plain("Every command has --help.") + "\n";
     for (const CommandNode* node : all_nodes(program))
         if (!node->path.empty()) text += command_section(*node);
+    text += section("WHAT VERIFY CHECKS", verified_claims);
     return text + exit_status() + section("ENVIRONMENT", environment) + section("FILES", kinds_of_files) +
            section("EXAMPLES", examples);
 }

@@ -6,6 +6,7 @@
 #include "analysis/four_bar.h"
 #include "analysis/numbers/interval.h"
 #include "synthesis/mechanism/followed_formulas.h"
+#include "synthesis/mechanism/four_bar/cognates.h"
 #include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/mechanism/four_bar/function.h"
@@ -232,6 +233,7 @@ const Mechanism& four_bar_mechanism() {
                                      .pose_miss = pose_miss_by<CouplerPose>,
                                      .path_screening = four_bar_screening,
                                      .path_point = four_bar_path_point,
+                                     .draws_same_curve = are_cognates,
                                      .input_margin = &input_margin,
                                      .function_fit = fit_function,
                                      .function_extremes = function_extremes_by<RockerAngle>,

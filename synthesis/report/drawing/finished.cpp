@@ -28,7 +28,8 @@ void evaluate_again(nlohmann::ordered_json& document) {
     if (!read.defect.empty() || !why_not_evaluable(read.claim).empty()) return;
     auto [problem, design] = claimed_design(read.claim);
     const nlohmann::ordered_json found = analysis_document(problem, assess(problem, std::move(design)));
-    for (const char* member : {"objective", "requirements", "quantities", "path", "poses", "function", "line", "arc"})
+    for (const char* member :
+         {"objective", "requirements", "quantities", "path", "poses", "function", "line", "arc", "warnings"})
         if (found.contains(member)) document[member] = found[member];
 }
 
@@ -60,7 +61,7 @@ FinishedDesign finished_design(const Problem& problem, const Design& design) {
 
 nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& other) {
     nlohmann::ordered_json shown = document;
-    for (const char* own : {"objective", "quantities", "verification", "front", "alternatives", "note"})
+    for (const char* own : {"objective", "quantities", "verification", "front", "alternatives", "note", "warnings"})
         shown.erase(own);
     for (const auto& [member, value] : other.items())
         shown[member] = value;

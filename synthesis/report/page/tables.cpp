@@ -225,12 +225,27 @@ std::string standing_sentence(const Json& document) {
     return "Status: " + status + (note.empty() ? "." : ". " + note);
 }
 
+namespace {
+
+/// Where the design stands close to a singular position.
+std::string warnings_of(const Json& document) {
+    std::string text;
+    for (const Json& one : list_in(document, "warnings"))
+        text += "<p class=\"bad\">Close to a singular position. " +
+                escaped(fmt::format("{}: by {}, {} of the longest link.", text_in(one, "name"), text_in(one, "margin"),
+                                    text_in(one, "relative"))) +
+                "</p>";
+    return text;
+}
+
+}  // namespace
+
 std::string tables_of(const Json& document) {
     const UnitsOf units(document);
     const std::string defect = text_in(document, "defect");
     const std::string warning =
         defect.empty() ? "" : "<p class=\"bad\">Excluded by a defect: " + escaped(defect) + "</p>";
-    return warning + dimensions_table(document, units) +
+    return warning + warnings_of(document) + dimensions_table(document, units) +
            table_of("Objective", {"", "value", "unit"}, objective_rows(object_in(document, "objective"), units)) +
            requirements_table(document, units) + in_details("Quantities", quantities_table(document, units)) +
            targets_table(document) + verification_table(document) + search_table(document);

@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// Four-bars that draw one curve.
+
+#include <span>
+
+namespace mechwright::four_bar {
+
+/// Whether the dimensions (links, coupler point, placement) of two different four-bars are those of cognates, driven
+/// from either fixed pivot, to a part of 1e-5 of their lengths. Assemblies are not compared: where the crank of a
+/// cognate swings, its curve takes both.
+bool are_cognates(std::span<const double> a, std::span<const double> b);
+
+}  // namespace mechwright::four_bar

@@ -1,0 +1,100 @@
+#include "synthesis/program/singular.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "synthesis/program/quantity_value.h"
+
+namespace mechwright {
+
+namespace {
+
+struct Margins {
+    double longest;
+    std::vector<SingularMargin> found{};
+
+    void add(std::string name, double margin) {
+        if (margin < singular_below * longest) found.push_back({std::move(name), margin, margin / longest});
+    }
+};
+
+double longest_length(const Problem& problem, const Design& design) {
+    double longest = 0;
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+        if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
+            longest = std::max(longest, std::abs(design.dimensions[i]));
+    return longest;
+}
+
+double least_component(const Quantity& quantity, const Motion& motion, const Design& design) {
+    std::array<double, Quantity::most_components> components{};
+    Measurement measurement;
+    measurement.value = components;
+    quantity.measure(motion, design.dimensions, measurement);
+    return *std::min_element(components.begin(),
+                             components.begin() + static_cast<std::ptrdiff_t>(quantity.components(motion)));
+}
+
+void add_conditions(const Family& family, const Motion& motion, const Design& design, Margins& margins) {
+    for (const LinearCondition& condition : family.conditions) {
+        double value = 0;
+        for (std::size_t i = 0; i < condition.coefficients.size(); ++i)
+            value += condition.coefficients[i] * design.dimensions[i];
+        margins.add(std::string(condition.name), value);
+    }
+    if (family.assembly_margin != nullptr)
+        margins.add("the mechanism assembles", least_component(*family.assembly_margin, motion, design));
+}
+
+void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
+    if (has_input_range(problem) && !problem.crank_range && problem.mechanism->input_margin != nullptr)
+        return margins.add("the mechanism assembles over its input range",
+                           least_component(*problem.mechanism->input_margin, motion, design));
+    const auto& families = problem.mechanism->families;
+    const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
+    if (!problem.crank_range || limited == families.end() || limited->assembly_margin == nullptr) return;
+    Motion over = motion;
+    over.family = static_cast<std::size_t>(limited - families.begin());
+    margins.add("the mechanism assembles over the range of crank angles",
+                least_component(*limited->assembly_margin, over, design));
+}
+
+void add_points(const Problem& problem, const Design& design, Margins& margins) {
+    const std::vector<double>& angles = design.path_angles;
+    if (!problem.path || angles.size() != problem.path->points.size()) return;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        PathMiss miss{};
+        problem.mechanism->path_miss(design.assembly, design.dimensions, angles[i], problem.path->points[i], miss);
+        if (miss.margin >= least) continue;
+        least = miss.margin;
+        at = i;
+    }
+    margins.add(fmt::format("the mechanism assembles at point {}", at + 1), least);
+}
+
+}  // namespace
+
+std::vector<SingularMargin> singular_margins(const Problem& problem, const Design& design) {
+    const Motion motion = motion_of(problem, design);
+    Margins margins{longest_length(problem, design)};
+    if (!(margins.longest > 0) || !(motion.from <= motion.to)) return {};
+    if (motion.full_turn && motion.family < problem.mechanism->families.size())
+        add_conditions(problem.mechanism->families[motion.family], motion, design, margins);
+    else if (!motion.full_turn)
+        add_over_range(problem, motion, design, margins);
+    add_points(problem, design, margins);
+    return margins.found;
+}
+
+std::string to_text(const SingularMargin& margin, const Units& units) {
+    return fmt::format("{}: by {:.2g} {}, {:.2g} of the longest link", margin.name, margin.margin, units.length,
+                       margin.relative);
+}
+
+}  // namespace mechwright
