@@ -203,6 +203,15 @@ bool stays_near(Ipopt::OptionsList& options) {
            options.SetNumericValue("mu_init", first_barrier);
 }
 
+/// Where memory is short, the constructor throws an exception of Ipopt's own.
+Ipopt::IpoptApplication* new_application() {
+    try {
+        return new Ipopt::IpoptApplication(false);
+    } catch (const Ipopt::IpoptException&) {
+        throw std::bad_alloc();
+    }
+}
+
 }  // namespace
 
 LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLimits& limits) {
@@ -213,7 +222,7 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
         return tnlp->best;
     }
     make_sure_of_room();
-    const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
+    const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new_application();
     const Ipopt::SmartPtr<Ipopt::OptionsList> options = application->Options();
     const bool accepted = options->SetStringValue("linear_solver", "mumps") && options->SetStringValue("sb", "yes") &&
                           options->SetIntegerValue("print_level", 0) && options->SetIntegerValue("max_iter", 500) &&
