@@ -47,7 +47,8 @@ void add_conditions(const Family& family, const Motion& motion, const Design& de
         margins.add(std::string(condition.name), value);
     }
     if (family.assembly_margin != nullptr)
-        margins.add("the mechanism assembles", least_component(*family.assembly_margin, motion, design));
+        margins.add(motion.program ? "the follower is held and the cam is not undercut" : "the mechanism assembles",
+                    least_component(*family.assembly_margin, motion, design));
 }
 
 void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
@@ -93,7 +94,7 @@ std::vector<SingularMargin> singular_margins(const Problem& problem, const Desig
 }
 
 std::string to_text(const SingularMargin& margin, const Units& units) {
-    return fmt::format("{}: by {:.2g} {}, {:.2g} of the longest link", margin.name, margin.margin, units.length,
+    return fmt::format("{}: by {:.2g} {}, {:.2g} of the longest length", margin.name, margin.margin, units.length,
                        margin.relative);
 }
 

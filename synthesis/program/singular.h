@@ -10,13 +10,13 @@
 
 namespace mechwright {
 
-/// The rule: a margin of less than this part of the longest link is warned of.
+/// The rule: a margin of less than this part of the longest length is warned of.
 inline constexpr double singular_below = 1e-4;
 
 struct SingularMargin {
     std::string name;     ///< of what nearly happens
     double margin = 0;    ///< a length, in the problem's unit; < 0 where it happens
-    double relative = 0;  ///< to the longest link
+    double relative = 0;  ///< to the longest length
 };
 
 /// The margins of a design that are below the rule, each kind once with its least: of the conditions of a crank that
@@ -24,7 +24,7 @@ struct SingularMargin {
 /// meets the points of a path. A motion that ends where the linkage does is no reason: its ends are toggles.
 std::vector<SingularMargin> singular_margins(const Problem& problem, const Design& design);
 
-/// "crank turns past ...: 3e-05 mm, 2.1e-07 of the longest link"
+/// "crank turns past ...: 3e-05 mm, 2.1e-07 of the longest length"
 std::string to_text(const SingularMargin& margin, const Units& units);
 
 }  // namespace mechwright

@@ -301,11 +301,18 @@ nlohmann::ordered_json verification_document(const std::vector<Check>& done) {
     return {{"passed", all_passed(done)}, {"checks", std::move(checks)}};
 }
 
+/// What is asked for, where there is no design that it is measured of.
+void put_asked(Json& json, const Problem& problem) {
+    if (problem.objective) json["objective"] = objective_of(problem, nullptr);
+    if (!problem.requirements.empty()) json["requirements"] = requirements_of(problem, nullptr);
+}
+
 nlohmann::ordered_json document(const Problem& problem, const Result& result) {
     Json json = head(problem);
     json["status"] = name_of(result.status);
     if (!result.note.empty()) json["note"] = result.note;
     put_body(json, problem, result.best ? &*result.best : nullptr);
+    if (!result.best) put_asked(json, problem);
     if (!result.verification.empty()) json["verification"] = verification_document(result.verification);
     if (problem.solver.pareto > 0) json["front"] = front_of(problem, result);
     json["alternatives"] = alternatives_of(problem, result);
@@ -317,8 +324,7 @@ nlohmann::ordered_json asked_document(const Problem& problem) {
     Json json{{"problem", {{"title", problem.title}, {"mechanism", problem.mechanism->name}}}};
     json["units"] = head(problem)["units"];
     put_body(json, problem, nullptr);
-    if (problem.objective) json["objective"] = objective_of(problem, nullptr);
-    if (!problem.requirements.empty()) json["requirements"] = requirements_of(problem, nullptr);
+    put_asked(json, problem);
     return json;
 }
 

@@ -20,7 +20,8 @@
 ///   [quantities]   name -> value, every quantity of the mechanism that is defined for the design
 ///   [poses]        as path, with directions, body_length, reached_directions
 ///   [path]         points, timing, closed, [weights], [prescribed_angles], reached, crank_angles, distances
-///   [warnings]     [{name, margin (length), relative (to the longest link), warned_below}]: margins of a design close
+///   [warnings]     [{name, margin (length), relative (to the longest length), warned_below}]: margins of a design
+///   close
 ///                  to a singular position
 ///   [verification] passed, checks [{name, passed, detail}]
 ///   alternatives   [{design, objective, [path_angles, distances], [cognate_of], verification | defect}]: those that

@@ -239,7 +239,7 @@ std::string warning_section(const Problem& problem, const Design& design) {
     for (const SingularMargin& m : singular_margins(problem, design))
         text +=
             folded("Warning: ", fmt::format("close to a singular position. {} (warned of below {:g}): the errors of "
-                                            "manufacture decide how it moves there.",
+                                            "manufacture decide what it does there.",
                                             to_text(m, problem.units), singular_below));
     return text.empty() ? text : '\n' + text;
 }

@@ -38,8 +38,9 @@ struct Found {
     bool stopped = false;
     std::string note;  ///< for the user, where there are no candidates
     std::vector<ExcludedDesign> excluded{};
-    std::size_t most_tried = 16;  ///< candidates, until one passes verification
-    std::string excluded_note{};  ///< where every solution of an exact problem is known, and excluded
+    std::size_t most_tried = 16;           ///< candidates, until one passes verification
+    std::vector<Check> checks_of_first{};  ///< of the first candidate, where it was verified before
+    std::string excluded_note{};           ///< where every solution of an exact problem is known, and excluded
 };
 
 struct Method {
@@ -204,18 +205,20 @@ Found better(const Problem& problem, Found first, Found second) {
     return std::move(chosen);
 }
 
-/// Whether a design passes verification.
-bool passes(const Problem& problem, const Solution& solution) {
+/// A design by itself as verification sees it.
+std::vector<Check> checks_of(const Problem& problem, const Solution& solution) {
     Result alone;
     alone.status = Status::solved;
     alone.best = solution;
-    return all_passed(verify(document(problem, alone)));
+    return verify_design(document(problem, alone), Stated::everything);
 }
 
 Found automatic(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     if (why_no_closed_form(problem).empty()) {
         Found found = closed_form(problem, options, deadline);
-        if (found.report.complete() && (found.infeasible || passes(problem, found.candidates.front()))) return found;
+        if (found.report.complete() && found.infeasible) return found;
+        if (found.report.complete()) found.checks_of_first = checks_of(problem, found.candidates.front());
+        if (all_passed(found.checks_of_first)) return found;
     }
     if (problem.has_instant && why_not_exact(problem).empty()) return every_solution(problem, options, deadline);
     if (options.neighbour) return near_neighbour(problem, options, deadline);
@@ -264,14 +267,6 @@ const Method* find_method(std::string_view name) {
     return at == methods.end() ? nullptr : &*at;
 }
 
-/// A design by itself as verification sees it.
-std::vector<Check> checks_of(const Problem& problem, const Solution& solution) {
-    Result alone;
-    alone.status = Status::solved;
-    alone.best = solution;
-    return verify_design(document(problem, alone), Stated::everything);
-}
-
 /// By name, the first check that a design does not pass.
 std::string defect_of(const std::vector<Check>& checks) {
     const auto failed = std::find_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
@@ -305,17 +300,18 @@ bool is_known(const Problem& problem, const Result& result, const Solution& othe
 
 /// The first candidate that passes verification becomes the design, the others alternatives, or are set aside with the
 /// check that they do not pass; if none passes, the first is shown.
-void choose_verified(const Problem& problem, const std::vector<Solution>& candidates, std::size_t most_tried,
-                     const RunEnd& end, Result& result) {
-    constexpr std::size_t most_alternatives = 20;
+void choose_verified(const Problem& problem, Found& found, const RunEnd& end, Result& result) {
+    const std::vector<Solution>& candidates = found.candidates;
+    constexpr std::size_t most_alternatives = 10;
     auto proof = std::exchange(result.search.proof, nullptr);
     bool is_first = false;
     result.status = Status::solved;
     for (std::size_t i = 0; i < candidates.size() && candidates[i].feasible; ++i) {
-        if ((!result.best && i >= most_tried) || (i > 0 && end.reached())) break;
+        if ((!result.best && i >= found.most_tried) || (i > 0 && end.reached())) break;
         if (result.alternatives.size() + result.excluded.size() >= most_alternatives) break;
         if (is_known(problem, result, candidates[i])) continue;
-        std::vector<Check> checks = checks_of(problem, candidates[i]);
+        std::vector<Check> checks = i == 0 && !found.checks_of_first.empty() ? std::move(found.checks_of_first)
+                                                                             : checks_of(problem, candidates[i]);
         if (!all_passed(checks)) {
             result.excluded.push_back({candidates[i], defect_of(checks)});
         } else if (result.best) {
@@ -403,7 +399,7 @@ Result solve(const Problem& problem, const RunOptions& options) {
         found.infeasible = !feasible && leaves_none_out(found.report);
         if (options.all) result.excluded = std::move(found.excluded);
     } else if (feasible)
-        choose_verified(problem, found.candidates, found.most_tried, end, result);
+        choose_verified(problem, found, end, result);
     else if (!found.candidates.empty())
         result.best = std::move(found.candidates.front());
 

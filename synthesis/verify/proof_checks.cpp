@@ -167,11 +167,12 @@ double best_of_family(double swing, double time_ratio) {
 }
 
 /// The ram's limits subtend the angle of the time ratio at the crank pivot, which lies on a circle through them: every
-/// place on it is a slider-crank.
+/// place on it before the foot of the pivot comes between the limits, where the rod would stand square to the slide, is
+/// a slider-crank.
 double best_slider_crank(double time_ratio) {
     const double seen = pi * (time_ratio - 1) / (time_ratio + 1);
     if (!(seen < 0.5 * pi)) return 0;
-    return greatest_on_grid(0.5 * seen, 0.5 * pi, [&](double m) {
+    return greatest_on_grid(0.5 * seen, 0.5 * (pi - seen), [&](double m) {
         const double far = std::sin(m + 0.5 * seen), near = std::sin(m - 0.5 * seen);
         const double crank = 0.5 * (far - near), rod = 0.5 * (far + near), offset = far * near;
         // The distances of the pivot from the limits over the circle's diameter, and its height over their line.

@@ -217,7 +217,10 @@ TEST(SpecialTargets, ComeToAnEndWithATrueAccount) {
         if (result.search.solutions) {
             const SolutionCounts& n = *result.search.solutions;
             EXPECT_LE(n.distinct + n.at_infinity + n.singular, n.tracked) << targets;
-            EXPECT_EQ(result.search.complete(), n.distinct + n.at_infinity + n.singular == n.tracked) << targets;
+            const bool all = n.distinct + n.at_infinity + n.singular == n.tracked;
+            // Singular solutions are accounted for, and may be whole families: of those nothing is proven.
+            EXPECT_TRUE(all || !result.search.complete()) << targets;
+            EXPECT_TRUE(result.search.complete() || !all || n.singular > 0) << targets;
         }
     }
 }

@@ -100,7 +100,7 @@ TEST_P(EveryDriveMethod, ShowsTheBestThatCanBeHadWhereTheLimitIsOutOfReach) {
     const Solved s = solved(quick_return("slider-crank-not-reachable.toml"), GetParam());
     EXPECT_EQ(s.result.status, Status::infeasible);
     EXPECT_NEAR(s.value("transmission-angle-worst") / degree, best_transmission_by_scan(1.5), 1e-7);
-    EXPECT_EQ(s.result.search.complete(), GetParam() == "closed-form");
+    EXPECT_TRUE(s.result.search.complete());
 }
 
 INSTANTIATE_TEST_SUITE_P(QuickReturns, EveryDriveMethod, ::testing::Values("closed-form", "slsqp", "ipopt"),
@@ -108,8 +108,8 @@ INSTANTIATE_TEST_SUITE_P(QuickReturns, EveryDriveMethod, ::testing::Values("clos
                              return method.param == "closed-form" ? "closed_form" : method.param;
                          });
 
-TEST(QuickReturns, NoSliderCrankHasATimeRatioOfThree) {
-    const Solved s = solved(slider_crank_problem(3.0), "auto");
+TEST(QuickReturns, NoSliderCrankHasATimeRatioOfMoreThanThree) {
+    const Solved s = solved(slider_crank_problem(3.001), "auto");
     EXPECT_EQ(s.result.status, Status::infeasible);
     EXPECT_TRUE(s.result.search.complete());
     EXPECT_FALSE(s.result.best.has_value());

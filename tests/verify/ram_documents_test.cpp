@@ -83,8 +83,8 @@ TEST(RamDocument, WithASettingThatCannotBeIsRefused) {
 }
 
 TEST(RamDocument, NeverThrowsWhateverItsMembersAre) {
-    for (const Drive& drive : drives) {
-        Json json = analysed(drive);
+    for (const std::size_t kind : {0, 3}) {  // all have the same members
+        Json json = analysed(drives[kind]);
         json["quantities"] = {{"stroke", json["quantities"]["stroke"]}};  // each of the others takes its time
         EXPECT_GT(verified_with_members_replaced(json), 100);
         EXPECT_TRUE(failures(json).empty());

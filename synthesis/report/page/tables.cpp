@@ -232,8 +232,8 @@ std::string warnings_of(const Json& document) {
     std::string text;
     for (const Json& one : list_in(document, "warnings"))
         text += "<p class=\"bad\">Close to a singular position. " +
-                escaped(fmt::format("{}: by {}, {} of the longest link.", text_in(one, "name"), text_in(one, "margin"),
-                                    text_in(one, "relative"))) +
+                escaped(fmt::format("{}: by {}, {} of the longest length.", text_in(one, "name"),
+                                    text_in(one, "margin"), text_in(one, "relative"))) +
                 "</p>";
     return text;
 }
