@@ -78,7 +78,7 @@ constexpr std::array<Entry, 4> kinds_of_files{
      {"*.csv", "Tables: points of a path that a problem file names, motions, designs."}}};
 
 /// What verify does about each claim of a result document.
-constexpr std::array<Entry, 11> verified_claims{
+constexpr std::array<Entry, 12> verified_claims{
     {{"what was asked for",
       "The document holds the text of its problem file under its checksum, unless that names other files. The text is "
       "read again, and mechanism, units, ranges and ties, range of crank angles, segments and laws, targets, "
@@ -106,6 +106,13 @@ constexpr std::array<Entry, 11> verified_claims{
      {"alternatives",
       "Every one that is not stated with a defect: it meets the requirements with its stated objective, "
       "is not better than the design, and is the cognate that it is stated to be."},
+     {"complete, certificate",
+      "What is said to be proven stands there with a certificate, which is evaluated again: weights of half-planes "
+      "that "
+      "keep the centre of a cam away, places where a flat face asks for the largest cam, a limit in closed form by "
+      "other formulas than the method's, counts of solutions that leave none out, a zero of what cannot be negative. "
+      "Of "
+      "branch and bound the bound has to meet the objective; its boxes are not covered again."},
      {"status, verification",
       "Solved and passed only where all other checks pass; unverified only where one does not."},
      {"not checked", "Texts in words (note, defect, details), versions, times and counts of the search."}}};
