@@ -1,4 +1,4 @@
-# `cmake --install` and what other projects find: mechwright::analysis, which needs Eigen alone, and
+# `cmake --install` and what other projects find: mechwright::analysis, which needs nothing, and
 # mechwright::synthesis with its solvers. Headers keep their paths: #include "analysis/four_bar.h".
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mechwright)
 set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/mechwright)
@@ -12,6 +12,9 @@ target_sources(mechwright_analysis INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJEC
 target_sources(mechwright_synthesis PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${synthesis_headers})
 
 install(TARGETS mechwright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET mechwright-bench)
+    install(TARGETS mechwright-bench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 foreach(part analysis synthesis)
     install(TARGETS mechwright_${part} EXPORT mechwright_${part} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
             FILE_SET HEADERS DESTINATION ${header_dir})

@@ -1,114 +1,46 @@
-// mechwright bench: speed against error, measured here.
+// mechwright bench: hands its arguments to mechwright-bench, a program of its own that not everybody builds.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <memory>
-#include <thread>
+#include <cerrno>
+#include <system_error>
 
-#include "synthesis/bench/run.h"
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
-#include "synthesis/command_line/interrupt.h"
-#include "synthesis/command_line/options.h"
-#include "synthesis/command_line/progress_line.h"
-#include "synthesis/problem/text.h"
-#include "synthesis/report/table.h"
+#include "synthesis/command_line/other_programs.h"
 
 namespace mechwright {
 
 namespace {
 
-struct BenchOptions {
-    std::string folder = "results";
-    std::string problems = "problems";
-    std::vector<std::string> only;
-    std::optional<std::uint64_t> jobs;
-    bool full = false;
-    bool anew = false;
-    bool quiet = false;
-};
+constexpr const char* bench_program = "mechwright-bench";
 
-/// What is wrong with the options; empty if nothing is.
-std::string fault_of(const BenchOptions& options) {
-    std::vector<std::string_view> names;
-    for (const bench::Section& section : bench::sections())
-        names.push_back(section.name);
-    for (const std::string& name : options.only)
-        if (std::find(names.begin(), names.end(), name) == names.end())
-            return fmt::format("unknown section {}; {}", reading::quoted(std::string_view(name)),
-                               reading::remedy(name, names));
-    if (!std::filesystem::is_directory(options.problems))
-        return fmt::format(
-            "there is no folder {}: bench needs the problems that come with mechwright; run it where "
-            "they are, or name them by --problems DIR",
-            reading::quoted(std::string_view(options.problems)));
-    return {};
-}
-
-bench::BenchRun run_of(const BenchOptions& options) {
-    bench::BenchRun run;
-    run.effort.full = options.full;
-    run.effort.jobs = static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
-    run.effort.problems = options.problems;
-    run.effort.program = std::filesystem::read_symlink("/proc/self/exe");
-    run.effort.stop = &Interrupt::requested();
-    run.folder = options.folder;
-    run.only = options.only;
-    run.anew = options.anew;
-    return run;
-}
-
-int measure(const BenchOptions& options, Console& console) {
-    if (const std::string fault = fault_of(options); !fault.empty()) {
-        complain(console, fault);
-        return exit_code::wrong_usage;
-    }
-    bench::BenchRun run = run_of(options);
-    ProgressLine line{&console, "", ""};
-    if (!options.quiet && progress_wanted(console))
-        run.progress = [&](std::string_view section, std::string_view name, int done, int total) {
-            line.label = fmt::format("{}: {}", section, name);
-            draw_measurements(line, done, total);
-        };
-    const Interrupt interrupt(!options.quiet);
-    const bench::BenchOutcome outcome = run_bench(run);
-    erase(line);
-    if (!outcome.fault.empty()) {
-        complain(console, outcome.fault);
-        return exit_code::no_access;
-    }
-    if (!outcome.finished) {
-        if (!options.quiet) console.err << "What was measured is kept; the same command goes on.\n" << std::flush;
-        return exit_code::interrupted;
-    }
-    if (!options.quiet) {
-        if (outcome.taken_over > 0) console.err << outcome.taken_over << " measurements are of an earlier run.\n";
-        print(console, fmt::format("Report: {}\n", (run.folder / "README.md").string()));
-    }
-    return exit_code::solved;
+/// Becomes the bench, which ends with an exit code of its own; returns only where there is none.
+int become_bench(std::vector<std::string> arguments, Console& console) {
+    std::string program = called(bench_program);
+    std::vector<char*> words{program.data()};
+    for (std::string& argument : arguments)
+        words.push_back(argument.data());
+    words.push_back(nullptr);
+    ::execvp(words.front(), words.data());
+    complain(console,
+             errno == ENOENT
+                 ? fmt::format("there is no {} beside mechwright or in PATH: './bootstrap bench' builds it, in "
+                               "the folder of mechwright's sources",
+                               bench_program)
+                 : fmt::format("cannot run {}: {}", program, std::generic_category().message(errno)));
+    return exit_code::no_access;
 }
 
 }  // namespace
 
 Command add_bench(CLI::App& program) {
-    const auto options = std::make_shared<BenchOptions>();
-    CLI::App* command = program.add_subcommand("bench", "Measure speed against error: tables, diagrams");
-    std::string names;
-    for (const bench::Section& section : bench::sections())
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", section.name);
-    command->add_option("--out", options->folder, "Folder for the report and its data (results)")->option_text("DIR");
-    command->add_flag("--full", options->full, "Thorough: an hour instead of two minutes");
-    command->add_option("--only", options->only, "Sections to measure; all stay in the report")->option_text("SECTION");
-    command->add_option("--problems", options->problems, "Problems that come with mechwright (problems)")
-        ->option_text("DIR");
-    command->add_flag("--anew", options->anew, "Measure again what was measured before");
-    add_whole_number(*command, "--jobs", options->jobs, 1, 1024, "Threads (all)");
-    command->add_flag("--quiet", options->quiet, "Nothing but errors on standard error");
-    command->footer(folded("Sections: ", names + ".") +
-                    "A run that was interrupted goes on when the command is repeated.");
-    return {command, [options](Console& console) { return measure(*options, console); }};
+    CLI::App* command = program.add_subcommand("bench", "Measure speed against error (mechwright-bench)");
+    command->set_help_flag();
+    command->prefix_command();
+    return {command, [command](Console& console) { return become_bench(command->remaining(), console); }};
 }
 
 }  // namespace mechwright

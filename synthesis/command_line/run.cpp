@@ -74,7 +74,6 @@ int wrong_usage(std::string_view fault, Console& console) {
 }
 
 int run_command(int argc, const char* const* argv, Console& console) {
-    if (const std::string fault = instructions_fault(); !fault.empty()) return wrong_usage(fault, console);
     CLI::App program("Synthesis and optimisation of planar mechanisms.", "mechwright");
     program.set_version_flag("--version", version_text, "Print the versions of the program and its libraries");
     program.footer(exit_code::explained());
@@ -83,16 +82,7 @@ int run_command(int argc, const char* const* argv, Console& console) {
 
     if (const std::string fault = command_fault(argc, argv, commands); !fault.empty())
         return wrong_usage(fault, console);
-    try {
-        program.parse(argc, argv);
-    } catch (const CLI::Success& asked_for) {  // --help and --version
-        std::ostringstream text;
-        program.exit(asked_for, text, text);
-        print(console, text.str());
-        return exit_code::solved;
-    } catch (const CLI::ParseError& error) {
-        return wrong_usage(error.what(), console);
-    }
+    if (const auto code = read_command_line(program, argc, argv, console)) return *code;
     for (const Command& command : commands)
         if (program.got_subcommand(command.options)) return command.run(console);
     console.err << program.help() << std::flush;
@@ -109,12 +99,31 @@ int after_output(int code, Console& console) {
 
 }  // namespace
 
-int run(int argc, const char* const* argv, Console& console) {
+std::optional<int> read_command_line(CLI::App& program, int argc, const char* const* argv, Console& console) {
     try {
-        return after_output(run_command(argc, argv, console), console);
+        program.parse(argc, argv);
+        return std::nullopt;
+    } catch (const CLI::Success& asked_for) {  // --help and --version
+        std::ostringstream text;
+        program.exit(asked_for, text, text);
+        print(console, text.str());
+        return exit_code::solved;
+    } catch (const CLI::ParseError& error) {
+        return wrong_usage(error.what(), console);
+    }
+}
+
+int run_guarded(Console& console, const std::function<int()>& work) {
+    try {
+        const std::string fault = instructions_fault();
+        return after_output(fault.empty() ? work() : wrong_usage(fault, console), console);
     } catch (...) {
         return report_defect(console, "");
     }
+}
+
+int run(int argc, const char* const* argv, Console& console) {
+    return run_guarded(console, [&] { return run_command(argc, argv, console); });
 }
 
 }  // namespace mechwright

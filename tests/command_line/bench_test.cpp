@@ -1,9 +1,11 @@
 // mechwright bench. What it measures is its own business: here it must keep it, go on, and write its report.
 
 #include <signal.h>
+#include <sys/wait.h>
 
 #include <thread>
 
+#include "synthesis/report/run_program.h"
 #include "tests/command_line/problems.h"
 #include "tests/command_line/program.h"
 #include "tests/report/temporary_folder.h"
@@ -88,6 +90,34 @@ TEST(Bench, SaysWhatIsWrongWithItsOptions) {
     const Outcome full = bench({"--only", "start-up", "--out", folder.write("file", "") + "/results"});
     EXPECT_EQ(full.exit_code, 6);
     expect_has(full.err, "file");
+}
+
+TEST(Bench, IsAProgramOfItsOwn) {
+    const Outcome help = run({"bench", "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    expect_has(help.out, "Sections: kernels, start-up");
+    const Outcome unknown = run({"bench", "--fast", "solve"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    expect_has(unknown.err, "--fast");
+}
+
+TEST(Bench, IsMissedPolitely) {
+    const TemporaryFolder folder;
+    const std::string alone = folder / "mechwright";
+    std::filesystem::copy_file(MECHWRIGHT_PROGRAM, alone);
+    const ProgramRun without = run_program({"sh", "-c", "PATH=/nowhere " + alone + " bench --help 2>&1"}, "");
+    EXPECT_EQ(WEXITSTATUS(without.status), 6);
+    expect_has(without.output, "./bootstrap bench");
+    // Beside the program comes first, then PATH.
+    const std::string other = folder.write("other/mechwright-bench", "#!/bin/sh\necho of PATH; exit 5\n");
+    std::filesystem::permissions(other, std::filesystem::perms::owner_all);
+    const std::string path = "PATH=" + (folder / "other") + ":$PATH ";
+    const ProgramRun of_path = run_program({"sh", "-c", path + alone + " bench"}, "");
+    EXPECT_EQ(WEXITSTATUS(of_path.status), 5);
+    EXPECT_EQ(of_path.output, "of PATH\n");
+    const std::string beside = folder.write("mechwright-bench", "#!/bin/sh\necho \"$@\"\n");
+    std::filesystem::permissions(beside, std::filesystem::perms::owner_all);
+    EXPECT_EQ(run_program({"sh", "-c", path + alone + " bench --jobs 2 --out x"}, "").output, "--jobs 2 --out x\n");
 }
 
 }  // namespace

@@ -198,11 +198,13 @@ TEST(ManPage, HasEveryCommandAndOption) {
     const std::vector<std::string> commands = commands_in(expect_options({}));
     EXPECT_GE(commands.size(), 13u);
     std::size_t below = 0;
-    for (const std::string& command : commands)
+    for (const std::string& command : commands) {
+        if (command == "bench") continue;  // its options are those of another program
         for (const std::string& other : commands_in(expect_options({command}))) {
             expect_options({command, other});
             ++below;
         }
+    }
     EXPECT_GE(below, 7u);
     for (const char* part : {"EXIT STATUS", "\n130\n", "NO_COLOR", "ENVIRONMENT", "FILES", "EXAMPLES"})
         expect_has(text, part);

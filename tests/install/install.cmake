@@ -7,10 +7,11 @@ endfunction()
 
 # Searched only where the component may look.
 if(component STREQUAL "analysis")
-    foreach(package Boost CLI11 fmt nlohmann_json Threads tomlplusplus PkgConfig)
-        list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
-    endforeach()
+    set(unneeded Boost fmt muparser nlohmann_json SQLite3 SQLiteCpp Threads tomlplusplus PkgConfig)
 endif()
+foreach(package benchmark CLI11 Eigen3 ${unneeded})
+    list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
 
 run(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/first)
 # Nothing may point back to where it was first.
