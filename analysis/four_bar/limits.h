@@ -7,9 +7,9 @@
 /// square roots of products of Grashof margins. The swing is the difference of two angles at B0 whose cosines differ by
 /// 2 crank coupler / (ground rocker); written with that difference it keeps its digits for the smallest cranks.
 
-#include "analysis/crank_range.h"
 #include "analysis/four_bar/grashof.h"
 #include "analysis/four_bar/pose.h"
+#include "analysis/geometry/crank_range.h"
 
 namespace mechwright {
 

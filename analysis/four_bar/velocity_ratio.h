@@ -13,7 +13,7 @@
 
 #include "analysis/four_bar/limits.h"
 #include "analysis/four_bar/velocity.h"
-#include "analysis/graded_grid.h"
+#include "analysis/numbers/graded_grid.h"
 
 namespace mechwright {
 

@@ -3,7 +3,7 @@
 /// At which crank angles a ram-driving mechanism assembles, and whether it works as it is meant to: the crank turns
 /// fully and the ram makes two strokes in each turn.
 
-#include "analysis/graded_grid.h"
+#include "analysis/numbers/graded_grid.h"
 #include "analysis/quick_return/extremes.h"
 
 namespace mechwright {

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <span>
 
-#include "analysis/graded_grid.h"
+#include "analysis/numbers/graded_grid.h"
 #include "analysis/quick_return/rod_swing.h"
 
 namespace mechwright {

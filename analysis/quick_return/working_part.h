@@ -2,7 +2,7 @@
 /// \file
 /// The working part of a quick return: the middle share of the slow stroke, by the position of the ram.
 
-#include "analysis/extremes.h"
+#include "analysis/numbers/extremes.h"
 #include "analysis/quick_return/ram.h"
 
 namespace mechwright {

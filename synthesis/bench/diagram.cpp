@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "synthesis/report/csv_text.h"
-#include "synthesis/report/gnuplot.h"
+#include "synthesis/report/csv/csv_text.h"
+#include "synthesis/report/files/gnuplot.h"
 
 namespace mechwright::bench {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "synthesis/program/program.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright::bench {
 

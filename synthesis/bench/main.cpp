@@ -17,7 +17,7 @@
 #include "synthesis/command_line/progress_line.h"
 #include "synthesis/command_line/run.h"
 #include "synthesis/problem/text.h"
-#include "synthesis/report/table.h"
+#include "synthesis/report/text/table.h"
 
 namespace mechwright {
 

@@ -10,7 +10,7 @@
 #include "synthesis/bench/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/shipped.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright::bench {
 

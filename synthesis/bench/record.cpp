@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "analysis/numbers/instruction_set.h"
-#include "synthesis/report/versions.h"
-#include "synthesis/report/write_file.h"
+#include "synthesis/document/versions.h"
+#include "synthesis/report/files/write_file.h"
 
 namespace mechwright::bench {
 

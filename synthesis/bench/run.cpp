@@ -6,9 +6,9 @@
 
 #include "synthesis/bench/readme.h"
 #include "synthesis/bench/record.h"
-#include "synthesis/report/csv_text.h"
-#include "synthesis/report/gnuplot.h"
-#include "synthesis/report/write_file.h"
+#include "synthesis/report/csv/csv_text.h"
+#include "synthesis/report/files/gnuplot.h"
+#include "synthesis/report/files/write_file.h"
 
 namespace mechwright::bench {
 

@@ -12,9 +12,9 @@
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/shipped.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/report/run_program.h"
-#include "synthesis/report/temporary_folder.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/report/files/run_program.h"
+#include "synthesis/report/files/temporary_folder.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright::bench {
 

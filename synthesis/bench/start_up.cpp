@@ -8,7 +8,7 @@
 #include "synthesis/bench/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
-#include "synthesis/report/run_program.h"
+#include "synthesis/report/files/run_program.h"
 
 namespace mechwright::bench {
 

@@ -5,7 +5,7 @@ set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/mechwright)
 
 file(GLOB_RECURSE analysis_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analysis/*.h)
 set(synthesis_headers mechanism/mechanism.h mechanism/path_screening.h problem/problem.h problem/reader.h program/quantity_value.h
-    program/result.h report/document.h search/solve.h verify/verify.h)
+    program/result.h program/run_options.h program/assess.h document/document.h solve/solve.h verify/verify.h)
 list(TRANSFORM synthesis_headers PREPEND ${PROJECT_SOURCE_DIR}/synthesis/)
 
 target_sources(mechwright_analysis INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${analysis_headers})

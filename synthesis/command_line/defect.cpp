@@ -5,7 +5,7 @@
 #include <string>
 
 #include "synthesis/command_line/exit_code.h"
-#include "synthesis/report/versions.h"
+#include "synthesis/document/versions.h"
 
 namespace mechwright {
 

@@ -1,7 +1,7 @@
 #include "synthesis/command_line/input.h"
 
 #include "synthesis/command_line/exit_code.h"
-#include "synthesis/search/method_fault.h"
+#include "synthesis/solve/method_fault.h"
 
 namespace mechwright {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/report/table.h"
+#include "synthesis/report/text/table.h"
 
 namespace mechwright {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "synthesis/report/write_file.h"
+#include "synthesis/report/files/write_file.h"
 
 namespace mechwright {
 

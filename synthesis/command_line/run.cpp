@@ -14,8 +14,8 @@
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/defect.h"
 #include "synthesis/command_line/exit_code.h"
+#include "synthesis/document/versions.h"
 #include "synthesis/problem/text.h"
-#include "synthesis/report/versions.h"
 
 namespace mechwright {
 

@@ -4,12 +4,13 @@
 
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/input.h"
+#include "synthesis/document/document.h"
+#include "synthesis/document/result_file.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/program/assess.h"
 #include "synthesis/program/left_open.h"
-#include "synthesis/report/document.h"
-#include "synthesis/report/write_file.h"
-#include "synthesis/search/solve.h"
-#include "synthesis/verify/result_file.h"
+#include "synthesis/report/files/write_file.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright {
 

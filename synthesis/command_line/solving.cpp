@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "synthesis/command_line/commands/start_system.h"
 #include "synthesis/command_line/defect.h"
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/input.h"
@@ -13,15 +14,14 @@
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/progress_line.h"
 #include "synthesis/command_line/results.h"
-#include "synthesis/command_line/start_system.h"
+#include "synthesis/document/document.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/report/burmester_table.h"
-#include "synthesis/report/document.h"
+#include "synthesis/report/csv/burmester_table.h"
+#include "synthesis/report/csv/motion_table.h"
+#include "synthesis/report/csv/solutions_table.h"
 #include "synthesis/report/json_text.h"
-#include "synthesis/report/motion_table.h"
-#include "synthesis/report/solutions_table.h"
-#include "synthesis/search/method_fault.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/method_fault.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright {
 

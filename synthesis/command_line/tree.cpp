@@ -6,7 +6,7 @@
 #include "synthesis/command_line/new/task.h"
 #include "synthesis/exact/homotopy/guidance_start.h"
 #include "synthesis/report/names.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/exact/certified_dyad.h"
+#include "synthesis/exact/poses/certified_dyad.h"
 #include "synthesis/exact/sized_linkage.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/mechanism/four_bar/function.h"

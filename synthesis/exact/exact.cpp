@@ -7,8 +7,8 @@
 #include "synthesis/exact/extreme_velocity_ratio.h"
 #include "synthesis/exact/instant.h"
 #include "synthesis/exact/places.h"
-#include "synthesis/exact/poses.h"
-#include "synthesis/exact/slider_crank_poses.h"
+#include "synthesis/exact/poses/poses.h"
+#include "synthesis/exact/poses/slider_crank_poses.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 
 namespace mechwright {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "synthesis/exact/guided_linkage.h"
+#include "synthesis/exact/poses/guided_linkage.h"
 #include "synthesis/program/proof.h"
 #include "synthesis/program/result.h"
 

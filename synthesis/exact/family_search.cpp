@@ -4,10 +4,10 @@
 #include <atomic>
 #include <cmath>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/local/subplex.h"
 #include "synthesis/program/assess.h"
-#include "synthesis/search/low_discrepancy.h"
-#include "synthesis/search/work_sharing.h"
+#include "synthesis/program/work_sharing.h"
 
 namespace mechwright {
 

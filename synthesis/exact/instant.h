@@ -5,8 +5,8 @@
 #include <string>
 
 #include "synthesis/exact/exact_designs.h"
-#include "synthesis/search/run_end.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/program/run_end.h"
+#include "synthesis/program/run_options.h"
 
 namespace mechwright {
 

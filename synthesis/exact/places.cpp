@@ -5,7 +5,7 @@
 #include "synthesis/exact/homotopy/certify.h"
 #include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
-#include "synthesis/search/work_sharing.h"
+#include "synthesis/program/work_sharing.h"
 
 namespace mechwright {
 

@@ -19,9 +19,9 @@
 #include <span>
 #include <vector>
 
+#include "analysis/numbers/golden_section.h"
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/mechanism/mechanism.h"
-#include "synthesis/verify/golden_section.h"
 
 namespace mechwright {
 

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/extremes.h"
 #include "analysis/numbers/dual.h"
+#include "analysis/numbers/extremes.h"
 #include "synthesis/mechanism/function_again.h"
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/mechanism/measured.h"

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <span>
 
-#include "analysis/extremes.h"
 #include "analysis/numbers/dual.h"
+#include "analysis/numbers/extremes.h"
 #include "analysis/numbers/second_dual.h"
 #include "synthesis/mechanism/mechanism.h"
 

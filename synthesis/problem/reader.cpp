@@ -6,10 +6,10 @@
 
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/bytes.h"
-#include "synthesis/problem/sections.h"
+#include "synthesis/problem/sections/sections.h"
+#include "synthesis/problem/study/varied_problem.h"
 #include "synthesis/problem/text.h"
-#include "synthesis/problem/toml_text.h"
-#include "synthesis/problem/varied_problem.h"
+#include "synthesis/problem/toml/toml_text.h"
 
 namespace mechwright {
 

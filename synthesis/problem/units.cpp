@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "synthesis/problem/sections.h"
+#include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
 
 namespace mechwright {

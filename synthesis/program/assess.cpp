@@ -94,4 +94,17 @@ bool preferred(const Problem& problem, const Solution& a, const Solution& b) {
     return maximizes(problem) ? a.objective > b.objective : a.objective < b.objective;
 }
 
+Solution evaluate_given(const Problem& problem) { return evaluate_given(problem, problem.assemblies.front()); }
+
+Solution evaluate_given(const Problem& problem, std::size_t assembly) {
+    Design design;
+    for (const DimensionRange& d : problem.dimensions)
+        design.dimensions.push_back(d.min);
+    design.assembly = assembly;
+    if (problem.path && problem.path->prescribed_timing)
+        for (const double angle : problem.path->crank_angles)
+            design.path_angles.push_back(design.dimensions[problem.mechanism->path_roles.start] + angle);
+    return assess(problem, std::move(design));
+}
+
 }  // namespace mechwright

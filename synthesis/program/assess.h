@@ -17,4 +17,9 @@ bool preferred(const Problem& problem, const Solution& a, const Solution& b);
 /// Whether a larger objective is the better one.
 bool maximizes(const Problem& problem);
 
+/// A design that is given, not sought (every dimension fixed): evaluated, not verified; objective and violation as for
+/// any other solution. In the first of the problem's assemblies, or another one.
+Solution evaluate_given(const Problem& problem);
+Solution evaluate_given(const Problem& problem, std::size_t assembly);
+
 }  // namespace mechwright

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/extremes.h"
+#include "analysis/numbers/extremes.h"
 
 namespace mechwright {
 

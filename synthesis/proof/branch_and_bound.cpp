@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "synthesis/search/work_sharing.h"
+#include "synthesis/program/work_sharing.h"
 
 namespace mechwright {
 

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "synthesis/search/solve.h"
+#include "synthesis/program/run_options.h"
 
 namespace mechwright {
 

@@ -24,11 +24,11 @@ Asked asked_of(const Problem& problem, std::string_view quantity);
 ///   possible-values:  what the quantity means;
 ///   swing:            the worst transmission angle of a crank-rocker is at most (180 deg - swing) / 2 (VDI 2130);
 ///   swing-time-ratio: a crank-rocker's time ratio is less than (540 deg + swing) / (180 deg - swing);
-///   family:           the best crank-rocker of a swing and a time ratio, see synthesis/exact/crank_rocker.h;
+///   family:           the best crank-rocker of a swing and a time ratio, see analysis/four_bar/best_crank_rocker.h;
 ///   time-ratio:       that of a slider-crank whose crank turns fully is less than 3, for its ram's limits are seen
 ///   from
 ///                     the crank pivot under less than a right angle;
-///   ratio-family:     the best slider-crank of a time ratio, see synthesis/exact/slider_crank.h;
+///   ratio-family:     the best slider-crank of a time ratio, see analysis/slider_crank/best_slider_crank.h;
 ///   stroke:           the rod of a slider-crank or Whitworth drive slopes at least so that its sine is half of the
 ///                     stroke over the rod.
 struct KnownLimit {
@@ -43,8 +43,5 @@ std::vector<KnownLimit> known_limits(const Problem& problem);
 /// Why no design meets the requirements, where a limit shows it; null where none does. What the tolerance lets pass is
 /// not excluded.
 std::shared_ptr<const Proof> proof_by_limits(const Problem& problem);
-
-/// The same, where a limit, a closed form or the ranges of the dimensions show it.
-std::shared_ptr<const Proof> why_infeasible(const Problem& problem);
 
 }  // namespace mechwright

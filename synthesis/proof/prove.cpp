@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "synthesis/mechanism/four_bar/timed_path_bound.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/proof/branch_and_bound.h"
 #include "synthesis/proof/function_bound.h"
+#include "synthesis/proof/timed_path_bound.h"
 
 namespace mechwright {
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 
-#include "synthesis/search/solve.h"
+#include "synthesis/program/run_options.h"
 
 namespace mechwright {
 

@@ -6,16 +6,16 @@
 #include <limits>
 #include <vector>
 
+#include "synthesis/document/claimed_problem.h"
+#include "synthesis/document/document.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/left_open.h"
 #include "synthesis/python/arguments.h"
 #include "synthesis/python/calls.h"
 #include "synthesis/python/values.h"
-#include "synthesis/report/document.h"
 #include "synthesis/report/drawing/motion_row.h"
-#include "synthesis/search/solve.h"
-#include "synthesis/verify/claimed_problem.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright::python {
 

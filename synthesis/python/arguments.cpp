@@ -1,10 +1,10 @@
 #include "synthesis/python/arguments.h"
 
+#include "synthesis/document/result_file.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/python/errors.h"
 #include "synthesis/python/problem_text.h"
 #include "synthesis/python/values.h"
-#include "synthesis/verify/result_file.h"
 
 namespace mechwright::python {
 

@@ -4,9 +4,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "synthesis/document/versions.h"
 #include "synthesis/python/calls.h"
 #include "synthesis/python/errors.h"
-#include "synthesis/report/versions.h"
 
 namespace {
 

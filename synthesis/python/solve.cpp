@@ -1,4 +1,4 @@
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <cmath>
 #include <thread>
 
+#include "synthesis/document/document.h"
 #include "synthesis/python/arguments.h"
 #include "synthesis/python/calls.h"
 #include "synthesis/python/interruptible.h"
 #include "synthesis/python/values.h"
-#include "synthesis/report/document.h"
-#include "synthesis/search/method_fault.h"
+#include "synthesis/solve/method_fault.h"
 
 namespace mechwright::python {
 

@@ -1,9 +1,9 @@
 #include "synthesis/verify/verify.h"
 
+#include "synthesis/document/document.h"
 #include "synthesis/python/arguments.h"
 #include "synthesis/python/calls.h"
 #include "synthesis/python/values.h"
-#include "synthesis/report/document.h"
 
 namespace mechwright::python {
 

@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "synthesis/program/assess.h"
+#include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/starts.h"
-#include "synthesis/search/work_sharing.h"
 
 namespace mechwright {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "synthesis/local/local.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/program/run_options.h"
 
 namespace mechwright {
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/variant.h"
-#include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/polished_search.h"
 
 namespace mechwright {

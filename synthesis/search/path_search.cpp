@@ -9,16 +9,16 @@
 #include <numeric>
 #include <optional>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
-#include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/screened_starts.h"
 #include "synthesis/search/starts_nearby.h"
-#include "synthesis/search/work_sharing.h"
 
 namespace mechwright {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/program.h"
-#include "synthesis/search/low_discrepancy.h"
 
 namespace mechwright {
 

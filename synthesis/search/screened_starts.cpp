@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/path_outputs.h"
 #include "synthesis/program/stretch.h"
-#include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/path_timing.h"
 #include "synthesis/search/starts.h"
 

@@ -6,8 +6,8 @@
 #include <complex>
 #include <numbers>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/path_outputs.h"
-#include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/path_timing.h"
 
 namespace mechwright {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "synthesis/search/low_discrepancy.h"
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/search/starts.h"
 
 namespace mechwright {

@@ -12,8 +12,8 @@
 
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/report/csv_text.h"
-#include "synthesis/report/gnuplot.h"
+#include "synthesis/report/csv/csv_text.h"
+#include "synthesis/report/files/gnuplot.h"
 #include "synthesis/study/store.h"
 
 namespace mechwright {

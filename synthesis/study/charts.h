@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "synthesis/problem/problem.h"
-#include "synthesis/problem/study.h"
+#include "synthesis/problem/study/study.h"
 
 namespace mechwright {
 

@@ -8,12 +8,12 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "synthesis/document/document.h"
+#include "synthesis/problem/study/varied_problem.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/problem/varied_problem.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/report/csv_text.h"
-#include "synthesis/report/document.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/report/csv/csv_text.h"
+#include "synthesis/solve/solve.h"
 #include "synthesis/study/tolerance.h"
 
 namespace mechwright::dakota {

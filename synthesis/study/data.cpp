@@ -7,8 +7,8 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "synthesis/report/csv_text.h"
-#include "synthesis/report/write_file.h"
+#include "synthesis/report/csv/csv_text.h"
+#include "synthesis/report/files/write_file.h"
 #include "synthesis/study/store.h"
 
 namespace mechwright {

@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "synthesis/document/versions.h"
 #include "synthesis/problem/bytes.h"
+#include "synthesis/report/files/write_file.h"
 #include "synthesis/report/json_text.h"
-#include "synthesis/report/versions.h"
-#include "synthesis/report/write_file.h"
 #include "synthesis/study/points.h"
 
 namespace mechwright {

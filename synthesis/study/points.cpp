@@ -5,7 +5,7 @@
 #include <boost/random/sobol.hpp>
 #include <cmath>
 
-#include "synthesis/search/low_discrepancy.h"
+#include "analysis/numbers/low_discrepancy.h"
 
 namespace mechwright {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "synthesis/problem/varied_problem.h"
+#include "synthesis/problem/study/varied_problem.h"
 
 namespace mechwright {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "synthesis/document/versions.h"
 #include "synthesis/problem/bytes.h"
-#include "synthesis/problem/varied_problem.h"
-#include "synthesis/report/versions.h"
+#include "synthesis/problem/study/varied_problem.h"
 
 namespace mechwright {
 

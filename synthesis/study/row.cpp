@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/document/document.h"
+#include "synthesis/problem/study/value_path.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/problem/value_path.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/report/document.h"
 #include "synthesis/study/points.h"
 
 namespace mechwright {

@@ -5,10 +5,10 @@
 #include <mutex>
 #include <new>
 
+#include "synthesis/document/document.h"
 #include "synthesis/program/assess.h"
-#include "synthesis/report/document.h"
-#include "synthesis/search/solve.h"
-#include "synthesis/search/work_sharing.h"
+#include "synthesis/program/work_sharing.h"
+#include "synthesis/solve/solve.h"
 #include "synthesis/study/points.h"
 #include "synthesis/study/row.h"
 #include "synthesis/study/tolerance.h"

@@ -7,12 +7,12 @@
 #include <limits>
 #include <map>
 
+#include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/problem/varied_problem.h"
+#include "synthesis/problem/study/varied_problem.h"
 #include "synthesis/program/assess.h"
-#include "synthesis/report/document.h"
-#include "synthesis/report/gnuplot.h"
-#include "synthesis/report/temporary_folder.h"
+#include "synthesis/report/files/gnuplot.h"
+#include "synthesis/report/files/temporary_folder.h"
 #include "synthesis/study/charts.h"
 #include "synthesis/study/data.h"
 #include "synthesis/study/points.h"

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/report/csv_text.h"
-#include "synthesis/search/low_discrepancy.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/report/csv/csv_text.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "synthesis/problem/study.h"
+#include "synthesis/problem/study/study.h"
 #include "synthesis/program/result.h"
 #include "synthesis/study/run.h"
 

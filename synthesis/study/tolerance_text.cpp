@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "synthesis/report/table.h"
+#include "synthesis/report/text/table.h"
 
 namespace mechwright {
 

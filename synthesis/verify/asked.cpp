@@ -7,10 +7,10 @@
 #include <cmath>
 #include <string_view>
 
+#include "synthesis/document/document.h"
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/problem/text.h"
-#include "synthesis/report/document.h"
 
 namespace mechwright {
 

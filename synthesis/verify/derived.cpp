@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/document/claimed_problem.h"
+#include "synthesis/document/followed_document.h"
+#include "synthesis/document/function_document.h"
 #include "synthesis/mechanism/function_target.h"
+#include "synthesis/program/error_extremes.h"
 #include "synthesis/program/singular.h"
-#include "synthesis/report/error_extremes.h"
-#include "synthesis/report/followed_document.h"
-#include "synthesis/report/function_document.h"
-#include "synthesis/verify/claimed_problem.h"
 #include "synthesis/verify/rebuilt.h"
 
 namespace mechwright {

@@ -8,15 +8,15 @@
 #include <functional>
 #include <numbers>
 
+#include "synthesis/document/claim_json.h"
+#include "synthesis/document/claimed_problem.h"
+#include "synthesis/document/proof_document.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/mechanism/possible_values.h"
 #include "synthesis/proof/empty_ranges.h"
 #include "synthesis/proof/known_limits.h"
-#include "synthesis/report/proof_document.h"
 #include "synthesis/verify/cam_bound.h"
-#include "synthesis/verify/claim_json.h"
-#include "synthesis/verify/claimed_problem.h"
 #include "synthesis/verify/rebuilt.h"
 
 namespace mechwright {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "synthesis/verify/claim.h"
+#include "synthesis/document/claim.h"
 
 namespace mechwright {
 

@@ -9,7 +9,7 @@
 #include "analysis/cam/boundary_polynomial.h"
 #include "analysis/cam/periodic_spline.h"
 #include "analysis/cam/segment.h"
-#include "analysis/extremes.h"
+#include "analysis/numbers/extremes.h"
 #include "tests/analysis/precise.h"
 
 namespace mechwright::cam {

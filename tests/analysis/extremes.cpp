@@ -1,6 +1,6 @@
 // Finding the stationary points of a measure, and the derivatives of its extreme value.
 
-#include "analysis/extremes.h"
+#include "analysis/numbers/extremes.h"
 
 #include <gtest/gtest.h>
 

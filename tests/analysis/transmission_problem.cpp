@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/extremes.h"
 #include "analysis/four_bar.h"
+#include "analysis/numbers/extremes.h"
 #include "tests/analysis/precise.h"
 
 namespace mechwright::test {

@@ -8,7 +8,7 @@
 #include "synthesis/bench/diagram.h"
 #include "synthesis/bench/markdown.h"
 #include "synthesis/bench/record.h"
-#include "synthesis/report/gnuplot.h"
+#include "synthesis/report/files/gnuplot.h"
 #include "tests/report/temporary_folder.h"
 
 namespace mechwright::bench {

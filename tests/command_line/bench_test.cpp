@@ -5,7 +5,7 @@
 
 #include <thread>
 
-#include "synthesis/report/run_program.h"
+#include "synthesis/report/files/run_program.h"
 #include "tests/command_line/problems.h"
 #include "tests/command_line/program.h"
 #include "tests/report/temporary_folder.h"

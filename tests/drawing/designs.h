@@ -7,8 +7,9 @@
 #include <string>
 
 #include "synthesis/problem/reader.h"
+#include "synthesis/program/assess.h"
 #include "synthesis/report/drawing/finished.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright::testing {
 

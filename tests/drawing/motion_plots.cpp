@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/report/document.h"
+#include "synthesis/document/document.h"
 #include "synthesis/report/drawing/motion_row.h"
 #include "tests/drawing/designs.h"
 

@@ -9,7 +9,7 @@
 
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "tests/degree.h"
 #include "tests/exact/all_solutions.h"
 

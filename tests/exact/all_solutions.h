@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright {
 

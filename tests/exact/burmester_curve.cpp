@@ -1,7 +1,7 @@
 // The Burmester curves: every point is a dyad, points are evenly spaced, and what the curves are known to pass is on
 // them.
 
-#include "synthesis/exact/burmester_curve.h"
+#include "synthesis/exact/poses/burmester_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // Dyads through poses: against the geometry that they are made from, and against what is known of their number.
 
-#include "synthesis/exact/dyads.h"
+#include "synthesis/exact/poses/dyads.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <random>
 
-#include "synthesis/exact/certified_dyad.h"
+#include "synthesis/exact/poses/certified_dyad.h"
 
 namespace mechwright {
 namespace {

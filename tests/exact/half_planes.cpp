@@ -1,6 +1,6 @@
 // Closest points of intersections of half-planes, and what is said of regions without one.
 
-#include "synthesis/exact/half_planes.h"
+#include "synthesis/exact/closed_form/half_planes.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "analysis/four_bar.h"
 #include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "tests/report/temporary_folder.h"
 
 namespace mechwright::homotopy {

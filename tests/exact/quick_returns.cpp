@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "synthesis/exact/closed_form.h"
+#include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/problem/reader.h"
 #include "tests/degree.h"
 

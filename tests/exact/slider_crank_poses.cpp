@@ -8,7 +8,7 @@
 #include "analysis/slider_crank.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "tests/degree.h"
 
 namespace mechwright {

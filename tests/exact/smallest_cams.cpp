@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
-#include "synthesis/exact/closed_form.h"
+#include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "tests/degree.h"
 
 namespace mechwright {

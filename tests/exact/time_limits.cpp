@@ -3,7 +3,7 @@
 #include <atomic>
 #include <ctime>
 
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright::testing {

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "synthesis/mechanism/cam/motion_program.h"
-#include "synthesis/problem/points.h"
 #include "synthesis/problem/reader.h"
+#include "synthesis/problem/sections/points.h"
 #include "tests/fuzz/evaluation.h"
 #include "tests/fuzz/require.h"
 

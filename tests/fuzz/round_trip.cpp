@@ -6,8 +6,8 @@
 
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/problem/toml_text.h"
-#include "synthesis/problem/varied_problem.h"
+#include "synthesis/problem/study/varied_problem.h"
+#include "synthesis/problem/toml/toml_text.h"
 #include "tests/fuzz/evaluation.h"
 #include "tests/fuzz/require.h"
 

@@ -7,8 +7,9 @@
 #include <numbers>
 
 #include "synthesis/problem/reader.h"
+#include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright {
 

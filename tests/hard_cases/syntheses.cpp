@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "synthesis/problem/reader.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "tests/hard_cases/table.h"
 
 namespace mechwright::test {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "analysis/four_bar.h"
-#include "synthesis/exact/crank_rocker.h"
+#include "analysis/four_bar/best_crank_rocker.h"
 #include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 

@@ -8,11 +8,11 @@
 #include <iterator>
 #include <string>
 
+#include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/report/document.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright::testing {
 

@@ -1,6 +1,6 @@
 // [study]
 
-#include "synthesis/problem/study.h"
+#include "synthesis/problem/study/study.h"
 
 #include "tests/problem/problem_text.h"
 

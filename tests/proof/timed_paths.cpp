@@ -6,7 +6,7 @@
 #include <random>
 
 #include "analysis/four_bar.h"
-#include "synthesis/mechanism/four_bar/timed_path_bound.h"
+#include "synthesis/proof/timed_path_bound.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {

@@ -1,4 +1,4 @@
-#include "synthesis/report/document.h"
+#include "synthesis/document/document.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "synthesis/report/motion_table.h"
+#include "synthesis/report/csv/motion_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "synthesis/report/summary.h"
+#include "synthesis/report/text/summary.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "synthesis/program/proof.h"
-#include "synthesis/report/table.h"
+#include "synthesis/report/text/table.h"
 #include "tests/report/examples.h"
 
 namespace mechwright {

@@ -1,4 +1,4 @@
-#include "synthesis/report/table.h"
+#include "synthesis/report/text/table.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "synthesis/report/temporary_folder.h"
+#include "synthesis/report/files/temporary_folder.h"
 
 namespace mechwright::testing {
 

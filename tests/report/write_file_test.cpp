@@ -1,4 +1,4 @@
-#include "synthesis/report/write_file.h"
+#include "synthesis/report/files/write_file.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>

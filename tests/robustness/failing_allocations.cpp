@@ -8,10 +8,10 @@
 #include <exception>
 #include <new>
 
+#include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/report/document.h"
 #include "synthesis/report/json_text.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "tests/robustness/allocation.h"
 #include "tests/robustness/problems.h"
 

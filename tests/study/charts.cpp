@@ -2,7 +2,7 @@
 
 #include "synthesis/study/charts.h"
 
-#include "synthesis/report/gnuplot.h"
+#include "synthesis/report/files/gnuplot.h"
 #include "tests/study/studies.h"
 
 namespace mechwright::testing {

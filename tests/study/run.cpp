@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/exact/crank_rocker.h"
+#include "analysis/four_bar/best_crank_rocker.h"
 #include "tests/study/studies.h"
 
 namespace mechwright::testing {

@@ -5,12 +5,12 @@
 
 #include <random>
 
+#include "synthesis/document/document.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/possible_values.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/report/document.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "synthesis/verify/rebuilt.h"
 #include "tests/verify/documents.h"
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/report/document.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "synthesis/verify/verify.h"
 
 namespace mechwright {

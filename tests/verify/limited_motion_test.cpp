@@ -7,12 +7,12 @@
 #include <limits>
 #include <random>
 
+#include "synthesis/document/document.h"
+#include "synthesis/mechanism/stationary.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/report/document.h"
-#include "synthesis/search/solve.h"
-#include "synthesis/verify/stationary.h"
+#include "synthesis/solve/solve.h"
 #include "tests/verify/documents.h"
 
 namespace mechwright {

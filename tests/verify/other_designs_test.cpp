@@ -7,14 +7,14 @@
 #include <numbers>
 
 #include "analysis/four_bar/cognates.h"
+#include "synthesis/document/document.h"
 #include "synthesis/mechanism/four_bar/cognates.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/singular.h"
-#include "synthesis/report/document.h"
-#include "synthesis/report/summary.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/report/text/summary.h"
+#include "synthesis/solve/solve.h"
 #include "synthesis/verify/asked.h"
 #include "tests/verify/documents.h"
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/report/document.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 #include "tests/verify/documents.h"
 
 namespace mechwright {

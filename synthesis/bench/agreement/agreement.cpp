@@ -7,7 +7,7 @@
 #include "synthesis/bench/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/shipped.h"
-#include "synthesis/report/document.h"
+#include "synthesis/document/document.h"
 
 namespace mechwright::bench {
 

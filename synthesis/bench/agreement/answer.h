@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "synthesis/program/result.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright::bench {
 

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/bench/exact/nine_points.h"
 #include "synthesis/bench/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
-#include "synthesis/exact/dyads.h"
 #include "synthesis/exact/homotopy/certify.h"
-#include "synthesis/search/low_discrepancy.h"
+#include "synthesis/exact/poses/dyads.h"
 
 namespace mechwright::bench {
 

@@ -4,7 +4,7 @@
 #include "analysis/cam/segment.h"
 #include "synthesis/bench/extremes/cases.h"
 #include "synthesis/bench/extremes/given_design.h"
-#include "synthesis/exact/closed_form.h"
+#include "synthesis/exact/closed_form/closed_form.h"
 
 namespace mechwright::bench {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/search/low_discrepancy.h"
 
 namespace mechwright::bench {
 

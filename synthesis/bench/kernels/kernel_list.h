@@ -13,10 +13,10 @@
 #include "analysis/cam/roller_follower.h"
 #include "analysis/cam/segment.h"
 #include "analysis/four_bar.h"
+#include "analysis/numbers/low_discrepancy.h"
 #include "analysis/quick_return.h"
 #include "analysis/slider_crank.h"
 #include "synthesis/bench/kernels/textbook.h"
-#include "synthesis/search/low_discrepancy.h"
 
 namespace mechwright::bench {
 

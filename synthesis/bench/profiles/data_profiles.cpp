@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/bench/markdown.h"
 #include "synthesis/bench/profiles/runs.h"
 #include "synthesis/bench/profiles/searches.h"
@@ -12,8 +13,7 @@
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/shipped.h"
 #include "synthesis/bench/timing.h"
-#include "synthesis/search/low_discrepancy.h"
-#include "synthesis/search/work_sharing.h"
+#include "synthesis/program/work_sharing.h"
 
 namespace mechwright::bench {
 

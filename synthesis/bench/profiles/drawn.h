@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "synthesis/search/low_discrepancy.h"
+#include "analysis/numbers/low_discrepancy.h"
 
 namespace mechwright::bench {
 

@@ -11,7 +11,7 @@
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 namespace mechwright::bench {
 

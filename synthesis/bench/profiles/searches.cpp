@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/local/controlled_random_search.h"
 #include "synthesis/program/assess.h"
-#include "synthesis/search/low_discrepancy.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/search/path_search.h"
 

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "synthesis/problem/text.h"
-#include "synthesis/report/table.h"
+#include "synthesis/report/text/table.h"
 
 namespace mechwright {
 

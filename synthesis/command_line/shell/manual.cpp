@@ -6,7 +6,7 @@
 #include <array>
 
 #include "synthesis/command_line/exit_code.h"
-#include "synthesis/report/versions.h"
+#include "synthesis/document/versions.h"
 
 namespace mechwright {
 

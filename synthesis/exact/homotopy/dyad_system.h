@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// A dyad that meets four conditions (synthesis/exact/dyads.h) as four equations in the coordinates of its pivots, each
-/// linear in 1, a.x, a.y, x.x, x.y, Re(x conj(a)), Im(x conj(a)).
+/// A dyad that meets four conditions (synthesis/exact/poses/dyads.h) as four equations in the coordinates of its
+/// pivots, each linear in 1, a.x, a.y, x.x, x.y, Re(x conj(a)), Im(x conj(a)).
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include "synthesis/exact/dyad_equation.h"
 #include "synthesis/exact/homotopy/linear_system.h"
+#include "synthesis/exact/poses/dyad_equation.h"
 
 namespace mechwright::homotopy {
 

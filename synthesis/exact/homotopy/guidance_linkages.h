@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "synthesis/exact/guided_linkage.h"
 #include "synthesis/exact/homotopy/guidance_solutions.h"
+#include "synthesis/exact/poses/guided_linkage.h"
 
 namespace mechwright::homotopy {
 

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <functional>
 
-#include "synthesis/search/work_sharing.h"
+#include "synthesis/program/work_sharing.h"
 
 namespace mechwright::homotopy {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/search/low_discrepancy.h"
+#include "analysis/numbers/low_discrepancy.h"
 
 namespace mechwright::homotopy {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "synthesis/search/low_discrepancy.h"
+#include "analysis/numbers/low_discrepancy.h"
 
 namespace mechwright::homotopy {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "synthesis/exact/homotopy/linear_system.h"
-#include "synthesis/search/run_end.h"
+#include "synthesis/program/run_end.h"
 
 namespace mechwright::homotopy {
 

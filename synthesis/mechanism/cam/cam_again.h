@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "analysis/numbers/golden_section.h"
 #include "synthesis/mechanism/cam/layout.h"
-#include "synthesis/verify/golden_section.h"
 
 namespace mechwright::cam::again {
 

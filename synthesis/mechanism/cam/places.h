@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/extremes.h"
+#include "analysis/numbers/extremes.h"
 #include "synthesis/mechanism/cam/layout.h"
 
 namespace mechwright::cam {

@@ -13,7 +13,7 @@
 
 #include "analysis/geometry/vector.h"
 #include "synthesis/mechanism/mechanism.h"
-#include "synthesis/verify/stationary.h"
+#include "synthesis/mechanism/stationary.h"
 
 namespace mechwright::four_bar::again {
 

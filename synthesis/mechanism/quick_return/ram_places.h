@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "synthesis/mechanism/quick_return/ram_again.h"
-#include "synthesis/verify/stationary.h"
+#include "synthesis/mechanism/stationary.h"
 
 namespace mechwright::quick_return::again {
 

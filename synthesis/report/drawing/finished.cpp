@@ -1,9 +1,9 @@
 #include "synthesis/report/drawing/finished.h"
 
+#include "synthesis/document/claimed_problem.h"
+#include "synthesis/document/document.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/report/document.h"
-#include "synthesis/verify/claimed_problem.h"
 
 namespace mechwright {
 

@@ -10,10 +10,10 @@
 
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/report/csv_text.h"
+#include "synthesis/report/csv/csv_text.h"
 #include "synthesis/report/drawing/motion_row.h"
-#include "synthesis/report/gnuplot.h"
-#include "synthesis/report/table.h"
+#include "synthesis/report/files/gnuplot.h"
+#include "synthesis/report/text/table.h"
 
 namespace mechwright {
 

@@ -3,8 +3,8 @@
 #include <cerrno>
 #include <system_error>
 
-#include "synthesis/report/gnuplot.h"
-#include "synthesis/report/run_program.h"
+#include "synthesis/report/files/gnuplot.h"
+#include "synthesis/report/files/run_program.h"
 
 namespace mechwright {
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/document/versions.h"
 #include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
-#include "synthesis/report/gnuplot.h"
+#include "synthesis/report/files/gnuplot.h"
 #include "synthesis/report/page/assets.h"
 #include "synthesis/report/page/tables.h"
-#include "synthesis/report/versions.h"
 
 namespace mechwright {
 

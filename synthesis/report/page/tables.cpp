@@ -8,7 +8,7 @@
 #include "synthesis/problem/units.h"
 #include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/names.h"
-#include "synthesis/report/table.h"
+#include "synthesis/report/text/table.h"
 
 namespace mechwright {
 

@@ -1,9 +1,9 @@
 // Solves a problem and prints the result document; fails unless the design is solved and verified.
 #include <iostream>
 
+#include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/report/document.h"
-#include "synthesis/search/solve.h"
+#include "synthesis/solve/solve.h"
 
 constexpr const char* problem_text = R"(
 schema    = 1

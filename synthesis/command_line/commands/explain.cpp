@@ -1,0 +1,242 @@
+// mechwright explain: what a quantity, a dimension, a setting or a mechanism is.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "synthesis/command_line/commands.h"
+#include "synthesis/command_line/exit_code.h"
+#include "synthesis/mechanism/explanations/explanations.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/report/names.h"
+#include "synthesis/report/text/table.h"
+
+namespace mechwright {
+
+namespace {
+
+struct ExplainOptions {
+    std::string name;
+    std::string mechanism;
+};
+
+using Mechanisms = std::vector<const Mechanism*>;
+
+/// "  label      text", folded; nothing for an empty text.
+std::string line(std::string_view label, std::string_view text) {
+    return text.empty() ? "" : folded(fmt::format("  {:<12}", label), text);
+}
+
+/// Every kind of cam is a mechanism of its own: "cam" for all, else "cam with ...".
+std::string listed_mechanisms(const Mechanisms& some) {
+    const Mechanisms all(mechanisms().begin(), mechanisms().end());
+    std::vector<std::string> names;
+    const auto is_cam = [](const Mechanism* m) { return m->name == "cam"; };
+    const bool all_cams =
+        std::count_if(some.begin(), some.end(), is_cam) == std::count_if(all.begin(), all.end(), is_cam);
+    for (const Mechanism* mechanism : some)
+        if (!is_cam(mechanism))
+            names.emplace_back(mechanism->name);
+        else if (!all_cams)
+            names.emplace_back(mechanism->meaning.substr(mechanism->meaning.find("cam")));
+        else if (names.empty() || names.back() != "cam")
+            names.emplace_back("cam");
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Each formula with the mechanisms for which it holds, where there are several.
+std::string formulas_of(const Explanation& explanation, const Mechanisms& some) {
+    std::string text;
+    std::vector<const Formula*> used;
+    for (const Formula& formula : explanation.formulas)
+        if (std::any_of(some.begin(), some.end(),
+                        [&](const auto* m) { return formula_for(explanation, *m) == &formula; }))
+            used.push_back(&formula);
+    for (const Formula* formula : used) {
+        std::string of;
+        if (used.size() > 1) {
+            Mechanisms holders;
+            std::copy_if(some.begin(), some.end(), std::back_inserter(holders),
+                         [&](const auto* m) { return formula_for(explanation, *m) == formula; });
+            of = listed_mechanisms(holders) + ": ";
+        }
+        text += line(text.empty() ? "formula" : "", of + std::string(formula->text));
+        text += line("", "[" + std::string(formula->source) + "]");
+    }
+    return text;
+}
+
+std::string snippet_of(const Explanation& explanation) {
+    const std::size_t equals = explanation.require.find(" = ");
+    std::string text =
+        fmt::format("\nIn a problem file:\n\n  [[require]]\n  quantity = \"{}\"\n  {:<8} = {}\n", explanation.name,
+                    explanation.require.substr(0, equals), explanation.require.substr(equals + 3));
+    if (!explanation.objective.empty())
+        text += fmt::format("\n  [objective]\n  {} = \"{}\"\n", explanation.objective, explanation.name);
+    return text;
+}
+
+/// What else to look at: related names that several explanations share, without the one that is explained.
+std::string others(std::string_view related, std::string_view name) {
+    std::string list;
+    while (!related.empty()) {
+        const std::size_t comma = std::min(related.find(", "), related.size());
+        const std::string_view one = related.substr(0, comma);
+        if (one != name) list += (list.empty() ? "" : ", ") + std::string(one);
+        related.remove_prefix(std::min(comma + 2, related.size()));
+    }
+    return list;
+}
+
+std::string as_quantity(std::string_view name, const Mechanisms& of, bool colour) {
+    Mechanisms with;
+    std::copy_if(of.begin(), of.end(), std::back_inserter(with),
+                 [&](const Mechanism* m) { return find_quantity(*m, name) >= 0; });
+    const Explanation* explanation = find_explanation(name);
+    if (with.empty() || explanation == nullptr) return {};
+    std::vector<std::string_view> units;
+    for (const Mechanism* mechanism : with) {
+        const std::string_view unit =
+            name_of(mechanism->quantities[static_cast<std::size_t>(find_quantity(*mechanism, name))].unit);
+        if (std::find(units.begin(), units.end(), unit) == units.end()) units.push_back(unit);
+    }
+    return emphasised(name, Emphasis::strong, colour) + fmt::format(": quantity, {}\n\n", fmt::join(units, " or ")) +
+           folded("", explanation->what) + "\n" + line("of", listed_mechanisms(with)) +
+           line("over", explanation->over) + formulas_of(*explanation, with) + line("usual", explanation->usual) +
+           line("undefined", explanation->undefined) + line("see also", others(explanation->related, name)) +
+           snippet_of(*explanation);
+}
+
+std::string kind_of(const Dimension& dimension) {
+    const std::string also = dimension.required ? "" : "; 0 if left out";
+    switch (dimension.kind) {
+        case DimensionKind::length: return "length > 0" + also;
+        case DimensionKind::coordinate: return "length of either sign" + also;
+        case DimensionKind::angle: return "angle" + also;
+        case DimensionKind::force: return "force" + also;
+        case DimensionKind::number: return "number" + also;
+    }
+    return "";
+}
+
+std::string place_of(const Dimension& dimension) {
+    if (dimension.of_segment) return "said by the [[segment]]s of the motion; results name it so";
+    if (dimension.of_target) return "said in [function], [line] or [arc]; results name it so";
+    return "said in [dimensions]: a number, or { min = ..., max = ... } to be designed";
+}
+
+/// The meanings that a name has, each with the mechanisms that mean it.
+struct Meaning {
+    const Dimension* dimension;
+    Mechanisms of;
+};
+
+std::vector<Meaning> meanings_of(std::string_view name, const Mechanisms& of) {
+    std::vector<Meaning> meanings;
+    for (const Mechanism* mechanism : of) {
+        const int index = find_dimension(*mechanism, name);
+        if (index < 0) continue;
+        const Dimension* dimension = &mechanism->dimensions[static_cast<std::size_t>(index)];
+        const auto same = std::find_if(meanings.begin(), meanings.end(), [&](const Meaning& m) {
+            return m.dimension->meaning == dimension->meaning && m.dimension->kind == dimension->kind;
+        });
+        if (same == meanings.end())
+            meanings.push_back({dimension, {mechanism}});
+        else
+            same->of.push_back(mechanism);
+    }
+    return meanings;
+}
+
+std::string as_dimension(std::string_view name, const Mechanisms& of, bool colour) {
+    std::string text;
+    for (const Meaning& meaning : meanings_of(name, of)) {
+        text += text.empty() ? emphasised(name, Emphasis::strong, colour) + ": dimension\n\n" : "\n";
+        text += line("of", listed_mechanisms(meaning.of)) + line("is", meaning.dimension->meaning) +
+                line("kind", kind_of(*meaning.dimension)) + line("where", place_of(*meaning.dimension));
+    }
+    return text;
+}
+
+std::string as_setting(std::string_view name, const Mechanisms& of, bool colour) {
+    std::string text;
+    for (const Mechanism* mechanism : of)
+        for (const Setting& setting : mechanism->settings)
+            if (setting.name == name && text.empty())
+                text = emphasised(name, Emphasis::strong, colour) + ": setting\n\n" + line("is", setting.meaning) +
+                       line("where", fmt::format("{} in [{}], {} if left out", name, setting.section, setting.preset));
+    return text;
+}
+
+template <class Named>
+std::string names_of(const Named& all) {
+    std::vector<std::string_view> names;
+    for (const auto& one : all)
+        names.push_back(one.name);
+    return reading::listed(names);
+}
+
+std::string as_mechanism(std::string_view name, const Mechanisms& of, bool colour) {
+    std::string text;
+    for (const Mechanism* mechanism : of) {
+        if (mechanism->name != name) continue;
+        std::vector<Dimension> own;
+        std::copy_if(mechanism->dimensions.begin(), mechanism->dimensions.end(), std::back_inserter(own),
+                     [](const Dimension& d) { return !d.of_segment && !d.name.empty(); });
+        if (!text.empty()) text += "\n";
+        text += folded(emphasised(name, Emphasis::strong, colour) + ": ", mechanism->meaning) + "\n" +
+                line("dimensions", names_of(own)) + line("assemblies", reading::listed(mechanism->assemblies)) +
+                line("quantities", names_of(mechanism->quantities)) + line("settings", names_of(mechanism->settings));
+    }
+    return text.empty()
+               ? text
+               : text + fmt::format("\nA problem file to begin with: mechwright new --mechanism {} ...\n", name);
+}
+
+int unknown(std::string_view what, std::string_view name, std::span<const std::string_view> known, Console& console) {
+    const std::string_view nearest = nearest_name(name, known);
+    complain(console, fmt::format("unknown {} {}; {}", what, reading::quoted(name),
+                                  nearest.empty() ? "'mechwright quantities' lists what there is"
+                                                  : fmt::format("did you mean '{}'?", nearest)));
+    return exit_code::wrong_usage;
+}
+
+int explain(const ExplainOptions& options, Console& console) {
+    Mechanisms of;
+    std::copy_if(mechanisms().begin(), mechanisms().end(), std::back_inserter(of),
+                 [&](const Mechanism* m) { return options.mechanism.empty() || m->name == options.mechanism; });
+    if (of.empty()) return unknown("mechanism", options.mechanism, mechanism_names(), console);
+    const std::vector<std::string_view> known = explained_names();
+    if (std::find(known.begin(), known.end(), options.name) == known.end())
+        return unknown("quantity", options.name, known, console);
+
+    const bool colour = colour_wanted(console);
+    std::string text;
+    for (const auto& part : {as_quantity, as_dimension, as_setting, as_mechanism})
+        if (const std::string more = part(options.name, of, colour); !more.empty())
+            text += (text.empty() ? "" : "\n") + more;
+    if (text.empty()) {
+        complain(console, fmt::format("a {} has no {}; 'mechwright quantities {}' lists what it has", options.mechanism,
+                                      options.name, options.mechanism));
+        return exit_code::wrong_usage;
+    }
+    print(console, text);
+    return exit_code::solved;
+}
+
+}  // namespace
+
+Command add_explain(CLI::App& program) {
+    const auto options = std::make_shared<ExplainOptions>();
+    CLI::App* command = program.add_subcommand("explain", "Explain a quantity or dimension: formula, usual values");
+    command->add_option("QUANTITY", options->name, "Or a dimension, a setting, a mechanism")
+        ->required()
+        ->option_text(" ");
+    command->add_option("MECHANISM", options->mechanism, "Only as this mechanism has it")->option_text(" ");
+    return {command, [options](Console& console) { return explain(*options, console); }};
+}
+
+}  // namespace mechwright

@@ -1,0 +1,260 @@
+#include "synthesis/exact/poses/poses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/exact/poses/certified_dyad.h"
+#include "synthesis/exact/poses/pose_targets.h"
+#include "synthesis/mechanism/four_bar/four_bar.h"
+
+namespace mechwright {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Those of the rocker's, from the crank's.
+PivotRanges rocker_pivot_ranges(const PoseTargets& g, Complex crank_pivot) {
+    const Problem& problem = *g.problem;
+    const DimensionRange &ground = problem.dimensions[0],
+                         &tilt = problem.dimensions[problem.mechanism->path_roles.tilt];
+    return {crank_pivot, true, ground.min / g.place.size, ground.max / g.place.size, tilt.min, tilt.max};
+}
+
+bool is_same(const Dyad& a, const Dyad& b) {
+    constexpr double rounding = 1e-7;
+    return std::abs(a.fixed - b.fixed) + std::abs(a.moving - b.moving) <=
+           rounding * (1 + std::abs(a.fixed) + std::abs(a.moving));
+}
+
+/// Every four-bar of a crank dyad and those of the rocker.
+template <class Take>
+void for_each_linkage(const PoseTargets& g, const Dyad& crank, std::span<const Displacement> displacements,
+                      const std::vector<Dyad>& rockers, const Take& take) {
+    std::vector<Displacement> places{{0, 1}};
+    places.insert(places.end(), displacements.begin(), displacements.end());
+    for (const Dyad& rocker : rockers) {
+        if (is_same(crank, rocker)) continue;
+        if (const auto linkage = linkage_of(crank, rocker, places, g.place)) take(exact_design(*g.problem, *linkage));
+    }
+}
+
+/// The best four-bar of the poses whose dyads the numbers choose.
+std::optional<ExactDesign> member_of_poses(const PoseTargets& g, std::span<const double> numbers) {
+    const std::size_t each = numbers_of_dyad(g.places());
+    std::optional<ExactDesign> best;
+    for (const Dyad& crank : dyads_of(g.displacements, numbers.first(each), crank_pivot_ranges(g)))
+        for_each_linkage(g, crank, g.displacements,
+                         dyads_of(g.displacements, numbers.subspan(each), rocker_pivot_ranges(g, crank.fixed)),
+                         [&](ExactDesign design) { keep_better(*g.problem, best, std::move(design)); });
+    return best;
+}
+
+/// The crank of timed points seen from the other end of the coupler: a dyad whose moving pivot is the crank pin,
+/// turned by half a turn, and whose link runs from the pin to the point. This is the crank's own dyad, and how the
+/// coupler turns with it.
+struct TimedCrank {
+    Dyad dyad;
+    std::vector<Displacement> displacements;
+};
+
+TimedCrank timed_crank(const PoseTargets& g, const Dyad& seen) {
+    TimedCrank crank{{seen.fixed, seen.fixed - seen.moving}, {}};
+    const Complex first = seen.moving - seen.fixed;  // from the pin to the point
+    for (const auto& [shift, turn] : g.displacements) {
+        const Complex now = shift - seen.fixed + seen.moving * turn;
+        const Complex coupler_turn = now / first;
+        crank.displacements.push_back({shift, coupler_turn / std::abs(coupler_turn)});
+    }
+    return crank;
+}
+
+/// Where the crank's start and the ground link's direction are given, the crank pin's direction is.
+std::optional<DyadCondition> line_of_crank_pin(const PoseTargets& g) {
+    const Problem& problem = *g.problem;
+    const PathRoles& roles = problem.mechanism->path_roles;
+    const DimensionRange &start = problem.dimensions[roles.start], &tilt = problem.dimensions[roles.tilt];
+    if (!start.fixed() || !tilt.fixed()) return {};
+    return moving_pivot_on_line(0, std::polar(1.0, tilt.min + start.min + problem.path->crank_angles.front()));
+}
+
+std::optional<ExactDesign> member_of_timed_points(const PoseTargets& g, std::span<const double> numbers) {
+    const std::size_t each = numbers_of_dyad(g.places());
+    std::optional<ExactDesign> best;
+    for (const Dyad& seen :
+         dyads_of(g.displacements, numbers.first(each), crank_pivot_ranges(g), line_of_crank_pin(g))) {
+        const TimedCrank crank = timed_crank(g, seen);
+        for_each_linkage(g, crank.dyad, crank.displacements,
+                         dyads_of(crank.displacements, numbers.subspan(each), rocker_pivot_ranges(g, seen.fixed)),
+                         [&](ExactDesign design) { keep_better(*g.problem, best, std::move(design)); });
+    }
+    return best;
+}
+
+/// A real dyad of five poses, rounded from its certificate where there is one.
+struct RealDyad {
+    Dyad dyad;
+    std::optional<CertifiedDyad> proof;
+};
+
+/// The dyads of five poses, added to what has been counted.
+std::vector<RealDyad> counted(const std::vector<Displacement>& displacements,
+                              const std::vector<ExactDisplacement>& exact, SolutionCounts& counts, bool& complete) {
+    const DyadSolutions found = dyads_through(std::span<const Displacement, 4>(displacements));
+    counts.tracked += 4;
+    counts.distinct += found.dyads.size();
+    counts.at_infinity += found.at_infinity;
+    counts.singular += found.singular;
+    complete = complete && found.isolated && found.dyads.size() + found.at_infinity + found.singular == 4;
+    std::vector<RealDyad> dyads;
+    for (const ComplexDyad& dyad : found.dyads) {
+        const auto real = real_dyad(dyad);
+        if (!real) continue;
+        RealDyad one{*real, {}};
+        if (exact.size() == 4) {
+            one.proof =
+                certified(*real, std::array<ExactCondition, 4>{exact_condition(exact[0]), exact_condition(exact[1]),
+                                                               exact_condition(exact[2]), exact_condition(exact[3])});
+            if (one.proof) one.dyad = one.proof->dyad;
+        }
+        dyads.push_back(std::move(one));
+    }
+    return dyads;
+}
+
+std::vector<Dyad> plain(const std::vector<RealDyad>& dyads) {
+    std::vector<Dyad> all;
+    for (const RealDyad& one : dyads)
+        all.push_back(one.dyad);
+    return all;
+}
+
+std::size_t certified_of(const std::vector<RealDyad>& dyads) {
+    return static_cast<std::size_t>(
+        std::count_if(dyads.begin(), dyads.end(), [](const RealDyad& one) { return one.proof.has_value(); }));
+}
+
+/// How the coupler turns with a crank at five points, in fifty digits; nothing without a proof of the crank.
+std::vector<ExactDisplacement> exact_coupler(const PoseTargets& g, const std::optional<CertifiedDyad>& seen) {
+    std::vector<ExactDisplacement> all;
+    if (!seen) return all;
+    const auto& a = seen->fixed;
+    const auto& x = seen->moving;
+    const Vector<Digits50> first = x - a;
+    for (const auto& [shift, turn] : g.exact) {
+        const Vector<Digits50> now{shift.x - a.x + (x.x * turn.x - x.y * turn.y),
+                                   shift.y - a.y + (x.x * turn.y + x.y * turn.x)};
+        const Digits50 square = dot(first, first);
+        all.push_back({shift, {dot(first, now) / square, cross(first, now) / square}});
+    }
+    return all;
+}
+
+constexpr std::string_view not_independent =
+    "the targets are special: whole families of dyads meet them, of which none are listed; one target less leaves a "
+    "family that is searched";
+
+ExactDesigns through_five_poses(const PoseTargets& g) {
+    ExactDesigns out;
+    bool complete = true;
+    SolutionCounts counts;
+    const std::vector<RealDyad> real = counted(g.displacements, g.exact, counts, complete);
+    counts.real = real.size();
+    counts.certified = certified_of(real);
+    const std::vector<Dyad> dyads = plain(real);
+    for (const Dyad& crank : dyads)
+        for_each_linkage(g, crank, g.displacements, dyads,
+                         [&](ExactDesign design) { add_design(out, std::move(design)); });
+    out.counts = counts;
+    out.evaluations = static_cast<long>(counts.tracked);
+    if (complete)
+        out.proof = proof_by(
+            fmt::format("Burmester: all 4 dyads through five poses are accounted for, {} of them real", counts.real),
+            CountCertificate{});
+    return out;
+}
+
+ExactDesigns through_five_timed_points(const PoseTargets& g) {
+    ExactDesigns out;
+    bool complete = true;
+    SolutionCounts counts;
+    const std::vector<RealDyad> cranks = counted(g.displacements, g.exact, counts, complete);
+    for (const auto& [seen, proof] : cranks) {
+        const TimedCrank crank = timed_crank(g, seen);
+        const std::vector<RealDyad> rockers = counted(crank.displacements, exact_coupler(g, proof), counts, complete);
+        for (const RealDyad& rocker : rockers)
+            for_each_linkage(g, crank.dyad, crank.displacements, {rocker.dyad}, [&](ExactDesign design) {
+                ++counts.real;
+                if (rocker.proof) ++counts.certified;
+                add_design(out, std::move(design));
+            });
+    }
+    out.counts = counts;
+    out.evaluations = static_cast<long>(counts.tracked);
+    if (complete)
+        out.proof = proof_by(
+            fmt::format("Burmester, twice: of all 4 cranks at five points with their timing {} are real; the 4 dyads "
+                        "that go with each of these are accounted for",
+                        cranks.size()),
+            CountCertificate{});
+    return out;
+}
+
+std::string why_no_four_bar_targets(const Problem& problem) {
+    if (problem.mechanism != &four_bar_mechanism()) return "it guides by four-bars alone";
+    if (has_ties(problem)) return "dimensions are tied to others";
+    return {};
+}
+
+/// A number of targets that the method does not take.
+std::string why_not_so_many(std::size_t count, std::string_view targets) {
+    if (count < 2) return fmt::format("it needs from two to five {}, and there is one", targets);
+    if (count <= 5) return {};
+    return fmt::format(
+        "it finds four-bars through up to five {}, and there are {}: through more no linkage passes in "
+        "general; least-squares finds the closest",
+        targets, count);
+}
+
+ExactDesigns finished(const Problem& problem, ExactDesigns out) {
+    if (out.counts && out.counts->distinct + out.counts->at_infinity + out.counts->singular < out.counts->tracked)
+        out.note = not_independent;
+    rank(problem, out);
+    return out;
+}
+
+}  // namespace
+
+std::string why_no_poses(const Problem& problem) {
+    if (const std::string why = why_no_four_bar_targets(problem); !why.empty()) return why;
+    if (!problem.path || !problem.path->guides_body()) return "it needs [poses]";
+    if (problem.path->prescribed_timing) return "it needs poses that are met at any crank angle: timing = \"free\"";
+    return why_not_so_many(problem.path->points.size(), "poses");
+}
+
+ExactDesigns pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
+    const PoseTargets g = pose_targets(problem);
+    if (g.places() == 5) return finished(problem, through_five_poses(g));
+    return search_family(
+        problem, 2 * numbers_of_dyad(g.places()),
+        [&](std::span<const double> numbers) { return member_of_poses(g, numbers); }, options, end);
+}
+
+std::string why_no_timed_points(const Problem& problem) {
+    if (const std::string why = why_no_four_bar_targets(problem); !why.empty()) return why;
+    if (!problem.path || problem.path->guides_body()) return "it needs a [path]";
+    if (!problem.path->prescribed_timing) return "it needs timing = \"prescribed\"";
+    return why_not_so_many(problem.path->points.size(), "points at given crank angles");
+}
+
+ExactDesigns timed_point_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
+    const PoseTargets g = pose_targets(problem);
+    if (g.places() == 5) return finished(problem, through_five_timed_points(g));
+    return search_family(
+        problem, 2 * numbers_of_dyad(g.places()),
+        [&](std::span<const double> numbers) { return member_of_timed_points(g, numbers); }, options, end);
+}
+
+}  // namespace mechwright

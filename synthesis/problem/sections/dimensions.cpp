@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "synthesis/problem/sections/sections.h"
+#include "synthesis/problem/text.h"
+
+namespace mechwright::reading {
+
+namespace {
+
+constexpr std::string_view assembly_key = "assembly";
+constexpr std::string_view any_assembly = "either";
+
+bool stands_in_dimensions(const Dimension& dimension) { return !dimension.of_segment && !dimension.of_target; }
+
+/// A value that ought to be there; reported if it is not.
+std::optional<double> required_number(Section& section, std::string_view key, Messages& messages) {
+    if (!has(section, key))
+        add_error(messages, section.place,
+                  fmt::format("{} is missing: write {{ min = ..., max = ... }}", name_of(section, key)));
+    return read_number(section, key, messages);
+}
+
+void check_range(const Section& range, const Dimension& dimension, const DimensionRange& read, Messages& messages) {
+    const bool length = dimension.kind == DimensionKind::length;
+    const Place min = place_of(range, "min");
+    if (read.min > read.max)
+        return add_error(messages, min,
+                         fmt::format("'min' {} is greater than 'max' {} in {}", read.min, read.max, range.title));
+    if (length && read.min < 0)
+        add_error(messages, min, fmt::format("'min' in {} must be 0 or greater, not {}", range.title, read.min));
+    if (length && read.max <= 0)
+        add_error(messages, place_of(range, "max"),
+                  fmt::format("'max' in {} must be greater than 0, not {}", range.title, read.max));
+    if (!read.start) return;
+    if (*read.start < read.min || *read.start > read.max)
+        add_error(messages, place_of(range, "start"),
+                  fmt::format("'start' {} in {} must lie between 'min' {} and 'max' {}", *read.start, range.title,
+                              read.min, read.max));
+    else if (length && *read.start <= 0)
+        add_error(messages, place_of(range, "start"), fmt::format("'start' in {} must be greater than 0", range.title));
+}
+
+std::optional<DimensionRange> read_range(const toml::node& node, const Dimension& dimension, Messages& messages) {
+    Section range{node.as_table(), fmt::format("the range of '{}'", dimension.name), place_of(node)};
+    const auto min = required_number(range, "min", messages);
+    const auto max = required_number(range, "max", messages);
+    const auto start = read_number(range, "start", messages);
+    report_unknown_keys(range, messages);
+    if (!min || !max) return {};
+    const DimensionRange read{*min, *max, start, true};
+    check_range(range, dimension, read, messages);
+    return read;
+}
+
+/// { of = "coupler", times = 2 }; the other dimension need not have been read yet.
+std::optional<DimensionRange> read_tie(const toml::node& node, std::size_t index, const Mechanism& mechanism,
+                                       Messages& messages) {
+    const Dimension& dimension = mechanism.dimensions[index];
+    Section section{node.as_table(), fmt::format("the tie of '{}'", dimension.name), place_of(node)};
+    const auto other = read_string(section, "of", messages);
+    const double times = read_number(section, "times", messages).value_or(1);
+    report_unknown_keys(section, messages);
+    if (!other) return {};
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
+        const Dimension& d = mechanism.dimensions[i];
+        if (i != index && stands_in_dimensions(d) && scales(d.kind) == scales(dimension.kind)) names.push_back(d.name);
+    }
+    const int of = find_dimension(mechanism, *other);
+    if (std::find(names.begin(), names.end(), *other) == names.end()) {
+        add_error(
+            messages, place_of(section, "of"),
+            fmt::format("'of' in {} must be another dimension of the same kind: {}", section.title, listed(names)));
+        return {};
+    }
+    if (times == 0 || (dimension.kind == DimensionKind::length && times < 0)) {
+        add_error(messages, place_of(section, "times"),
+                  fmt::format("'times' in {} must be {}, not {}", section.title,
+                              times == 0 ? "other than 0" : "greater than 0: it is a length", times));
+        return {};
+    }
+    DimensionRange tied{0, 0, {}, true, {}};
+    tied.tie = {static_cast<std::size_t>(of), times};
+    return tied;
+}
+
+/// The ranges of tied dimensions, once all others are known.
+void resolve_ties(const Section& section, Problem& problem, Messages& messages) {
+    for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
+        DimensionRange& tied = problem.dimensions[i];
+        if (!tied.tied()) continue;
+        const std::string_view name = problem.mechanism->dimensions[i].name;
+        const DimensionRange& other = problem.dimensions[tied.tie.of];
+        if (other.tied() || !other.named) {
+            add_error(messages, place_of(section, name),
+                      fmt::format("'{}' is tied to '{}', which {}: tie it to a dimension that has a number or a range",
+                                  name, problem.mechanism->dimensions[tied.tie.of].name,
+                                  other.tied() ? "is tied itself" : "is not given"));
+            continue;
+        }
+        const auto [least, greatest] = std::minmax({tied.tie.times * other.min, tied.tie.times * other.max});
+        tied.min = least;
+        tied.max = greatest;
+        if (other.fixed()) tied.tie = {};
+    }
+}
+
+std::optional<DimensionRange> read_fixed(const toml::node& node, const Dimension& dimension, Messages& messages) {
+    if (!node.is_number()) {
+        report_kind(node, fmt::format("'{}'", dimension.name), "a number or a range { min = ..., max = ... }",
+                    messages);
+        return {};
+    }
+    const auto number = to_number(node, fmt::format("'{}'", dimension.name), messages);
+    if (!number) return {};
+    if (dimension.kind == DimensionKind::length && *number <= 0)
+        add_error(messages, place_of(node),
+                  fmt::format("'{}' is a length and must be greater than 0, not {}", dimension.name, *number));
+    return DimensionRange{*number, *number, {}, true};
+}
+
+DimensionRange in_radians(const Units& units, const DimensionRange& range) {
+    DimensionRange converted = range;
+    converted.min = to_radians(units, range.min);
+    converted.max = to_radians(units, range.max);
+    if (range.start) converted.start = to_radians(units, *range.start);
+    return converted;
+}
+
+DimensionRange read_dimension(Section& section, std::size_t index, const Mechanism& mechanism, const Units& units,
+                              Messages& messages) {
+    const Dimension& dimension = mechanism.dimensions[index];
+    const toml::node* node = find(section, dimension.name);
+    if (node == nullptr) {
+        if (dimension.required)
+            add_error(messages, section.place,
+                      fmt::format("dimension '{}' ({}) is missing: give a number, or {{ min = ..., max = ... }}",
+                                  dimension.name, dimension.meaning));
+        return {};
+    }
+    if (node->is_table() && node->as_table()->contains("of"))
+        return read_tie(*node, index, mechanism, messages).value_or(DimensionRange{});
+    return to_dimension(*node, dimension, units, messages).value_or(DimensionRange{});
+}
+
+std::vector<std::size_t> read_assemblies(Section& section, const Mechanism& mechanism, Messages& messages) {
+    if (mechanism.assemblies.size() < 2) return {0};
+    std::vector<std::string_view> names(mechanism.assemblies.begin(), mechanism.assemblies.end());
+    names.push_back(any_assembly);
+    const auto chosen = read_choice(section, assembly_key, "assembly", names, messages);
+    if (chosen != mechanism.assemblies.size()) return {chosen.value_or(0)};
+    std::vector<std::size_t> all(mechanism.assemblies.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i] = i;
+    return all;
+}
+
+/// Ranges in which no design of the mechanism lies.
+void report_objection(const Section& section, const Problem& problem, Messages& messages) {
+    std::vector<double> least, greatest;
+    for (const DimensionRange& range : problem.dimensions) {
+        least.push_back(range.min);
+        greatest.push_back(range.max);
+    }
+    if (const auto objection = problem.mechanism->objection(least, greatest))
+        add_error(messages, place_of(section, problem.mechanism->dimensions[objection->dimension].name),
+                  objection->why);
+}
+
+/// "'a', 'b'" of the dimensions that a file must give.
+std::string required_names(const Mechanism& mechanism) {
+    std::vector<std::string_view> names;
+    for (const Dimension& dimension : mechanism.dimensions)
+        if (dimension.required) names.push_back(dimension.name);
+    return listed(names);
+}
+
+}  // namespace
+
+std::optional<DimensionRange> to_dimension(const toml::node& node, const Dimension& dimension, const Units& units,
+                                           Messages& messages) {
+    const auto range = node.is_table() ? read_range(node, dimension, messages) : read_fixed(node, dimension, messages);
+    return range && dimension.kind == DimensionKind::angle ? in_radians(units, *range) : range;
+}
+
+void read_dimensions(Section& file, Problem& problem, Messages& messages) {
+    std::optional<Section> section = read_section(file, "dimensions", messages);
+    if (problem.mechanism == nullptr) return;
+    const Mechanism& mechanism = *problem.mechanism;
+    problem.dimensions.resize(mechanism.dimensions.size());
+    problem.assemblies = {0};
+    if (!section) {
+        if (!has(file, "dimensions"))
+            add_error(messages, file.place,
+                      fmt::format("the section [dimensions] is missing: a {} needs {}", mechanism.name,
+                                  required_names(mechanism)));
+        return;
+    }
+    const std::size_t messages_before = messages.entries.size();
+    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
+        if (stands_in_dimensions(mechanism.dimensions[i]))
+            problem.dimensions[i] = read_dimension(*section, i, mechanism, problem.units, messages);
+    resolve_ties(*section, problem, messages);
+    if (mechanism.objection != nullptr && messages.entries.size() == messages_before)
+        report_objection(*section, problem, messages);
+    problem.assemblies = read_assemblies(*section, mechanism, messages);
+    report_unknown_keys(*section, messages);
+}
+
+}  // namespace mechwright::reading

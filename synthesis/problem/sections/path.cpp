@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "synthesis/problem/sections/sections.h"
+
+namespace mechwright::reading {
+
+namespace {
+
+constexpr std::size_t most_free_points = 200;
+
+/// A list that goes with the points must have as many entries.
+bool same_length(const Section& path, std::string_view key, std::size_t length, const PointList& list,
+                 Messages& messages) {
+    if (!list.whole || length == list.points.size()) return true;
+    add_error(messages, place_of(path, key),
+              fmt::format("{} has {} numbers for {} points: give one for each point", name_of(path, key), length,
+                          list.points.size()));
+    return false;
+}
+
+Place element_place(const Section& path, std::string_view key, std::size_t i) {
+    return place_of((*path.table->get_as<toml::array>(key))[i]);
+}
+
+std::vector<double> read_weights(Section& path, const PointList& list, Messages& messages) {
+    const auto weights = read_numbers(path, "weights", messages);
+    std::vector<double> even(list.points.size(), 1.0);
+    if (!weights) return even;
+    same_length(path, "weights", weights->size(), list, messages);
+    for (std::size_t i = 0; i < weights->size(); ++i)
+        if ((*weights)[i] <= 0)
+            add_error(messages, element_place(path, "weights", i),
+                      fmt::format("the weight of point {} must be greater than 0, not {}", i + 1, (*weights)[i]));
+    return *weights;
+}
+
+/// The mechanism passes the points in one turn, in one direction.
+void check_order(const Section& path, const std::vector<double>& angles, double turn, Messages& messages) {
+    if (angles.size() < 2) return;
+    const bool rising = angles[1] > angles[0];
+    for (std::size_t i = 1; i < angles.size(); ++i) {
+        const bool follows = rising ? angles[i] > angles[i - 1] : angles[i] < angles[i - 1];
+        if (follows) continue;
+        add_error(messages, element_place(path, "crank_angles", i),
+                  fmt::format("crank angle {} ({}) breaks the order: crank_angles must all rise or all fall", i + 1,
+                              angles[i]));
+        return;
+    }
+    if (std::abs(angles.back() - angles.front()) > turn)
+        add_error(messages, place_of(path, "crank_angles"),
+                  fmt::format("crank_angles go from {} to {}: they must stay within one full turn", angles.front(),
+                              angles.back()));
+}
+
+std::vector<double> read_crank_angles(Section& path, const Units& units, const PointList& list, Messages& messages) {
+    if (!has(path, "crank_angles"))
+        add_error(messages, place_of(path, "timing"),
+                  "timing = \"prescribed\" needs 'crank_angles', one for each point");
+    auto angles = read_numbers(path, "crank_angles", messages);
+    if (!angles) return {};
+    same_length(path, "crank_angles", angles->size(), list, messages);
+    check_order(path, *angles, full_turn(units), messages);
+    for (double& angle : *angles)
+        angle = to_radians(units, angle);
+    return *angles;
+}
+
+/// Each freely timed point brings a variable of its own.
+void check_free_timing(Section& path, const PointList& list, Messages& messages) {
+    if (const toml::node* angles = find(path, "crank_angles"); angles != nullptr)
+        add_error(messages, place_of(*angles),
+                  "'crank_angles' in [path] need timing = \"prescribed\"; with any other leave them out");
+    if (list.points.size() > most_free_points)
+        add_error(messages, list.named_at,
+                  fmt::format("{} points are too many for free timing: thin the list to at most {}, or prescribe the "
+                              "timing",
+                              list.points.size(), most_free_points));
+}
+
+}  // namespace
+
+namespace {
+
+/// The path search eliminates dimensions one by one.
+void refuse_ties(const Section& section, const Problem& problem, Messages& messages) {
+    if (has_ties(problem))
+        add_error(messages, section.place,
+                  fmt::format("{} does not go with dimensions that are tied to others: give them ranges of their own",
+                              section.title));
+}
+
+}  // namespace
+
+void read_path(Section& file, Problem& problem, Messages& messages) {
+    std::optional<Section> path = read_section(file, "path", messages);
+    if (!path) return;
+    if (problem.mechanism != nullptr && problem.mechanism->path_reads == 0)
+        return add_error(messages, path->place,
+                         fmt::format("a {} guides no point along a path: leave [path] out", problem.mechanism->name));
+    refuse_ties(*path, problem, messages);
+    constexpr std::array<std::string_view, 3> timings{"free", "prescribed", "none"};
+    PointList list = read_points(*path, problem, messages);
+    PathTarget target;
+    const auto timing = read_choice(*path, "timing", "timing", timings, messages);
+    target.prescribed_timing = timing == 1u;
+    target.any_order = timing == 2u;
+    target.closed = read_bool(*path, "closed", messages).value_or(false);
+    target.weights = read_weights(*path, list, messages);
+    if (target.prescribed_timing)
+        target.crank_angles = read_crank_angles(*path, problem.units, list, messages);
+    else if (timing || !has(*path, "timing"))
+        check_free_timing(*path, list, messages);
+    find(*path, "crank_angles");
+    report_unknown_keys(*path, messages);
+    target.points = std::move(list.points);
+    problem.path = std::move(target);
+}
+
+namespace {
+
+/// The poses [x, y, angle] and points [x, y], as points and directions.
+PointList read_pose_list(Section& poses, const Problem& problem, PathTarget& target, Messages& messages) {
+    PointList list;
+    const toml::node* node = find(poses, "poses");
+    if (node == nullptr) {
+        add_error(messages, poses.place, "[poses] needs poses = [[x, y, angle], ...]");
+        return list;
+    }
+    list.named_at = place_of(*node);
+    if (!node->is_array()) {
+        report_kind(*node, name_of(poses, "poses"), "a list of [x, y, angle]", messages);
+        return list;
+    }
+    list.whole = true;
+    for (const toml::node& entry : *node->as_array()) {
+        const std::string what = fmt::format("pose {}", list.points.size() + 1);
+        const toml::array* numbers = entry.as_array();
+        std::array<std::optional<double>, 3> pose;
+        bool right = numbers != nullptr && (numbers->size() == 2 || numbers->size() == 3);
+        if (!right)
+            add_error(messages, place_of(entry),
+                      fmt::format("{} must be [x, y, angle], or [x, y] where any angle will do", what));
+        for (std::size_t k = 0; right && k < numbers->size(); ++k)
+            pose[k] = to_number((*numbers)[k], fmt::format("each number of {}", what), messages);
+        right = right && pose[0] && pose[1] && (pose[2] || numbers->size() == 2);
+        list.whole = list.whole && right;
+        add_point(list, right ? std::optional(Vector<double>{*pose[0], *pose[1]}) : std::nullopt, place_of(entry));
+        target.directions.push_back(right && pose[2] ? to_radians(problem.units, *pose[2]) : std::nan(""));
+    }
+    if (list.whole && !list.points.empty() && target.poses() == 0) {
+        add_error(messages, list.named_at, "no pose has an angle: points alone are a [path]");
+        list.whole = false;
+    }
+    if (list.points.size() < 2 || list.points.size() > most_free_points) {
+        add_error(messages, list.named_at,
+                  fmt::format("{} must have from 2 to {} poses, not {}", name_of(poses, "poses"), most_free_points,
+                              list.points.size()));
+        list.whole = false;
+    }
+    for (std::size_t i = 1; i < list.points.size() && list.whole; ++i)
+        if (list.points[i].x == list.points[i - 1].x && list.points[i].y == list.points[i - 1].y &&
+            !(target.faces(i) && target.faces(i - 1) && target.directions[i] != target.directions[i - 1]))
+            add_error(messages, list.places[i],
+                      fmt::format("poses {} and {} are one pose: leave one of them out", i, i + 1));
+    return list;
+}
+
+/// The length that angles are weighed by: given, or half the greatest distance from the first pose.
+double read_body_length(Section& poses, const PointList& list, Messages& messages) {
+    if (const auto length = read_number(poses, "length", messages)) {
+        if (*length > 0) return *length;
+        add_error(messages, place_of(poses, "length"),
+                  fmt::format("{} must be greater than 0, not {}", name_of(poses, "length"), *length));
+        return 1;
+    }
+    double farthest = 0;
+    for (const Vector<double>& p : list.points)
+        farthest = std::max(farthest, std::hypot(p.x - list.points.front().x, p.y - list.points.front().y));
+    if (farthest > 0) return 0.5 * farthest;
+    if (list.whole && !has(poses, "length"))
+        add_error(
+            messages, poses.place,
+            "all poses stand at one place: give the body a length, by which angles are weighed against distances");
+    return 1;
+}
+
+}  // namespace
+
+void read_poses(Section& file, Problem& problem, Messages& messages) {
+    std::optional<Section> poses = read_section(file, "poses", messages);
+    if (!poses) return;
+    if (problem.mechanism != nullptr && problem.mechanism->pose_reads == 0)
+        return add_error(messages, poses->place,
+                         fmt::format("a {} guides no body through poses: leave [poses] out", problem.mechanism->name));
+    if (problem.path) return add_error(messages, poses->place, "a problem has a [path] or [poses], not both");
+    constexpr std::array<std::string_view, 2> timings{"free", "prescribed"};
+    PathTarget target;
+    PointList list = read_pose_list(*poses, problem, target, messages);
+    target.prescribed_timing = read_choice(*poses, "timing", "timing", timings, messages) == 1u;
+    target.body_length = read_body_length(*poses, list, messages);
+    target.weights = read_weights(*poses, list, messages);
+    if (target.prescribed_timing)
+        target.crank_angles = read_crank_angles(*poses, problem.units, list, messages);
+    else if (const toml::node* angles = find(*poses, "crank_angles"); angles != nullptr)
+        add_error(messages, place_of(*angles),
+                  "'crank_angles' in [poses] need timing = \"prescribed\"; with free timing leave them out");
+    report_unknown_keys(*poses, messages);
+    target.points = std::move(list.points);
+    problem.path = std::move(target);
+}
+
+}  // namespace mechwright::reading

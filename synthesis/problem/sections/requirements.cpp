@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "synthesis/problem/sections/sections.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/problem/units.h"
+
+namespace mechwright::reading {
+
+namespace {
+
+/// What all requirements on a quantity so far leave for it.
+struct Bounds {
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    int line = 0;  ///< of the last requirement on it; 0: there is none
+    bool equal = false;
+};
+
+/// A requirement in the file's units, and whether its values are all right.
+struct Values {
+    std::optional<double> equal;
+    std::optional<double> min;
+    std::optional<double> max;
+    bool right = false;
+};
+
+bool check_values(const Section& section, const Values& values, Messages& messages) {
+    const bool equal = has(section, "equal");
+    const bool range = has(section, "min") || has(section, "max");
+    if (equal && range)
+        add_error(messages, place_of(section, "equal"),
+                  "a requirement takes either 'equal', or 'min' and 'max', not both");
+    else if (!equal && !range)
+        add_error(messages, section.place, "a requirement needs a value: 'equal', or 'min' and/or 'max'");
+    else if (values.min && values.max && *values.min > *values.max)
+        add_error(messages, place_of(section, "min"),
+                  fmt::format("no value can meet this: 'min' {} is greater than 'max' {}", *values.min, *values.max));
+    else
+        return equal == values.equal.has_value() && has(section, "min") == values.min.has_value() &&
+               has(section, "max") == values.max.has_value();
+    return false;
+}
+
+Values read_values(Section& section, Messages& messages) {
+    Values values{.equal = read_number(section, "equal", messages),
+                  .min = read_number(section, "min", messages),
+                  .max = read_number(section, "max", messages)};
+    values.right = check_values(section, values, messages);
+    return values;
+}
+
+/// Narrows the bounds of a quantity; reports a requirement that contradicts earlier ones.
+void narrow(Bounds& bounds, const Values& values, const Section& section, std::string_view quantity,
+            Messages& messages) {
+    const double min = values.equal.value_or(values.min.value_or(bounds.min));
+    const double max = values.equal.value_or(values.max.value_or(bounds.max));
+    const int earlier = bounds.line;
+    bounds.min = std::max(bounds.min, min);
+    bounds.max = std::min(bounds.max, max);
+    bounds.equal |= min == max;
+    bounds.line = section.place.line;
+    if (bounds.min <= bounds.max) return;
+    add_error(messages, section.place,
+              fmt::format("no value of '{}' can meet both this and the requirement in line {}", quantity, earlier));
+    bounds = {};
+}
+
+std::optional<double> converted(const Units& units, Unit unit, const std::optional<double>& value) {
+    return value && unit == Unit::angle ? to_radians(units, *value) : value;
+}
+
+std::optional<std::size_t> read_quantity(Section& section, const Section& file, const Problem& problem,
+                                         Messages& messages) {
+    const toml::node* node = find(section, "quantity");
+    if (node != nullptr) return to_quantity(*node, name_of(section, "quantity"), file, problem, messages);
+    add_error(messages, section.place, "a requirement needs a 'quantity'");
+    return {};
+}
+
+void read_requirement(const toml::node& node, const Section& file, Problem& problem, std::vector<Bounds>& bounds,
+                      Messages& messages) {
+    if (!node.is_table()) return report_kind(node, "an entry of 'require'", "a section, headed [[require]]", messages);
+    Section section{node.as_table(), "[[require]]", place_of(node)};
+    const auto index = read_quantity(section, file, problem, messages);
+    const Values values = read_values(section, messages);
+    report_unknown_keys(section, messages);
+    if (!index || !values.right) return;
+    const Quantity& quantity = problem.mechanism->quantities[*index];
+    narrow(bounds[*index], values, section, quantity.name, messages);
+    problem.requirements.push_back({*index, converted(problem.units, quantity.unit, values.equal),
+                                    converted(problem.units, quantity.unit, values.min),
+                                    converted(problem.units, quantity.unit, values.max)});
+}
+
+/// In general position n equalities take n variables, of those that the quantities depend on. Path quantities are left
+/// out: a path has variables of its own.
+void compare_with_variables(const Problem& problem, const std::vector<Bounds>& bounds, Place place,
+                            Messages& messages) {
+    std::size_t equalities = 0;
+    std::size_t reads = 0;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const Quantity& quantity = problem.mechanism->quantities[i];
+        if (!bounds[i].equal || quantity.path != PathMeasure::none) continue;
+        ++equalities;
+        reads = std::max(reads, quantity.reads);
+    }
+    std::size_t variables = 0;
+    for (std::size_t i = 0; i < std::min(reads, problem.dimensions.size()); ++i)
+        if (!problem.dimensions[i].fixed() && !problem.dimensions[i].tied()) ++variables;
+    if (equalities > variables && !messages.failed)
+        add_warning(messages, place,
+                    fmt::format("{} quantities are required to equal a value, but only {} of the dimensions they "
+                                "depend on are free: in general no design meets them all; give more dimensions a "
+                                "range, or drop requirements",
+                                equalities, variables));
+}
+
+}  // namespace
+
+std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view what, const Section& file,
+                                       const Problem& problem, Messages& messages) {
+    if (problem.mechanism == nullptr) return {};
+    const auto quantities = problem.mechanism->quantities;
+    std::vector<std::string_view> names;
+    for (const Quantity& quantity : quantities)
+        names.push_back(quantity.name);
+    const auto index = to_choice(node, what, "quantity", names, messages);
+    if (!index || quantities[*index].section.empty() || has(file, quantities[*index].section)) return index;
+    add_error(
+        messages, place_of(node),
+        fmt::format("'{}' has no value here: there is no [{}] section", names[*index], quantities[*index].section));
+    return {};
+}
+
+void read_requirements(Section& file, Problem& problem, Messages& messages) {
+    const toml::node* node = find(file, "require");
+    if (node == nullptr) return;
+    if (!node->is_array())
+        return report_kind(*node, "'require'", "a list of sections, each headed [[require]] in double brackets",
+                           messages);
+    const std::size_t count = problem.mechanism == nullptr ? 0 : problem.mechanism->quantities.size();
+    std::vector<Bounds> bounds(count);
+    for (const toml::node& entry : *node->as_array())
+        read_requirement(entry, file, problem, bounds, messages);
+    if (problem.mechanism != nullptr) compare_with_variables(problem, bounds, place_of(*node), messages);
+}
+
+}  // namespace mechwright::reading

@@ -1,0 +1,64 @@
+#pragma once
+/// \file
+/// One reader for each section of a problem file. Each fills its part of the problem, reports what is wrong, and does
+/// nothing if its section is absent. What the mechanism decides is left out where the mechanism is unknown.
+
+#include <optional>
+#include <string_view>
+
+#include "synthesis/problem/sections/points.h"
+#include "synthesis/problem/toml/section.h"
+
+namespace mechwright::reading {
+
+/// An angle of the file in radians.
+double to_radians(const Units& units, double angle);
+
+/// A full turn in the file's unit, with room for the rounding of a written 2 pi.
+double full_turn(const Units& units);
+
+void read_units(Section& file, Problem& problem, Messages& messages);
+/// The [cam] section, which makes a cam one of a certain follower.
+void read_cam(Section& file, Problem& problem, Messages& messages);
+void read_dimensions(Section& file, Problem& problem, Messages& messages);
+/// The motion of a cam: after its dimensions. Adds requirements that the motion closes where it is not given whole.
+void read_segments(Section& file, Problem& problem, Messages& messages);
+void read_requirements(Section& file, Problem& problem, Messages& messages);
+void read_objective(Section& file, Problem& problem, Messages& messages);
+void read_path(Section& file, Problem& problem, Messages& messages);
+/// The function to be generated; after [motion], whose crank range it sets where that is known and not given.
+void read_function(Section& file, Problem& problem, Messages& messages);
+/// The line or the arc that a guided point follows; after [motion] too.
+void read_followed(Section& file, Problem& problem, Messages& messages);
+/// A start and a range, as the two dimensions from `first` on.
+void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& messages);
+/// The crank range that follows from the input range, where that is known and none is given.
+void set_crank_range(Problem& problem);
+/// The poses of a guided body: a path with directions.
+void read_poses(Section& file, Problem& problem, Messages& messages);
+/// Velocities and accelerations at one crank angle, as requirements; after those of [[require]].
+void read_instant(Section& file, Problem& problem, Messages& messages);
+void read_motion(Section& file, Problem& problem, Messages& messages);
+/// The sections that the mechanism's settings stand in.
+void read_settings(Section& file, Problem& problem, Messages& messages);
+void read_solver(Section& file, Problem& problem, Messages& messages);
+/// [study]: after the mechanism and the dimensions.
+void read_study(Section& file, Problem& problem, Messages& messages);
+
+/// All sections of a problem file.
+void read_problem_table(const toml::table& table, Problem& problem, Messages& messages);
+/// What the messages of reading come to, at the end of reading.
+void conclude(ReadProblem& read, Messages&& messages);
+
+/// A number or a range of the file as a dimension, angles in radians.
+std::optional<DimensionRange> to_dimension(const toml::node& node, const Dimension& dimension, const Units& units,
+                                           Messages& messages);
+
+/// A quantity of the mechanism by its name: its index. Path quantities are accepted only in files with a [path].
+std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view what, const Section& file,
+                                       const Problem& problem, Messages& messages);
+
+/// The points of a [path], from its list or the file it names.
+PointList read_points(Section& path, const Problem& problem, Messages& messages);
+
+}  // namespace mechwright::reading

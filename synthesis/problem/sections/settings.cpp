@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+#include <numbers>
+
+#include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/problem/sections/sections.h"
+
+namespace mechwright::reading {
+
+namespace {
+
+/// A whole number between limits, or what it is by default.
+std::int64_t read_bounded(Section& section, std::string_view key, std::int64_t least, std::int64_t most,
+                          std::int64_t preset, Messages& messages) {
+    const std::int64_t number = read_whole_number(section, key, messages).value_or(preset);
+    if (number >= least && number <= most) return number;
+    add_error(messages, place_of(section, key),
+              fmt::format("{} must be between {} and {}, not {}", name_of(section, key), least, most, number));
+    return preset;
+}
+
+/// A number above 0 and up to a limit, or what it is by default.
+double read_positive(Section& section, std::string_view key, double most, double preset, Messages& messages) {
+    const double number = read_number(section, key, messages).value_or(preset);
+    if (number > 0 && number <= most) return number;
+    add_error(messages, place_of(section, key),
+              fmt::format("{} must be greater than 0 and at most {}, not {}", name_of(section, key), most, number));
+    return preset;
+}
+
+void check_crank_range(const Section& motion, double from, double to, double turn, Messages& messages) {
+    const Place place = place_of(motion, "crank_range");
+    if (from >= to)
+        add_error(messages, place,
+                  fmt::format("crank_range must rise: its first angle {} must be less than its second {}", from, to));
+    else if (to - from > turn)
+        add_error(messages, place,
+                  fmt::format("crank_range goes from {} to {}: it must be one full turn at most", from, to));
+}
+
+void read_pareto(Section& solver, Problem& problem, Messages& messages) {
+    constexpr std::int64_t most_points = 1000;
+    if (!has(solver, "pareto")) {
+        find(solver, "pareto");
+        return;
+    }
+    problem.solver.pareto = static_cast<int>(read_bounded(solver, "pareto", 2, most_points, 2, messages));
+    if (!problem.objective || problem.objective->terms.size() != 2 || problem.objective->worst)
+        add_error(messages, place_of(solver, "pareto"),
+                  "'pareto' needs two objectives to trade against each other: write two [[objective]] entries");
+}
+
+}  // namespace
+
+double to_radians(const Units& units, double angle) { return units.degrees ? angle * std::numbers::pi / 180 : angle; }
+
+double full_turn(const Units& units) {
+    constexpr double rounding = 1e-9;
+    return (units.degrees ? 360.0 : 2 * std::numbers::pi) * (1 + rounding);
+}
+
+void read_units(Section& file, Problem& problem, Messages& messages) {
+    constexpr std::array<std::string_view, 2> angles{"deg", "rad"};
+    std::optional<Section> section = read_section(file, "units", messages);
+    if (!section) return;
+    problem.units.degrees = read_choice(*section, "angle", "unit of angle", angles, messages) != 1u;
+    if (auto length = read_string(*section, "length", messages)) problem.units.length = *std::move(length);
+    report_unknown_keys(*section, messages);
+}
+
+void read_motion(Section& file, Problem& problem, Messages& messages) {
+    std::optional<Section> section = read_section(file, "motion", messages);
+    if (!section) return;
+    if (problem.mechanism != nullptr && is_cam(*problem.mechanism) && has(*section, "crank_range"))
+        add_error(messages, place_of(*section, "crank_range"),
+                  "a cam is judged over its full turn: leave crank_range out");
+    if (const auto range = read_numbers(*section, "crank_range", messages)) {
+        if (range->size() != 2) {
+            add_error(messages, place_of(*section, "crank_range"),
+                      fmt::format("crank_range must be two angles [from, to], not {}", range->size()));
+        } else {
+            check_crank_range(*section, (*range)[0], (*range)[1], full_turn(problem.units), messages);
+            problem.crank_range = {to_radians(problem.units, (*range)[0]), to_radians(problem.units, (*range)[1])};
+        }
+    }
+    report_unknown_keys(*section, messages);
+}
+
+void read_solver(Section& file, Problem& problem, Messages& messages) {
+    std::optional<Section> section = read_section(file, "solver", messages);
+    if (!section) return;
+    constexpr std::int64_t most_starts = 100000;
+    constexpr std::int64_t most_seed = std::numeric_limits<std::int64_t>::max();
+    constexpr double longest = 1e9;  // seconds: thirty years, and safe for every clock
+    constexpr double loosest = 1e-2;
+    SolverOptions& solver = problem.solver;
+    if (auto method = read_string(*section, "method", messages)) solver.method = *std::move(method);
+    solver.starts = static_cast<int>(read_bounded(*section, "starts", 1, most_starts, solver.starts, messages));
+    solver.seed = static_cast<std::uint64_t>(
+        read_bounded(*section, "seed", 0, most_seed, static_cast<std::int64_t>(solver.seed), messages));
+    solver.time_limit = read_positive(*section, "time_limit", longest, solver.time_limit, messages);
+    solver.tolerance = read_positive(*section, "tolerance", loosest, solver.tolerance, messages);
+    read_pareto(*section, problem, messages);
+    report_unknown_keys(*section, messages);
+}
+
+}  // namespace mechwright::reading

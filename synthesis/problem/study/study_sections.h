@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// The parts of [study] that are sections of their own.
+
+#include "synthesis/problem/study/study.h"
+#include "synthesis/problem/toml/section.h"
+
+namespace mechwright {
+struct Problem;
+}
+
+namespace mechwright::reading {
+
+/// [study.tolerance]: the deviations of dimensions, each { normal = ... }, { uniform = ... } or a grade, "IT7".
+void read_tolerance(Section& study_section, Study& study, const Problem& problem, Messages& messages);
+
+/// [[study.chart]]; after the axes.
+void read_charts(Section& study_section, Study& study, Messages& messages);
+
+}  // namespace mechwright::reading

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "synthesis/problem/problem.h"
+#include "synthesis/problem/sections/sections.h"
+#include "synthesis/problem/study/study_sections.h"
+#include "synthesis/problem/text.h"
+
+namespace mechwright::reading {
+
+namespace {
+
+/// Every length that is not named by itself.
+constexpr std::string_view all_lengths = "lengths";
+constexpr int least_grade = 5, greatest_grade = 13;
+
+/// "IT7": 7.
+std::optional<int> to_grade(const toml::node& node, std::string_view what, const Problem& problem, Messages& messages) {
+    const auto word = node.value_exact<std::string_view>();
+    if (!word) {
+        report_kind(node, what, "a grade of ISO 286 in quotes, as in \"IT7\"", messages);
+        return {};
+    }
+    int grade = 0;
+    const bool it = word->starts_with("IT");
+    const auto [end, error] = std::from_chars(word->data() + (it ? 2 : 0), word->data() + word->size(), grade);
+    if (!it || error != std::errc{} || end != word->data() + word->size() || grade < least_grade ||
+        grade > greatest_grade) {
+        add_error(messages, place_of(node),
+                  fmt::format("{} must be a grade of ISO 286 from \"IT{}\" to \"IT{}\", not {}", what, least_grade,
+                              greatest_grade, reading::quoted(*word)));
+        return {};
+    }
+    if (problem.units.length != "mm") {
+        add_error(messages, place_of(node),
+                  fmt::format("grades of ISO 286 are for millimetres; the lengths of this file are in {}: write "
+                              "{{ normal = ... }} or {{ uniform = ... }}",
+                              reading::quoted(problem.units.length)));
+        return {};
+    }
+    return grade;
+}
+
+std::optional<Deviation> read_table(const toml::node& node, const std::string& what, const Problem& problem,
+                                    Messages& messages) {
+    constexpr std::array<std::string_view, 2> distributions{"normal", "uniform"};
+    Section section{node.as_table(), what, place_of(node)};
+    Deviation deviation;
+    int given = 0;
+    for (const std::string_view key : distributions) {
+        const auto size = read_number(section, key, messages);
+        given += has(section, key);
+        if (!size) continue;
+        deviation.uniform = key == "uniform";
+        deviation.size = *size;
+        if (!(*size > 0))
+            add_error(messages, place_of(section, key),
+                      fmt::format("{} must be greater than 0, not {}", name_of(section, key), *size));
+    }
+    if (const toml::node* grade = find(section, "grade")) {
+        ++given;
+        deviation.grade = to_grade(*grade, name_of(section, "grade"), problem, messages).value_or(0);
+        deviation.uniform = read_choice(section, "distribution", "distribution", distributions, messages) == 1u;
+    }
+    if (given != 1) {
+        add_error(
+            messages, section.place,
+            fmt::format("{} needs one of 'normal' (standard deviation), 'uniform' (half the width) and 'grade'", what));
+        return {};
+    }
+    report_unknown_keys(section, messages);
+    return deviation;
+}
+
+std::optional<Deviation> to_deviation(const toml::node& node, const std::string& what, const Problem& problem,
+                                      Messages& messages) {
+    if (node.is_table()) return read_table(node, what, problem, messages);
+    Deviation deviation;
+    deviation.grade = to_grade(node, what, problem, messages).value_or(0);
+    return deviation;
+}
+
+}  // namespace
+
+void read_tolerance(Section& study_section, Study& study, const Problem& problem, Messages& messages) {
+    std::optional<Section> section = read_section(study_section, "tolerance", messages);
+    if (!section || problem.mechanism == nullptr || problem.dimensions.empty()) return;
+    section->title = "[study.tolerance]";
+    const auto& dimensions = problem.mechanism->dimensions;
+    const toml::node* lengths = find(*section, all_lengths);
+    std::optional<Deviation> of_lengths;
+    if (lengths != nullptr) of_lengths = to_deviation(*lengths, name_of(*section, all_lengths), problem, messages);
+    for (std::size_t i = 0; i < dimensions.size(); ++i) {
+        const Dimension& dimension = dimensions[i];
+        if (dimension.of_segment || dimension.of_target) continue;
+        const bool angle = dimension.kind == DimensionKind::angle;
+        std::optional<Deviation> deviation;
+        if (const toml::node* node = find(*section, dimension.name)) {
+            deviation = to_deviation(*node, name_of(*section, dimension.name), problem, messages);
+            if (deviation && deviation->grade > 0 && dimension.kind != DimensionKind::length)
+                add_error(messages, place_of(*node),
+                          "grades are for lengths: write { normal = ... } or { uniform = ... }");
+            if (deviation && angle) deviation->size = to_radians(problem.units, deviation->size);
+        } else if (dimension.kind == DimensionKind::length) {
+            deviation = of_lengths;
+        }
+        if (!deviation) continue;
+        deviation->dimension = i;
+        study.deviations.push_back(*deviation);
+    }
+    report_unknown_keys(*section, messages);
+    if (section->table->empty())
+        add_error(messages, section->place,
+                  "[study.tolerance] is empty: name dimensions, or write lengths = \"IT7\" for all of them");
+}
+
+}  // namespace mechwright::reading

@@ -1,0 +1,96 @@
+#include "synthesis/program/error_extremes.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "synthesis/problem/units.h"
+#include "synthesis/program/quantity_value.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr std::size_t most_extremes = 40;
+/// Extremes this close to the greatest are as great as it.
+constexpr double as_great_within = 1e-6;
+
+/// What an error is off by rounding: a few units of the last place of what it is the difference of.
+double rounding_of_error(const Problem& problem, const Design& design) {
+    constexpr double units = 8;
+    double size = 1;
+    if (error_unit(problem) == Unit::length) {
+        size = 0;
+        for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+            if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
+                size = std::max(size, std::abs(design.dimensions[i]));
+    }
+    return units * std::numeric_limits<double>::epsilon() * size;
+}
+
+/// Columns of sensitivities are independent if they differ by more than this.
+constexpr double independent_beyond = 1e-7;
+
+/// How many of the dimensions left open the error depends on independently: the size of a linkage does not count where
+/// only angles matter.
+int free_dimensions(const Problem& problem, const Design& design) {
+    const Mechanism& mechanism = *problem.mechanism;
+    const Quantity& q =
+        deviation_from(mechanism, problem.followed ? followed_shape_of(mechanism, *problem.followed).name : "function");
+    const Motion motion = motion_of(problem, design);
+    const auto count = static_cast<Eigen::Index>(q.components(motion)), reads = static_cast<Eigen::Index>(q.reads);
+    std::vector<double> value(static_cast<std::size_t>(count));
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> gradient(count, reads);
+    q.measure(motion, design.dimensions, {value, {gradient.data(), static_cast<std::size_t>(gradient.size())}, {}});
+    if (!gradient.allFinite()) return 0;
+    for (Eigen::Index i = 0; i < reads; ++i)
+        if (const DimensionRange& range = problem.dimensions[static_cast<std::size_t>(i)]; range.tied()) {
+            gradient.col(static_cast<Eigen::Index>(range.tie.of)) += range.tie.times * gradient.col(i);
+            gradient.col(i).setZero();
+        }
+    for (Eigen::Index i = 0; i < reads; ++i) {
+        const double norm = gradient.col(i).norm();
+        gradient.col(i) *= problem.dimensions[static_cast<std::size_t>(i)].fixed() || norm == 0 ? 0 : 1 / norm;
+    }
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> columns(gradient);
+    columns.setThreshold(independent_beyond);
+    return static_cast<int>(columns.rank());
+}
+
+}  // namespace
+
+Unit error_unit(const Problem& problem) {
+    if (problem.followed) return Unit::length;
+    const DimensionKind kind = problem.mechanism->dimensions[problem.mechanism->function_scales + 2].kind;
+    return kind == DimensionKind::angle ? Unit::angle : Unit::length;
+}
+
+ErrorExtremes error_extremes_of(const Problem& problem, const Design& design) {
+    ErrorExtremes e;
+    const Mechanism& mechanism = *problem.mechanism;
+    e.all = problem.followed
+                ? followed_shape_of(mechanism, *problem.followed).extremes(design.assembly, design.dimensions)
+                : mechanism.function_extremes(*problem.function, design.assembly, design.dimensions);
+    double greatest = 0;
+    for (const auto& extreme : e.all)
+        greatest = std::max(greatest, std::abs(extreme.error));
+    const double as_great_from = (1 - as_great_within) * greatest - rounding_of_error(problem, design);
+    double last = 0;
+    for (const auto& extreme : e.all) {
+        if (std::abs(extreme.error) < as_great_from || last * extreme.error > 0) continue;
+        last = extreme.error;
+        ++e.alternating;
+    }
+    e.free = free_dimensions(problem, design);
+    if (e.all.size() > most_extremes) e.all.resize(most_extremes);
+    return e;
+}
+
+double place_of(const Problem& problem, const Design& design, double share) {
+    if (problem.function) return problem.function->from + share * (problem.function->to - problem.function->from);
+    const std::size_t input = problem.mechanism->function_scales;
+    return in_file_unit(design.dimensions[input] + share * design.dimensions[input + 1], Unit::angle, problem.units);
+}
+
+}  // namespace mechwright

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Where the error of a generated function, or the distance from a line, is extreme, and what the number of extremes
+/// says: of a minimax optimum in n independent dimensions n + 1 are equal and alternate in sign.
+
+#include <vector>
+
+#include "synthesis/mechanism/function_target.h"
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+struct ErrorExtremes {
+    std::vector<ErrorExtreme> all;  ///< in order along the range; no more than forty
+    int alternating = 0;            ///< as great as the greatest, with alternating signs
+    int free = 0;                   ///< dimensions left open on which the error depends independently
+};
+
+/// Of a problem with a function or a line.
+ErrorExtremes error_extremes_of(const Problem& problem, const Design& design);
+
+/// The unit of the error.
+Unit error_unit(const Problem& problem);
+
+/// The place at a share of the range, in the file's unit: x of a function, the crank angle of a line or an arc.
+double place_of(const Problem& problem, const Design& design, double share);
+
+}  // namespace mechwright

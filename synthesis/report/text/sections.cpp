@@ -1,0 +1,223 @@
+#include "synthesis/report/text/sections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/document/cam_document.h"
+#include "synthesis/document/document.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/problem/units.h"
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/program/standing.h"
+#include "synthesis/report/text/table.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr std::size_t most_points_shown = 12;
+constexpr std::size_t longest_title = 400;
+
+/// What there is to say of a dimension beside its value.
+std::string remark_on(const DimensionRange& range, double value, Unit unit, const Units& units) {
+    if (range.tied()) return "tied";
+    if (range.fixed()) return range.named ? "given" : "";
+    constexpr double at_limit_within = 1e-6;
+    const double close = at_limit_within * std::max({std::abs(range.min), std::abs(range.max), std::abs(value)});
+    if (value <= range.min + close) return "at its lower limit " + number_text(in_file_unit(range.min, unit, units));
+    if (value >= range.max - close) return "at its upper limit " + number_text(in_file_unit(range.max, unit, units));
+    return {};
+}
+
+/// A line of the requirement table. `shortfall` is positive where the limit is missed.
+std::vector<std::string> requirement_row(const Problem& problem, const Quantity& quantity, const Standing& standing,
+                                         std::string_view relation, double limit, double shortfall) {
+    const auto outside = [&](double x) { return in_file_unit(x, quantity.unit, problem.units); };
+    std::string judgement;
+    if (!standing.value)
+        judgement = "not defined";
+    else if (shortfall > standing.allowed)
+        judgement = "missed by " + number_text(outside(shortfall), 4);
+    else if (relation == "=")
+        judgement = "met";
+    else if (is_active(shortfall, standing))
+        judgement = "met, at its limit";
+    else
+        judgement = "met, " + number_text(outside(-shortfall), 4) + " to spare";
+    return {std::string(quantity.name),
+            std::string(relation),
+            number_text(outside(limit), 6),
+            standing.value ? number_text(outside(*standing.value)) : "",
+            unit_label(quantity.unit, problem.units),
+            judgement};
+}
+
+std::string objective_value(const Solution& solution, const std::string& unit) {
+    if (!std::isfinite(solution.objective)) return "not defined";
+    return number_text(solution.objective) + (unit.empty() ? "" : " " + unit);
+}
+
+/// Digits after the point for six significant ones of the greatest coordinate.
+int decimals_of(const std::vector<Vector<double>>& points) {
+    double greatest = 0;
+    for (const Vector<double>& p : points)
+        greatest = std::max({greatest, std::abs(p.x), std::abs(p.y)});
+    if (greatest == 0) return 3;
+    return std::clamp(5 - static_cast<int>(std::floor(std::log10(greatest))), 0, 9);
+}
+
+std::string point_table(const Problem& problem, const Design& design, const PathValues& values) {
+    const bool body = problem.path->guides_body();
+    Table table{{Align::right, Align::point, Align::point, Align::right, Align::right, Align::right, Align::point}, {}};
+    table.rows.push_back({"#", "target x", "y", "reached x", "y", "crank", "distance"});
+    if (body) {
+        table.columns = {Align::right, Align::point, Align::point, Align::point, Align::right,
+                         Align::right, Align::right, Align::right, Align::point};
+        table.rows.front() = {"#", "target x", "y", "angle", "reached x", "y", "angle", "crank", "distance"};
+    }
+    const int decimals = decimals_of(problem.path->points);
+    for (std::size_t i = 0; i < values.distances.size(); ++i) {
+        const Vector<double>& target = problem.path->points[i];
+        const Vector<double>& reached = values.reached[i];
+        const double angle = in_file_unit(design.path_angles[i], Unit::angle, problem.units);
+        table.rows.push_back({std::to_string(i + 1), number_text(target.x, 6), number_text(target.y, 6),
+                              fixed_text(reached.x, decimals), fixed_text(reached.y, decimals),
+                              fixed_text(angle, problem.units.degrees ? 2 : 4), number_text(values.distances[i], 3)});
+        if (!body) continue;
+        auto& row = table.rows.back();
+        const auto in_unit = [&](double a) { return in_file_unit(a, Unit::angle, problem.units); };
+        const double asked = problem.path->directions[i];
+        row.insert(row.begin() + 3, std::isnan(asked) ? "any" : number_text(in_unit(asked), 6));
+        row.insert(row.begin() + 6, fixed_text(in_unit(values.directions[i]), problem.units.degrees ? 3 : 5));
+    }
+    return to_text(table, 2);
+}
+
+}  // namespace
+
+std::string heading(std::string_view text, bool colour) {
+    return fmt::format("\n{}\n", emphasised(text, Emphasis::strong, colour));
+}
+
+std::string value_with_unit(double value, Unit unit, const Units& units) {
+    const std::string label = unit_label(unit, units);
+    const std::string number = number_text(in_file_unit(value, unit, units));
+    return label.empty() ? number : number + " " + label;
+}
+
+std::string title_section(const Problem& problem, bool colour) {
+    const std::string file = reading::printable(problem.file, longest_title);
+    const std::string from = fmt::format("{} from {}\n", problem.mechanism->name, file);
+    if (problem.title.empty()) return emphasised(from, Emphasis::strong, colour);
+    const std::string title = folded("", reading::printable(problem.title, longest_title));
+    return emphasised(std::string_view(title).substr(0, title.size() - 1), Emphasis::strong, colour) + "\n" + from;
+}
+
+std::string design_section(const Problem& problem, const Design& design, bool colour) {
+    const Mechanism& mechanism = *problem.mechanism;
+    Table table{{Align::left, Align::point, Align::left, Align::left}, {}};
+    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
+        const Dimension& dimension = mechanism.dimensions[i];
+        const double value = design.dimensions[i];
+        if (!dimension.required && !problem.dimensions[i].named && value == 0) continue;
+        const Unit unit = unit_of(dimension.kind);
+        table.rows.push_back({std::string(dimension.name), number_text(in_file_unit(value, unit, problem.units)),
+                              unit_label(unit, problem.units),
+                              remark_on(problem.dimensions[i], value, unit, problem.units)});
+    }
+    std::string kind = mechanism.describe(design.dimensions);
+    if (!mechanism.assemblies.empty()) kind += fmt::format(", {} assembly", mechanism.assemblies[design.assembly]);
+    std::string text = heading("Design: " + kind, colour) + to_text(table, 2);
+    if (problem.program) text += folded("  ", cam_choice_text(problem, design.assembly));
+    return text;
+}
+
+std::string objective_section(const Problem& problem, const Solution& solution, bool colour) {
+    if (!problem.objective) return {};
+    const Objective& objective = *problem.objective;
+    const auto sense = [](const ObjectiveTerm& term) { return term.maximize ? "maximize" : "minimize"; };
+    if (objective.terms.size() == 1) {
+        const ObjectiveTerm& term = objective.terms.front();
+        const Quantity& quantity = problem.mechanism->quantities[term.quantity];
+        const std::string label = unit_label(quantity.unit, problem.units);
+        const std::string value = objective_value(solution, label);
+        return heading(fmt::format("Objective: {} {}", sense(term), quantity.name), colour) + "  " + value + "\n";
+    }
+    Table table{{Align::left, Align::left, Align::point, Align::left, Align::left}, {}};
+    for (const ObjectiveTerm& term : objective.terms) {
+        const Quantity& quantity = problem.mechanism->quantities[term.quantity];
+        const std::optional<double> value = quantity_value(problem, term.quantity, solution.design);
+        table.rows.push_back({sense(term), std::string(quantity.name),
+                              value ? number_text(in_file_unit(*value, quantity.unit, problem.units)) : "not defined",
+                              unit_label(quantity.unit, problem.units),
+                              term.weight == 1 ? "" : "weight " + number_text(term.weight)});
+    }
+    const std::string value = objective_value(solution, "");
+    return heading(objective.worst ? "Objective: the worst of several" : "Objective: a weighted sum", colour) +
+           to_text(table, 2) + (objective.worst ? "  worst: " : "  sum: ") + value + "\n";
+}
+
+std::string requirement_section(const Problem& problem, const Design& design, bool colour) {
+    if (problem.requirements.empty()) return {};
+    Table table{{Align::left, Align::left, Align::point, Align::point, Align::left, Align::left}, {}};
+    table.rows.push_back({"", "", "required", "reached", "", ""});
+    for (const Requirement& requirement : problem.requirements) {
+        const Quantity& quantity = problem.mechanism->quantities[requirement.quantity];
+        const Standing standing = standing_of(problem, requirement, design);
+        const double reached = standing.value.value_or(0);
+        const auto add = [&](std::string_view relation, double limit, double shortfall) {
+            table.rows.push_back(requirement_row(problem, quantity, standing, relation, limit, shortfall));
+        };
+        if (requirement.equal) add("=", *requirement.equal, std::abs(reached - *requirement.equal));
+        if (requirement.min) add(">=", *requirement.min, *requirement.min - reached);
+        if (requirement.max) add("<=", *requirement.max, reached - *requirement.max);
+    }
+    return heading("Requirements", colour) + to_text(table, 2);
+}
+
+std::string quantity_section(const Problem& problem, const Design& design, bool colour) {
+    Table table{{Align::left, Align::point, Align::left}, {}};
+    for (std::size_t i = 0; i < problem.mechanism->quantities.size(); ++i) {
+        const Quantity& quantity = problem.mechanism->quantities[i];
+        if (const std::optional<double> value = quantity_value(problem, i, design))
+            table.rows.push_back({std::string(quantity.name),
+                                  number_text(in_file_unit(*value, quantity.unit, problem.units), 10),
+                                  unit_label(quantity.unit, problem.units)});
+    }
+    if (table.rows.empty()) return {};
+    return heading("Quantities", colour) + to_text(table, 2);
+}
+
+std::string path_section(const Problem& problem, const Design& design, bool colour) {
+    const std::optional<PathValues> values = path_values(problem, design);
+    if (!values) return {};
+    const std::size_t count = values->distances.size();
+    std::string text =
+        heading(problem.path->guides_body() ? fmt::format("Poses: {}", count)
+                                            : fmt::format("Path: {} point{}", count, count == 1 ? "" : "s"),
+                colour);
+    if (count <= most_points_shown) text += point_table(problem, design, *values);
+    text += fmt::format("  distance: root mean square {}, greatest {}\n",
+                        value_with_unit(values->root_mean_square, Unit::length, problem.units),
+                        value_with_unit(values->greatest, Unit::length, problem.units));
+    return text;
+}
+
+std::string verification_section(const std::vector<Check>& checks, bool colour) {
+    if (checks.empty()) return {};
+    const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
+    if (failed == 0)
+        return fmt::format(
+            "\nVerification: {} by recomputing in fifty digits.\n",
+            checks.size() == 1 ? "the one check passed" : fmt::format("all {} checks passed", checks.size()));
+    std::string text = heading(fmt::format("Verification: {} of {} checks FAILED", failed, checks.size()), colour);
+    for (const Check& check : checks)
+        if (!check.passed)
+            text += folded("  " + emphasised("failed", Emphasis::bad, colour) + "  ",
+                           check.name + (check.detail.empty() ? "" : ": " + check.detail));
+    return text;
+}
+
+}  // namespace mechwright

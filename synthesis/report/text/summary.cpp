@@ -1,0 +1,271 @@
+#include "synthesis/report/text/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/document/document.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/problem/units.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/program/proof.h"
+#include "synthesis/program/quantity_value.h"
+#include "synthesis/program/singular.h"
+#include "synthesis/program/standing.h"
+#include "synthesis/report/text/error_sections.h"
+#include "synthesis/report/text/sections.h"
+#include "synthesis/report/text/table.h"
+
+namespace mechwright {
+
+namespace {
+
+struct Headline {
+    std::string word;
+    std::string sentence;
+    Emphasis emphasis;
+};
+
+Headline headline_of(const Result& result) {
+    const bool feasible = result.best && result.best->feasible;
+    const std::string so_far = feasible      ? "; this is the best design so far."
+                               : result.best ? "; no design so far meets all requirements."
+                                             : "; no design was found so far.";
+    switch (result.status) {
+        case Status::solved:
+            return {"Solved", "all requirements are met, and the design passed verification.", Emphasis::good};
+        case Status::infeasible:
+            if (result.search.complete())
+                return {"Infeasible", "it is proven that no design meets all requirements.", Emphasis::bad};
+            return {"Infeasible",
+                    "no design that meets all requirements was found by a search that ran to its end. "
+                    "That is not a proof that there is none.",
+                    Emphasis::bad};
+        case Status::limit: return {"Limit", "stopped before the search ended" + so_far, Emphasis::bad};
+        case Status::unverified:
+            return {"Unverified", "a design was found, but its verification failed. Do not use it before you know why.",
+                    Emphasis::bad};
+        case Status::interrupted: return {"Interrupted", "stopped on request" + so_far, Emphasis::bad};
+    }
+    return {};
+}
+
+std::string status_section(const Result& result, bool colour) {
+    const Headline headline = headline_of(result);
+    const std::string word = emphasised(headline.word + ":", headline.emphasis, colour);
+    std::string text = '\n' + folded(word + " ", headline.sentence);
+    const bool said_already = result.status == Status::infeasible && result.best;
+    if (!result.note.empty() && !said_already) text += folded("", reading::printable(result.note, 2000));
+    return text;
+}
+
+/// The requirement that a design misses by most; one whose quantity it does not even have comes first.
+const Requirement* most_missed(const Problem& problem, const Design& design) {
+    const Requirement* worst = nullptr;
+    double most = problem.solver.tolerance;
+    for (const Requirement& requirement : problem.requirements) {
+        const Standing standing = standing_of(problem, requirement, design);
+        if (!standing.violation) return &requirement;
+        if (*standing.violation <= most) continue;
+        most = *standing.violation;
+        worst = &requirement;
+    }
+    return worst;
+}
+
+/// "swing, which has to be at least 70 deg and is 61 deg: off by 9 deg"
+std::string how_missed(const Problem& problem, const Requirement& requirement, const Design& design) {
+    const Quantity& quantity = problem.mechanism->quantities[requirement.quantity];
+    const std::optional<double> value = standing_of(problem, requirement, design).value;
+    if (!value) return fmt::format("{}, which is not defined for a motion like its", quantity.name);
+    const bool too_low = requirement.min && *value < *requirement.min;
+    const double limit = requirement.equal ? *requirement.equal : too_low ? *requirement.min : *requirement.max;
+    const char* relation = requirement.equal ? "" : too_low ? "at least " : "at most ";
+    const auto shown = [&](double x) {
+        std::string text = value_with_unit(x, quantity.unit, problem.units);
+        std::replace(text.begin(), text.end(), ' ', tied_space);
+        return text;
+    };
+    return fmt::format("{}, which has to be {}{} and is {}: off by {}", quantity.name, relation, shown(limit),
+                       shown(*value), shown(std::abs(*value - limit)));
+}
+
+/// What stands in the way of a design that is not feasible.
+std::string obstacle(const Problem& problem, const Solution& best) {
+    const Motion motion = motion_of(problem, best.design);
+    std::string text = "The design below comes closest. ";
+    if (!(motion.from <= motion.to))
+        text += "It does not assemble.";
+    else if (!assembles_over_range(problem, best.design))
+        text += "It does not assemble throughout the range of crank angles.";
+    else if (const Requirement* worst = most_missed(problem, best.design))
+        text += fmt::format("It fails most at {}.", how_missed(problem, *worst, best.design));
+    else if (std::isfinite(best.violation))
+        text += fmt::format("It leaves a range or a condition of its motion by {} (relative).",
+                            number_text(best.violation, 3));
+    return '\n' + folded("", text);
+}
+
+std::string percent(double share) {
+    if (share < 0.001) return "below 0.1%";
+    return share < 0.1 ? fmt::format("{:.1f}%", 100 * share) : fmt::format("{:.0f}%", 100 * share);
+}
+
+std::string duration_text(double seconds) {
+    constexpr double millisecond = 0.001;
+    if (seconds < millisecond) return fmt::format("less than a{}millisecond", tied_space);
+    return fmt::format("{:.{}f}{}s", seconds, seconds < 10 ? 3 : 1, tied_space);
+}
+
+std::string counted(long count, std::string_view one, std::string_view many) {
+    return fmt::format("{}{}{}", count, tied_space, count == 1 ? one : many);
+}
+
+std::string search_section(const SearchReport& search, bool colour) {
+    std::string how = search.method;
+    if (search.proof) {
+        how += fmt::format(", complete: {}.", search.proof->argument);
+    } else if (search.starts > 0) {
+        how += fmt::format(": {}, {}", counted(search.starts, "start", "starts"),
+                           counted(search.local_optima, "local optimum", "local optima"));
+        if (search.hits > 0) how += fmt::format("; {} ended at the best one", counted(search.hits, "start", "starts"));
+        if (search.hits > 0 && search.starts > 1)
+            how += fmt::format("; estimated chance that a better one was missed: {}", percent(search.missed_chance));
+        how += '.';
+    } else {
+        how += '.';
+    }
+    if (search.solutions) {
+        const SolutionCounts& n = *search.solutions;
+        how += fmt::format(" {}, {} at infinity, {} singular; {} real",
+                           counted(static_cast<long>(n.distinct), "distinct solution", "distinct solutions"),
+                           n.at_infinity, n.singular, n.real);
+        if (n.real > 0)
+            how += fmt::format(", {} of them certified; {} of these as mechanisms without a defect",
+                               n.certified == n.real ? "all" : std::to_string(n.certified), n.defect_free);
+        how += '.';
+    }
+    if (search.bound && !search.complete())
+        how += fmt::format(" No design has an objective below {}: {} boxes were examined.", number_text(*search.bound),
+                           search.boxes);
+    how += fmt::format(" {} in {}.", counted(search.evaluations, "evaluation", "evaluations"),
+                       duration_text(search.seconds));
+    return '\n' + folded(emphasised("Search:", Emphasis::strong, colour) + " ", how);
+}
+
+/// The solutions with a defect, a line for each.
+std::string excluded_section(const Problem& problem, const Result& result, bool colour) {
+    if (result.excluded.empty() || !result.search.solutions) return {};
+    Table table{{Align::right, Align::right, Align::right, Align::right, Align::left}, {{}}};
+    for (std::size_t i = 0; i < 4; ++i)
+        table.rows.front().emplace_back(problem.mechanism->dimensions[i].name);
+    table.rows.front().emplace_back("defect");
+    for (const ExcludedDesign& excluded : result.excluded) {
+        std::vector<std::string> row;
+        for (std::size_t i = 0; i < 4; ++i)
+            row.push_back(number_text(excluded.solution.design.dimensions[i], 5));
+        row.push_back(excluded.defect.substr(0, excluded.defect.find(':')));
+        table.rows.push_back(std::move(row));
+    }
+    return heading("Excluded", colour) + to_text(table, 2);
+}
+
+std::string alternatives_section(const Problem& problem, const Result& result) {
+    if (result.alternatives.empty()) return {};
+    const auto cognates = std::count_if(result.alternatives.begin(), result.alternatives.end(),
+                                        [](const VerifiedDesign& d) { return d.cognate_of.has_value(); });
+    std::string text = counted(static_cast<long>(result.alternatives.size()), "other design", "other designs");
+    if (problem.objective)
+        text += fmt::format(", the next best with objective {}",
+                            number_text(result.alternatives.front().solution.objective));
+    if (cognates > 0)
+        text += fmt::format("; {} of them {} of another", cognates, cognates == 1 ? "a cognate" : "cognates");
+    return folded("Alternatives: ", text + " (see --json or --out).");
+}
+
+/// What a search found and verification does not pass: the best of it by name, above all where it is better than the
+/// design.
+std::string set_aside_section(const Problem& problem, const Result& result) {
+    if (result.excluded.empty() || result.search.solutions) return {};
+    const ExcludedDesign& first = result.excluded.front();
+    std::string text =
+        counted(static_cast<long>(result.excluded.size()), "design that is", "designs that are") + " no use";
+    if (problem.objective) {
+        const bool better = result.verified() && preferred(problem, first.solution, *result.best);
+        text += fmt::format("; {} objective {}", better ? "one of them has the better" : "the first has the",
+                            number_text(first.solution.objective));
+    }
+    return folded("Set aside: ", text + ", but it fails a check: " + first.defect + ".");
+}
+
+/// The front between two objectives, a line for each design.
+std::string front_section(const Problem& problem, const Result& result, bool colour) {
+    if (problem.solver.pareto == 0) return {};
+    const auto& terms = problem.objective->terms;
+    Table table{{Align::right, Align::point, Align::point}, {{""}}};
+    for (const ObjectiveTerm& term : terms) {
+        const Quantity& q = problem.mechanism->quantities[term.quantity];
+        const std::string unit = unit_label(q.unit, problem.units);
+        table.rows.front().push_back(std::string(q.name) + (unit.empty() ? "" : " (" + unit + ")"));
+    }
+    for (std::size_t i = 0; i < result.front.size(); ++i) {
+        const Design& design = result.front[i].solution.design;
+        table.rows.push_back({std::to_string(i + 1)});
+        for (const ObjectiveTerm& term : terms) {
+            const Unit unit = problem.mechanism->quantities[term.quantity].unit;
+            const auto value = quantity_value(problem, term.quantity, design);
+            table.rows.back().push_back(value ? number_text(in_file_unit(*value, unit, problem.units)) : "-");
+        }
+    }
+    return heading("Front", colour) + to_text(table, 2) +
+           folded("  ", counted(static_cast<long>(result.front.size()), "design, verified.",
+                                "designs, each verified (see --json or --out)."));
+}
+
+std::string motion_line(const Problem& problem, const Design& design) {
+    const Motion motion = motion_of(problem, design);
+    if (!(motion.from <= motion.to)) return "\nIt does not assemble at any crank angle.\n";
+    if (motion.full_turn) return "\nThe crank turns fully.\n";
+    return fmt::format("\nMotion: crank angles from {} to {}.\n",
+                       value_with_unit(motion.from, Unit::angle, problem.units),
+                       value_with_unit(motion.to, Unit::angle, problem.units));
+}
+
+/// Where the design stands close to a singular position.
+std::string warning_section(const Problem& problem, const Design& design) {
+    std::string text;
+    for (const SingularMargin& m : singular_margins(problem, design))
+        text +=
+            folded("Warning: ", fmt::format("close to a singular position. {} (warned of below {:g}): the errors of "
+                                            "manufacture decide what it does there.",
+                                            to_text(m, problem.units), singular_below));
+    return text.empty() ? text : '\n' + text;
+}
+
+}  // namespace
+
+std::string summary(const Problem& problem, const Result& result, bool colour) {
+    std::string text = title_section(problem, colour) + status_section(result, colour);
+    if (result.best) {
+        const Solution& best = *result.best;
+        if (!best.feasible) text += obstacle(problem, best);
+        text += design_section(problem, best.design, colour) + objective_section(problem, best, colour) +
+                requirement_section(problem, best.design, colour) + path_section(problem, best.design, colour) +
+                error_section(problem, best.design, colour) + warning_section(problem, best.design) +
+                verification_section(result.verification, colour);
+    }
+    return text + front_section(problem, result, colour) + excluded_section(problem, result, colour) +
+           search_section(result.search, colour) + alternatives_section(problem, result) +
+           set_aside_section(problem, result);
+}
+
+std::string analysis_summary(const Problem& problem, const Solution& solution, bool colour) {
+    const Design& design = solution.design;
+    return title_section(problem, colour) + design_section(problem, design, colour) + motion_line(problem, design) +
+           quantity_section(problem, design, colour) + requirement_section(problem, design, colour) +
+           path_section(problem, design, colour) + error_section(problem, design, colour) +
+           warning_section(problem, design);
+}
+
+}  // namespace mechwright

@@ -1,0 +1,235 @@
+#include "synthesis/solve/methods.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "synthesis/exact/closed_form/closed_form.h"
+#include "synthesis/exact/exact.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/proof/prove.h"
+#include "synthesis/search/multistart.h"
+#include "synthesis/search/nearby.h"
+#include "synthesis/search/path_search.h"
+#include "synthesis/solve/solve.h"
+
+namespace mechwright {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What no local search can do.
+std::string why_no_search(const Problem& problem) {
+    for (const Requirement& r : problem.requirements)
+        if (problem.mechanism->quantities[r.quantity].path == PathMeasure::greatest && (r.min || r.equal))
+            return "path-max can only be limited from above";
+    return {};
+}
+
+Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) {
+    Found found;
+    found.report.method = "closed-form";
+    const auto outcome = solve_in_closed_form(problem);
+    if (!outcome) {
+        found.note =
+            "the ranges of the dimensions cut the optimum of the closed form off; the methods auto, slsqp and "
+            "ipopt look for the best design within them";
+        return found;
+    }
+    if (outcome->best) found.candidates.push_back(*outcome->best);
+    found.infeasible = outcome->infeasible;
+    found.report.proof = outcome->proof;
+    found.report.local_optima = outcome->infeasible ? 0 : 1;
+    found.report.missed_chance = 0;
+    found.report.evaluations = 1;
+    return found;
+}
+
+bool found_feasible(const Found& found) { return !found.candidates.empty() && found.candidates.front().feasible; }
+
+/// The best design at the very optimum that its search ended near.
+void settle_best(const Problem& problem, Found& found, const RunOptions& options, Clock::time_point deadline) {
+    if (found.stopped || !problem.objective || !found_feasible(found) || found.report.complete()) return;
+    LocalLimits limits;
+    limits.deadline = deadline;
+    limits.stop = options.stop;
+    NearbyOptimum at = settled(problem, found.candidates.front().design, limits);
+    found.report.evaluations += at.evaluations;
+    found.stopped = !at.stationary && limits.reached();
+    if (at.solution && preferred(problem, *at.solution, found.candidates.front()))
+        found.candidates.front() = *std::move(at.solution);
+}
+
+Found search(std::string_view name, LocalMethod local, const Problem& problem, const RunOptions& options,
+             Clock::time_point deadline) {
+    Multistart m = multistart(problem, local, options, deadline);
+    Found found{std::move(m.optima), m.report, false, m.stopped,
+                "no kind of motion of this mechanism has all the quantities that the problem names"};
+    found.report.method = name;
+    settle_best(problem, found, options, deadline);
+    return found;
+}
+
+Found with_slsqp(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    Found found = search("slsqp", slsqp, problem, options, deadline);
+    if (!found.stopped && found_feasible(found) && is_quickly_proved(problem))
+        prove(problem, found.candidates.front(), found.report, options, deadline);
+    return found;
+}
+
+Found with_ipopt(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    return search("ipopt", ipopt, problem, options, deadline);
+}
+
+Found with_least_squares(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    Multistart m = path_search(problem, options, deadline);
+    Found found{std::move(m.optima), m.report, false, m.stopped,
+                "no kind of motion of this mechanism has all the quantities that the problem names"};
+    found.report.method = "least-squares";
+    settle_best(problem, found, options, deadline);
+    return found;
+}
+
+Found with_branch_and_bound(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    Found found =
+        problem.function ? with_slsqp(problem, options, deadline) : with_least_squares(problem, options, deadline);
+    found.report.method = "branch-and-bound";
+    if (found.stopped || !found_feasible(found) || found.report.complete()) return found;
+    found.stopped = !prove(problem, found.candidates.front(), found.report, options, deadline);
+    return found;
+}
+
+std::string why_no_least_squares(const Problem& problem) {
+    const std::string why = why_no_path_search(problem);
+    return why.empty() ? why_no_search(problem) : why;
+}
+
+Found every_solution(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    ExactDesigns designs = exact_designs(problem, options, {deadline, options.stop});
+    Found found;
+    found.candidates = std::move(designs.designs);
+    found.excluded = std::move(designs.excluded);
+    found.report.method = "exact";
+    found.report.proof = designs.proof;
+    found.report.solutions = designs.counts;
+    found.report.starts = designs.starts;
+    found.report.local_optima = designs.local_optima;
+    found.report.missed_chance = designs.counts ? 0 : 1;
+    found.report.evaluations = designs.evaluations;
+    found.most_tried = std::max<std::size_t>(found.candidates.size(), 1);
+    found.infeasible = found.candidates.empty() && leaves_none_out(found.report);
+    found.stopped = designs.stopped;
+    // Of a family the member that comes closest is shown where none has all that is asked for.
+    if (!designs.counts && found.candidates.empty() && !found.excluded.empty() &&
+        std::isfinite(found.excluded.front().solution.violation))
+        found.candidates.push_back(found.excluded.front().solution);
+    found.excluded_note = designs.note.empty()
+                              ? "proved: nothing meets the targets without a defect; --all lists what does"
+                              : "proved: " + designs.note;
+    found.note = designs.note.empty() ? "every solution that was found has a defect: --all lists them" : designs.note;
+    return found;
+}
+
+/// The one of two searches that found the better design, with the work of both.
+Found better(const Problem& problem, Found first, Found second) {
+    const bool second_is =
+        !second.candidates.empty() &&
+        (first.candidates.empty() || preferred(problem, second.candidates.front(), first.candidates.front()));
+    Found& chosen = second_is ? second : first;
+    chosen.report.evaluations = first.report.evaluations + second.report.evaluations;
+    chosen.stopped = first.stopped || second.stopped;
+    return std::move(chosen);
+}
+
+Found automatic(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    if (why_no_closed_form(problem).empty()) {
+        Found found = closed_form(problem, options, deadline);
+        if (found.report.complete() && found.infeasible) return found;
+        if (found.report.complete()) found.checks_of_first = checks_of(problem, found.candidates.front());
+        if (all_passed(found.checks_of_first)) return found;
+    }
+    if (problem.has_instant && why_not_exact(problem).empty()) return every_solution(problem, options, deadline);
+    if (options.neighbour) return near_neighbour(problem, options, deadline);
+    if (!why_no_path_search(problem).empty()) return with_slsqp(problem, options, deadline);
+    Found found = with_least_squares(problem, options, deadline);
+    // Where other things than the distances count, the best are not where least squares look first.
+    if (found.stopped || found.report.complete() || least_squares_suffice(problem)) return found;
+    if (least_squares_lead_on(problem) && found_feasible(found)) return found;
+    return better(problem, std::move(found), with_slsqp(problem, options, deadline));
+}
+
+constexpr std::array<Method, 7> all{{
+    {"auto", "a closed form where one covers the problem, least-squares for a path, else slsqp", why_no_search,
+     automatic},
+    {"closed-form",
+     "crank-rockers of given swing and time ratio, slider-cranks, crank shapers and Whitworth drives of given time "
+     "ratio and stroke, with the best transmission angle; the smallest cams: the global optimum",
+     why_no_closed_form, closed_form},
+    {"exact",
+     "mechanisms that meet their targets exactly, every one where there are finitely many: nine points of a path, "
+     "poses and points, five poses or timed points, up to five points of a function, velocities of an instant; with "
+     "fewer targets the best of the family",
+     why_not_exact, every_solution},
+    {"least-squares",
+     "paths: candidates screened many at a time, Levenberg-Marquardt from the best; slsqp where limits are active",
+     why_no_least_squares, with_least_squares},
+    {"branch-and-bound",
+     "timed paths and functions of least greatest error: the search, then a lower bound over all linkages, as close as "
+     "it comes within the time limit",
+     why_no_proof, with_branch_and_bound},
+    {"slsqp",
+     "sequential quadratic programming (NLopt) from many starts, exact gradients; Madsen's method for a least "
+     "greatest value, Newton polish",
+     why_no_search, with_slsqp},
+    {"ipopt", "interior point (Ipopt) from many starts, exact Hessians; then as slsqp; one thread", why_no_search,
+     with_ipopt},
+}};
+
+}  // namespace
+
+std::span<const Method> methods() { return all; }
+
+const Method* find_method(std::string_view name) {
+    const auto at = std::find_if(all.begin(), all.end(), [&](const Method& m) { return m.name == name; });
+    return at == all.end() ? nullptr : &*at;
+}
+
+bool is_search(const Method& method) {
+    return method.run == with_slsqp || method.run == with_ipopt || method.run == with_least_squares;
+}
+
+Found near_neighbour(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
+    LocalLimits limits;
+    limits.deadline = deadline;
+    limits.stop = options.stop;
+    Found found;
+    found.report.method = "neighbour";
+    found.report.starts = 1;
+    found.note = "no design was found from that of a neighbour";
+    const NearbyOptimum near = nearby(problem, *options.neighbour, limits);
+    if (near.solution && near.stationary) found.candidates.push_back(*near.solution);
+    found.report.local_optima = static_cast<int>(found.candidates.size());
+    found.report.evaluations = near.evaluations;
+    found.stopped = limits.reached();
+    return found;
+}
+
+bool leaves_none_out(const SearchReport& report) {
+    return report.complete() && report.solutions && report.solutions->singular == 0;
+}
+
+std::vector<MethodDescription> all_methods() {
+    std::vector<MethodDescription> descriptions;
+    for (const Method& m : all)
+        descriptions.push_back({m.name, m.meaning});
+    return descriptions;
+}
+
+std::string why_not_applicable(std::string_view name, const Problem& problem) {
+    const Method* method = find_method(name);
+    return method ? method->why_not(problem) : "there is no method of this name";
+}
+
+}  // namespace mechwright

@@ -1,0 +1,115 @@
+#include "synthesis/solve/solve.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "synthesis/document/document.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/program/proof.h"
+#include "synthesis/solve/choose.h"
+#include "synthesis/solve/front.h"
+#include "synthesis/solve/methods.h"
+#include "synthesis/solve/why_infeasible.h"
+#include "synthesis/verify/proof_checks.h"
+
+namespace mechwright {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Best first.
+void rank(const Problem& problem, std::vector<Solution>& all) {
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const Solution& a, const Solution& b) { return preferred(problem, a, b); });
+}
+
+std::size_t design_variables(const Problem& problem) {
+    return static_cast<std::size_t>(std::count_if(problem.dimensions.begin(), problem.dimensions.end(),
+                                                  [](const DimensionRange& d) { return !d.fixed() && !d.tied(); }));
+}
+
+}  // namespace
+
+Result solve(const Problem& problem, const RunOptions& options) {
+    const Clock::time_point begin = Clock::now();
+    const auto budget = std::chrono::duration<double>(std::min(problem.solver.time_limit, 1e9));
+    const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(budget);
+    const RunEnd end{deadline, options.stop};
+    const Method* method = find_method(problem.solver.method);
+
+    Result result;
+    Found found;
+    if (design_variables(problem) == 0 && !(problem.path && !problem.path->prescribed_timing)) {
+        for (const std::size_t assembly : problem.assemblies)
+            found.candidates.push_back(evaluate_given(problem, assembly));
+        rank(problem, found.candidates);
+        found.report.method = "given";
+        found.report.proof = proof_by("every dimension is given", GivenCertificate{});
+        found.report.local_optima = 1;
+        found.report.missed_chance = 0;
+        found.report.evaluations = static_cast<long>(found.candidates.size());
+        found.infeasible = !found.candidates.front().feasible;
+    } else if (options.neighbour && is_search(*method)) {
+        found = near_neighbour(problem, options, deadline);
+    } else {
+        found = method->run(problem, options, deadline);
+    }
+    result.search = found.report;
+    bool feasible = !found.candidates.empty() && found.candidates.front().feasible;
+    if (found.report.solutions) {
+        choose_all_verified(problem, found, end, result);
+        feasible = result.best.has_value();
+        found.infeasible = !feasible && leaves_none_out(found.report);
+        if (options.all) result.excluded = std::move(found.excluded);
+    } else if (feasible)
+        choose_verified(problem, found, end, result);
+    else if (!found.candidates.empty())
+        result.best = std::move(found.candidates.front());
+
+    bool limited = false;
+    if (!(feasible && result.verified()) && !found.infeasible)
+        if (auto proof = why_infeasible(problem)) {
+            result.search.proof = std::move(proof);
+            result.verification.clear();
+            result.alternatives.clear();
+            if (result.best) result.best->feasible = false;
+            found.infeasible = limited = true;
+            feasible = found.stopped = false;
+        }
+    if (!feasible && !found.infeasible) result.search.proof.reset();
+
+    const auto asked_to_stop = [&] { return options.stop && options.stop->load(); };
+    if (feasible && problem.solver.pareto > 0) {
+        result.front = front(problem, options, deadline, result.best->objective);
+        found.stopped = found.stopped || asked_to_stop() || Clock::now() >= deadline;  // the front may have gaps
+    }
+
+    const bool interrupted = asked_to_stop();
+    if (found.stopped)
+        result.status = interrupted ? Status::interrupted : Status::limit;
+    else if (!feasible)
+        result.status = Status::infeasible;
+    else
+        result.status = result.verified() ? Status::solved : Status::unverified;
+    if (result.status == Status::infeasible) {
+        if (found.infeasible && found.report.solutions)
+            result.note = found.excluded_note;
+        else if (found.infeasible && (limited || !result.best))
+            result.note = "proved: no design meets the requirements; " + result.search.proof->argument;
+        else if (found.infeasible)
+            result.note = "proved: no design meets the requirements; the best that can be had is shown";
+        else if (result.best)
+            result.note = "no design was found by a search that ran to its end; the least-violating one is shown";
+        else
+            result.note = found.note;
+    }
+    result.search.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    for (const Check& check : check_proof(document(problem, result)))
+        if (!check.passed) throw std::logic_error("a proof does not hold: " + check.name + ": " + check.detail);
+    return result;
+}
+
+}  // namespace mechwright
