@@ -12,9 +12,50 @@
 
 namespace mechwright {
 
+namespace detail {
+
+// Loops over the derivatives of wide numbers: compiled once for all widths, and called.
+
+/// r = ka a + kb b, element by element.
+template <class T>
+[[gnu::noinline]] void wide_sum(std::size_t count, T* __restrict r, const T* a, const T ka, const T* b, const T kb) {
+    for (std::size_t k = 0; k < count; ++k)
+        r[k] = ka * a[k] + kb * b[k];
+}
+
+/// Adds a_i b_j + a_j b_i to r_ij of a lower triangle.
+template <class T>
+[[gnu::noinline]] void add_wide_products(std::size_t n, T* __restrict r, const T* a, const T* b) {
+    for (std::size_t i = 0; i < n; r += ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+            r[j] += a[i] * b[j] + a[j] * b[i];
+}
+
+/// r_ij = df a_ij + ddf a_i a_j of lower triangles; the first derivatives are `first`.
+template <class T>
+[[gnu::noinline]] void wide_chain(std::size_t n, T* __restrict r, const T* second, const T* first, const T df,
+                                  const T ddf) {
+    for (std::size_t i = 0; i < n; ++i, r += i, second += i)
+        for (std::size_t j = 0; j <= i; ++j)
+            r[j] = df * second[j] + ddf * first[i] * first[j];
+}
+
+/// Adds faa a_i a_j + fbb b_i b_j + fab (a_i b_j + a_j b_i) to r_ij of a lower triangle.
+template <class T>
+[[gnu::noinline]] void add_wide_chain(std::size_t n, T* __restrict r, const T* a, const T* b, const T faa, const T fab,
+                                      const T fbb) {
+    for (std::size_t i = 0; i < n; r += ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+            r[j] += faa * a[i] * a[j] + fbb * b[i] * b[j] + fab * (a[i] * b[j] + a[j] * b[i]);
+}
+
+}  // namespace detail
+
 template <class T, std::size_t N>
 struct SecondDual {
     static constexpr std::size_t pairs = N * (N + 1) / 2;
+    /// Of so many derivatives loops are called: a call takes no time beside them.
+    static constexpr bool wide = N > 16;
 
     using Value = T;
     T value;
@@ -52,6 +93,10 @@ struct SecondDual {
     friend constexpr SecondDual operator-(const SecondDual& a) { return chain(a, -a.value, T(-1), T(0)); }
     friend constexpr SecondDual operator*(const SecondDual& a, const SecondDual& b) {
         SecondDual r = sum(a.value * b.value, a, b.value, b, a.value);
+        if constexpr (wide) {
+            detail::add_wide_products(N, r.second.data(), a.first.data(), b.first.data());
+            return r;
+        }
         std::size_t at = 0;
         for (std::size_t i = 0; i < N; ++i)
             for (std::size_t j = 0; j <= i; ++j)
@@ -73,6 +118,14 @@ struct SecondDual {
 
     /// A function of one argument: value, first and second derivative there.
     static constexpr SecondDual chain(const SecondDual& a, const T& f, const T& df, const T& ddf) {
+        if constexpr (wide) {
+            SecondDual r;
+            r.value = f;
+            for (std::size_t i = 0; i < N; ++i)
+                r.first[i] = df * a.first[i];
+            detail::wide_chain(N, r.second.data(), a.second.data(), a.first.data(), df, ddf);
+            return r;
+        }
         SecondDual r(f);
         std::size_t at = 0;
         for (std::size_t i = 0; i < N; ++i) {
@@ -87,6 +140,10 @@ struct SecondDual {
     static constexpr SecondDual chain(const SecondDual& a, const SecondDual& b, const T& f, const T& fa, const T& fb,
                                       const T& faa, const T& fab, const T& fbb) {
         SecondDual r = sum(f, a, fa, b, fb);
+        if constexpr (wide) {
+            detail::add_wide_chain(N, r.second.data(), a.first.data(), b.first.data(), faa, fab, fbb);
+            return r;
+        }
         std::size_t at = 0;
         for (std::size_t i = 0; i < N; ++i)
             for (std::size_t j = 0; j <= i; ++j)
@@ -97,6 +154,13 @@ struct SecondDual {
 
     /// A value `f` whose derivatives are those of ka a + kb b.
     static constexpr SecondDual sum(const T& f, const SecondDual& a, const T& ka, const SecondDual& b, const T& kb) {
+        if constexpr (wide) {
+            SecondDual r;
+            r.value = f;
+            detail::wide_sum(N, r.first.data(), a.first.data(), ka, b.first.data(), kb);
+            detail::wide_sum(pairs, r.second.data(), a.second.data(), ka, b.second.data(), kb);
+            return r;
+        }
         SecondDual r(f);
         for (std::size_t i = 0; i < N; ++i)
             r.first[i] = ka * a.first[i] + kb * b.first[i];

@@ -82,46 +82,10 @@ using Components = std::span<T>;
 /// The measure of a formula with `static constexpr std::size_t reads`, `static constexpr std::size_t most` and
 /// `template <class T> static std::size_t components(const Motion&, const std::array<T, reads>&, Components<T> out)`;
 /// where it depends on few of the dimensions it reads, `static constexpr std::array<std::size_t, ...> uses` names them.
+/// Defined in measure_by.h for those who make quantities; others only ask whether a quantity is measured by a formula,
+/// and need not compile it again for that.
 template <class Formula>
-void measure_by(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
-    constexpr std::size_t n = Formula::reads;
-    constexpr std::size_t pairs = n * (n + 1) / 2;
-    constexpr auto used = used_by<Formula>();
-    static_assert(Formula::most <= Quantity::most_components);
-    const auto evaluate = [&]<class T>(std::array<T, Formula::most>& at) {
-        return Formula::template components<T>(motion, seeded<T, n, used>(dimensions), at);
-    };
-    const auto set_gradient = [&](std::size_t k, const std::array<double, used.size()>& partial) {
-        const auto gradient = out.gradient.subspan(k * n, n);
-        if (used.size() < n) std::fill(gradient.begin(), gradient.end(), 0.0);
-        for (std::size_t i = 0; i < used.size(); ++i)
-            gradient[used[i]] = partial[i];
-    };
-    if (!out.hessian.empty()) {
-        std::array<SecondDual<double, used.size()>, Formula::most> c;
-        const std::size_t count = evaluate(c);
-        for (std::size_t k = 0; k < count; ++k) {
-            out.value[k] = c[k].value;
-            if (!out.gradient.empty()) set_gradient(k, c[k].first);
-            const auto hessian = out.hessian.subspan(k * pairs, pairs);
-            if (used.size() < n) std::fill(hessian.begin(), hessian.end(), 0.0);
-            for (std::size_t i = 0, at = 0; i < used.size(); ++i)
-                for (std::size_t j = 0; j <= i; ++j, ++at)
-                    hessian[used[i] * (used[i] + 1) / 2 + used[j]] = c[k].second[at];
-        }
-    } else if (!out.gradient.empty()) {
-        std::array<Dual<double, used.size()>, Formula::most> c;
-        const std::size_t count = evaluate(c);
-        for (std::size_t k = 0; k < count; ++k) {
-            out.value[k] = c[k].value;
-            set_gradient(k, c[k].partial);
-        }
-    } else {
-        std::array<double, Formula::most> c;
-        const std::size_t count = evaluate(c);
-        std::copy_n(c.begin(), count, out.value.begin());
-    }
-}
+void measure_by(const Motion& motion, std::span<const double> dimensions, const Measurement& out);
 
 /// Whether a quantity is measured by this formula: how a closed form recognises what it solves, without its name.
 template <class Formula>

@@ -217,7 +217,7 @@ std::optional<Measured> objective_again(const ClaimedObjective& objective, Measu
         if (!again) return std::nullopt;
         const Unit unit = quantity_of(claim, term.quantity).unit;
         const Digits50 value = term.weight * in_document(again->value, unit, claim.units);
-        const Digits50 slack = abs(term.weight) * in_document(again->slack, unit, claim.units);
+        const Digits50 slack = std::abs(term.weight) * in_document(again->slack, unit, claim.units);
         if (!single && !objective.worst) {
             total.value += term.maximize ? Digits50(-value) : value;
             total.slack += slack;

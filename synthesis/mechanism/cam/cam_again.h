@@ -4,14 +4,12 @@
 /// curvatures, velocities are differences of positions; normals and pressure angles follow from the tangent. No formula
 /// of the analysis but the law's own lift is used.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "analysis/numbers/golden_section.h"
 #include "synthesis/mechanism/cam/layout.h"
 
 namespace mechwright::cam::again {
@@ -192,17 +190,28 @@ CamHere<R> cam_here(const Follower<R>& f, const Here<R>& here) {
     }
 }
 
-/// A cam rebuilt from its dimensions, in double to look for places and in fifty digits to measure there.
+/// The segments of a cam, in double to look for places and in fifty digits to measure there.
+struct RebuiltMotion {
+    std::vector<Segment<Digits50>> segments{};
+    std::vector<Segment<double>> plain_segments{};
+    std::vector<Digits50> start_lifts{};
+
+    Here<Digits50> here(std::size_t segment, std::size_t piece, const Digits50& u) const {
+        return {&segments[segment], start_lifts[segment], piece, u};
+    }
+    Here<double> roughly(std::size_t segment, std::size_t piece, double u) const {
+        return {&plain_segments[segment], start_lifts[segment].convert_to<double>(), piece, u};
+    }
+};
+
+/// A cam rebuilt from its dimensions, with its follower in both kinds of numbers.
 template <template <class> class Follower>
 struct Rebuilt {
-    const Motion* motion;
     Follower<Digits50> follower;
     Follower<double> plain_follower;
-    std::vector<Segment<Digits50>> segments;
-    std::vector<Segment<double>> plain_segments;
-    std::vector<Digits50> start_lifts;
+    RebuiltMotion motion;
 
-    Rebuilt(const Motion& m, std::span<const Digits50> dimensions) : motion(&m) {
+    Rebuilt(const Motion& m, std::span<const Digits50> dimensions) {
         std::vector<double> plain;
         for (const Digits50& d : dimensions)
             plain.push_back(d.convert_to<double>());
@@ -211,112 +220,41 @@ struct Rebuilt {
         plain_follower = follower_of<Follower, double>(rounded, m.assembly);
         for (std::size_t i = 0; i < m.program->segments.size(); ++i) {
             const auto p = parameters_of<Digits50>(*m.program, slots<Follower>, dimensions, i);
-            segments.push_back(with_contour<Follower>(segment_of(*m.program, m.assembly, i, p), m.program->segments[i],
-                                                      geometry_of<Follower, Digits50>(dimensions)));
-            start_lifts.push_back(p.start_lift);
-            plain_segments.push_back(with_contour<Follower>(
+            motion.segments.push_back(with_contour<Follower>(segment_of(*m.program, m.assembly, i, p),
+                                                             m.program->segments[i],
+                                                             geometry_of<Follower, Digits50>(dimensions)));
+            motion.start_lifts.push_back(p.start_lift);
+            motion.plain_segments.push_back(with_contour<Follower>(
                 segment_of(*m.program, m.assembly, i, parameters_of<double>(*m.program, slots<Follower>, rounded, i)),
                 m.program->segments[i], geometry_of<Follower, double>(rounded)));
         }
     }
-
-    Here<Digits50> here(std::size_t segment, std::size_t piece, const Digits50& u) const {
-        return {&segments[segment], start_lifts[segment], piece, u};
-    }
-    Here<double> roughly(std::size_t segment, std::size_t piece, double u) const {
-        return {&plain_segments[segment], start_lifts[segment].template convert_to<double>(), piece, u};
-    }
 };
 
-/// A place on an analytic piece, with the value of a measure there.
-struct Sample {
-    std::size_t segment, piece;
-    double from, u, to;  ///< the place, and the ends of the piece
-    double value;
-
-    bool same_piece(const Sample& other) const { return segment == other.segment && piece == other.piece; }
+/// What is to be greatest over some segments, as a function of the place: roughly, and in fifty digits.
+struct Sought {
+    const void* context;
+    double (*rough)(const void* context, const Here<double>& here);
+    Digits50 (*fine)(const void* context, const Here<Digits50>& here);
 };
 
-/// A measure, f(follower, here), all along some segments, in double.
-template <template <class> class Follower, class Wanted, class Function>
-std::vector<Sample> samples_of(const Rebuilt<Follower>& cam, const Wanted& wanted, const Function& f) {
-    std::vector<Sample> samples;
-    for (std::size_t i = 0; i < cam.segments.size(); ++i) {
-        const Segment<double>& segment = cam.plain_segments[i];
-        if (!wanted(segment.kind)) continue;
-        const std::size_t count = segment.kind == SegmentKind::dwell ? 1 : pieces(segment);
-        const int steps = segment.kind == SegmentKind::dwell ? 1 : count > 8 ? 8 : 128;
-        for (std::size_t piece = 0; piece < count; ++piece) {
-            const double from = break_before(segment, piece), to = break_before(segment, piece + 1);
-            for (int k = 0; k <= steps; ++k) {
-                const double u = k == steps ? to : from + k * (to - from) / steps;
-                samples.push_back({i, piece, from, u, to, f(cam.plain_follower, cam.roughly(i, piece, u))});
-            }
-        }
-    }
-    return samples;
-}
-
-/// The place near a sample, between two others, at which a measure is greatest: golden sections in double, then
-/// Newton's method on the slope in fifty digits, kept in the piece.
-template <template <class> class Follower, class Function>
-Digits50 peak_near(const Rebuilt<Follower>& cam, const Sample& at, double left, double right, const Function& f) {
-    const auto plain = [&](double x) { return f(cam.plain_follower, cam.roughly(at.segment, at.piece, x)); };
-    Digits50 u = greatest_between(plain, left, right);
-    const Digits50 width = at.to - at.from, fine_step = 1e-6 * width;
-    // Newton's method squares what is left: after so short a step none of the digits that count changes.
-    const Digits50 short_step = 1e-8 * width;
-    for (int step = 0; step < 3; ++step) {
-        const auto slope = derivatives<Digits50>([&](const Digits50& t) {
-            const Digits50 x = u + t * fine_step / Step<Digits50>::first;
-            return Digits50(f(cam.follower, cam.here(at.segment, at.piece, x)));
-        });
-        if (!(slope.second < 0)) break;
-        const Digits50 next =
-            std::clamp<Digits50>(u - slope.first / slope.second * (fine_step / Step<Digits50>::first), at.from, at.to);
-        const Digits50 moved = abs(next - u);
-        u = next;
-        if (moved <= short_step) break;
-    }
-    return u;
-}
+Digits50 find_greatest(const RebuiltMotion& motion, bool (*wanted)(SegmentKind), const Sought& f);
 
 /// The greatest value over some segments of a measure: f(follower, here), in double and in fifty digits.
-template <template <class> class Follower, class Wanted, class Function>
-Digits50 greatest(const Rebuilt<Follower>& cam, const Wanted& wanted, const Function& f) {
-    const std::vector<Sample> found = samples_of(cam, wanted, f);
-    double best = -std::numeric_limits<double>::infinity(), scale = 0;
-    for (const Sample& sample : found) {
-        best = std::max(best, sample.value);
-        scale = std::max(scale, std::abs(sample.value));
-    }
-    // Differences between samples that are nothing but the rounding of difference formulas in double: the measure is
-    // constant there, and a few of the samples stand for all.
-    const double flat = 1e-9 * scale;
-    constexpr int most_flat = 3;
-    int flat_ones = 0;
-    Digits50 result = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        const Sample& at = found[k];
-        const bool has_before = k > 0 && found[k - 1].same_piece(at);
-        const bool has_after = k + 1 < found.size() && found[k + 1].same_piece(at);
-        if (!has_before) flat_ones = 0;
-        if (has_before && found[k - 1].value > at.value) continue;
-        if (has_after && found[k + 1].value >= at.value) continue;
-        // A peak rises above its highest sample by less than the samples beside that fall short of it.
-        const double rise =
-            std::max(has_before ? at.value - found[k - 1].value : 0, has_after ? at.value - found[k + 1].value : 0);
-        if (!(at.value + rise >= best - flat)) continue;
-        if (rise <= flat && ++flat_ones > most_flat) continue;
-        const auto fine = [&](const Digits50& u) {
-            return Digits50(f(cam.follower, cam.here(at.segment, at.piece, u)));
-        };
-        result = std::max(result, fine(at.u));
-        if (rise > flat && at.to > at.from && cam.segments[at.segment].kind != SegmentKind::dwell)
-            result = std::max(result, fine(peak_near(cam, at, has_before ? found[k - 1].u : at.from,
-                                                     has_after ? found[k + 1].u : at.to, f)));
-    }
-    return result;
+template <template <class> class Follower, class Function>
+Digits50 greatest(const Rebuilt<Follower>& cam, bool (*wanted)(SegmentKind), const Function& f) {
+    using Both = std::pair<const Rebuilt<Follower>*, const Function*>;
+    const Both both{&cam, &f};
+    return find_greatest(cam.motion, wanted,
+                         {&both,
+                          [](const void* context, const Here<double>& here) -> double {
+                              const Both& at = *static_cast<const Both*>(context);
+                              return (*at.second)(at.first->plain_follower, here);
+                          },
+                          [](const void* context, const Here<Digits50>& here) -> Digits50 {
+                              const Both& at = *static_cast<const Both*>(context);
+                              return (*at.second)(at.first->follower, here);
+                          }});
 }
 
 }  // namespace mechwright::cam::again

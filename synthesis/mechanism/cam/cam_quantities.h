@@ -2,7 +2,7 @@
 /// \file
 /// The quantities of a cam with a given follower as rows of the registry.
 
-#include "synthesis/mechanism/cam/quantities.h"
+#include "synthesis/mechanism/cam/measures.h"
 #include "synthesis/mechanism/cam/quantities_again.h"
 
 namespace mechwright::cam {

@@ -87,13 +87,35 @@ Local<Follower, T> local_of(const Motion& motion, std::size_t index, const std::
             p.start_lift};
 }
 
-/// The values of the local parameters.
-inline std::array<double, local_count> local_values(const Shares& shares, std::span<const double> dimensions) {
-    std::array<double, local_count> x{};
-    for (const Share& share : shares)
-        x[share.local] += share.factor * dimensions[share.dimension];
-    return x;
+/// The follower, its load and its lift at a place, from the local parameters of the place's segment.
+template <template <class> class Follower, class T>
+struct Located {
+    Local<Follower, T> local;
+    Lift<T> lift;
+};
+
+/// Compiled once for each follower and type of numbers, whatever is measured there.
+template <template <class> class Follower, class T>
+[[gnu::noinline]] Located<Follower, T> located(const Motion& motion, const Place& place,
+                                               const std::array<T, local_count>& x, const T& u) {
+    Located<Follower, T> at{local_of<Follower, T>(motion, place.segment, x),
+                            lift_at(at.local.segment, place.piece, u, at.local.start_lift)};
+    return at;
 }
+
+/// The values of the local parameters.
+std::array<double, local_count> local_values(const Shares& shares, std::span<const double> dimensions);
+
+/// A component of a measurement that terms are added to, of so many dimensions.
+struct Sum {
+    const Measurement* out;
+    std::size_t component;
+    std::size_t dimensions;
+
+    void add(double factor, double value) const { out->value[component] += factor * value; }
+    void add(double factor, const Dual<double, local_count>& value, const Shares& shares) const;
+    void add(double factor, const SecondDual<double, local_count>& value, const Shares& shares) const;
+};
 
 /// A measure at places, times factors, added up: one component of a quantity.
 struct Term {
@@ -110,49 +132,29 @@ void add_term(const Motion& motion, std::span<const double> dimensions, const Te
     const auto shares = shares_of<Follower>(*motion.program, place.segment);
     const auto plain = local_values(shares, dimensions);
     const auto at = [&]<class T>(const std::array<T, local_count>& x, const T& u) {
-        const auto local = local_of<Follower, T>(motion, place.segment, x);
-        const auto lift = lift_at(local.segment, place.piece, u, local.start_lift);
-        if constexpr (requires { value(local.segment.contour); })
-            return value(local.segment.contour);
-        else if constexpr (requires { value(local.follower, lift, local.load); })
-            return value(local.follower, lift, local.load);
+        const auto here = located<Follower, T>(motion, place, x, u);
+        if constexpr (requires { value(here.local.segment.contour); })
+            return value(here.local.segment.contour);
+        else if constexpr (requires { value(here.local.follower, here.lift, here.local.load); })
+            return value(here.local.follower, here.lift, here.local.load);
         else
-            return value(local.follower, lift);
+            return value(here.local.follower, here.lift);
     };
-    const std::size_t n = dimension_count<Follower>, pairs = n * (n + 1) / 2;
+    const Sum sum{&out, component, dimension_count<Follower>};
     if (!out.hessian.empty()) {
         using T = SecondDual<double, local_count>;
         const auto seeds = seeded<T, local_count>(plain);
-        const T result = place.stationary ? at_stationary(seeds, place.u, at) : at(seeds, T(place.u));
-        out.value[component] += term.factor * result.value;
-        for (const Share& a : shares) {
-            if (!out.gradient.empty())
-                out.gradient[component * n + a.dimension] += term.factor * a.factor * result.first[a.local];
-            for (const Share& b : shares)
-                if (a.dimension >= b.dimension)
-                    out.hessian[component * pairs + a.dimension * (a.dimension + 1) / 2 + b.dimension] +=
-                        term.factor * a.factor * b.factor * result.mixed(a.local, b.local);
-        }
+        sum.add(term.factor, place.stationary ? at_stationary(seeds, place.u, at) : at(seeds, T(place.u)), shares);
     } else if (!out.gradient.empty()) {
         using T = Dual<double, local_count>;
-        const T result = at(seeded<T, local_count>(plain), T(place.u));
-        out.value[component] += term.factor * result.value;
-        for (const Share& a : shares)
-            out.gradient[component * n + a.dimension] += term.factor * a.factor * result.partial[a.local];
+        sum.add(term.factor, at(seeded<T, local_count>(plain), T(place.u)), shares);
     } else {
-        out.value[component] += term.factor * at(plain, place.u);
+        sum.add(term.factor, at(plain, place.u));
     }
 }
 
 /// Sets the first components to zero, where terms are to be added.
-inline void clear(const Measurement& out, std::size_t components, std::size_t dimensions) {
-    const auto zero = [](std::span<double> all, std::size_t count) {
-        if (!all.empty()) std::fill_n(all.begin(), count, 0.0);
-    };
-    zero(out.value, components);
-    zero(out.gradient, components * dimensions);
-    zero(out.hessian, components * (dimensions * (dimensions + 1) / 2));
-}
+void clear(const Measurement& out, std::size_t components, std::size_t dimensions);
 
 /// A segment as it stands, with the lift at its start.
 struct PlacedSegment {

@@ -55,32 +55,14 @@ T searched(const Motion& motion, std::span<const double> dimensions, const Lift<
 template <template <class> class Follower, class Formula, Kinds kinds, bool both>
 struct Extremes {
     static constexpr std::size_t signs = both ? 2 : 1;
-    static constexpr std::size_t most_each = 4;
 
     static std::size_t each(const Motion& motion) {
-        return std::clamp<std::size_t>(Quantity::most_components / (signs * segments_of(motion, kinds)), 1, most_each);
+        return std::clamp<std::size_t>(Quantity::most_components / (signs * segments_of(motion, kinds)), 1,
+                                       most_places);
     }
     static std::size_t components(const Motion& motion) { return each(motion) * signs * segments_of(motion, kinds); }
 
-    static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
-        clear(out, components(motion), dimension_count<Follower>);
-        const auto value = value_by<Formula>();
-        const std::size_t kept = each(motion);
-        std::size_t component = 0;
-        for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
-            if (!kinds(motion.program->segments[i].kind)) continue;
-            const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
-            for (std::size_t s = 0; s < signs; ++s) {
-                const double sign = s == 0 ? 1 : -1;
-                const auto places =
-                    greatest_places<most_each>(placed.segment, i, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
-                        return T(sign) * searched<Follower, Formula, T>(motion, dimensions, lift);
-                    });
-                for (std::size_t k = 0; k < kept; ++k)
-                    add_term<Follower>(motion, dimensions, {places[k], sign}, value, component++, out);
-            }
-        }
-    }
+    static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out);
 };
 
 struct SegmentList {
@@ -195,12 +177,7 @@ private:
 
 /// A formula at the beginning of the motion.
 template <template <class> class Follower, class Formula>
-void measure_at_start(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
-    clear(out, 1, dimension_count<Follower>);
-    const auto value = value_by<Formula>();
-    const double begin = break_before(placed_segment<Follower>(motion, dimensions, 0).segment, 0);
-    add_term<Follower>(motion, dimensions, {{0, 0, begin, false}, 1}, value, 0, out);
-}
+void measure_at_start(const Motion& motion, std::span<const double> dimensions, const Measurement& out);
 
 /// Measures of a contour itself.
 struct WholeLift {
@@ -247,10 +224,7 @@ inline std::size_t one_component(const Motion&) { return 1; }
 
 /// A dimension as a quantity of its own.
 template <template <class> class Follower, std::size_t index>
-void measure_dimension(const Motion&, std::span<const double> dimensions, const Measurement& out) {
-    clear(out, 1, dimension_count<Follower>);
-    add_dimension(index, 1, dimensions, out);
-}
+void measure_dimension(const Motion&, std::span<const double> dimensions, const Measurement& out);
 
 /// All segment angles together.
 template <template <class> class Follower>
@@ -283,21 +257,7 @@ struct ExistenceMargin {
 
     static std::size_t components(const Motion& motion) { return 2 * motion.program->segments.size(); }
 
-    static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
-        clear(out, components(motion), dimension_count<Follower>);
-        for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
-            const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
-            const auto worst = [&](const auto& search) {
-                return greatest_places<1>(placed.segment, i, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
-                    return search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
-                })[0];
-            };
-            const auto held = [](const auto& f, const auto& lift) { return FollowMargin::search(f, lift); };
-            const auto cut = [](const auto& f, const auto& lift) { return UndercutMargin::search(f, lift); };
-            add_term<Follower>(motion, dimensions, {worst(held), 1}, follows, 2 * i, out);
-            add_term<Follower>(motion, dimensions, {worst(cut), 1}, not_undercut, 2 * i + 1, out);
-        }
-    }
+    static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out);
 };
 
 }  // namespace mechwright::cam

@@ -252,7 +252,7 @@ Digits50 lift_balance(const Motion& motion, std::span<const Digits50> d) {
 /// The greatest jump of a derivative of the lift where two segments meet.
 template <template <class> class F, int order>
 Digits50 jump(const Motion& motion, std::span<const Digits50> d) {
-    const Rebuilt<F> cam(motion, d);
+    const RebuiltMotion cam = Rebuilt<F>(motion, d).motion;
     Digits50 greatest = 0;
     const std::size_t n = cam.segments.size();
     for (std::size_t i = 0; i < n; ++i) {

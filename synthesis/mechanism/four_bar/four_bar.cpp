@@ -13,6 +13,7 @@
 #include "synthesis/mechanism/four_bar/instant.h"
 #include "synthesis/mechanism/four_bar/measure_again.h"
 #include "synthesis/mechanism/four_bar/screening.h"
+#include "synthesis/mechanism/measure_by.h"
 
 namespace mechwright {
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"

@@ -2,6 +2,7 @@
 
 #include "analysis/numbers/interval.h"
 #include "synthesis/mechanism/followed_formulas.h"
+#include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
