@@ -2,15 +2,18 @@
 /// \file
 /// Maxima without derivatives, for measuring again by another way.
 
+#include <cmath>
+
 namespace mechwright {
 
 /// Where a function that has one maximum between two places is greatest, to half of its digits.
-template <class Function>
-double greatest_between(const Function& f, double left, double right) {
-    constexpr double golden = 0.6180339887498949;
-    double a = right - golden * (right - left), b = left + golden * (right - left);
-    double at_a = f(a), at_b = f(b);
-    for (int i = 0; i < 60; ++i) {
+template <class T, class Function>
+T greatest_between(const Function& f, T left, T right, int steps = 60) {
+    using std::sqrt;
+    const T golden = (sqrt(T(5)) - 1) / 2;
+    T a = right - golden * (right - left), b = left + golden * (right - left);
+    auto at_a = f(a), at_b = f(b);
+    for (int i = 0; i < steps; ++i) {
         if (at_a > at_b) {
             right = b;
             b = a;
@@ -25,7 +28,7 @@ double greatest_between(const Function& f, double left, double right) {
             at_b = f(b);
         }
     }
-    return 0.5 * (left + right);
+    return (left + right) / 2;
 }
 
 }  // namespace mechwright

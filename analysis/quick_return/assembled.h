@@ -42,10 +42,13 @@ inline bool makes_two_strokes(const DragLink<double>& m) {
            makes_two_strokes(output_of(m));
 }
 
-/// The crank angles at which a mechanism assembles; of several ranges the widest. Empty (from > to) if there are none.
+/// The crank angles at which a mechanism assembles; of several ranges the widest, of equally wide ones (mirror images
+/// of each other, whose widths differ by rounding) the first from crank angle 0 on. Empty (from > to) if there are
+/// none.
 template <class Drive>
 CrankRange<double> assembled_range(const Drive& m) {
     constexpr double turn = 2 * std::numbers::pi;
+    constexpr double as_wide_within = 1e-9;  // radians
     if (makes_two_strokes(m)) return {true, 0, turn};
     const CrankRange<double> full{true, 0, turn};
     const auto margin = [&](double crank_angle) { return assembly_margin(m, crank_angle); };
@@ -57,7 +60,7 @@ CrankRange<double> assembled_range(const Drive& m) {
     for (std::size_t i = 0; i < ends.count; ++i) {
         const double from = ends.at[i];
         const double to = i + 1 < ends.count ? ends.at[i + 1] : ends.at[0] + turn;
-        const bool wider = to - from > widest.to - widest.from;
+        const bool wider = to - from > widest.to - widest.from + as_wide_within;
         if (wider && margin(0.5 * (from + to)) > 0) widest = {false, from, to};
     }
     return widest;

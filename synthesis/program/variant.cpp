@@ -62,9 +62,6 @@ std::vector<Disjunction> disjunctions(const Problem& problem, const Motion& moti
     return all;
 }
 
-namespace {
-
-/// Whether every quantity that the problem names has a value in this motion.
 bool all_defined(const Problem& problem, const Motion& motion) {
     const auto defined = [&](std::size_t index) {
         const Quantity& quantity = programmed_quantity(problem, index);
@@ -75,6 +72,8 @@ bool all_defined(const Problem& problem, const Motion& motion) {
            (!problem.objective || std::all_of(problem.objective->terms.begin(), problem.objective->terms.end(),
                                               [&](const ObjectiveTerm& t) { return defined(t.quantity); }));
 }
+
+namespace {
 
 /// Whether a problem names a quantity that is measured over the motion. Where it does and gives no range, the motion of
 /// a crank that does not turn fully ends at toggles, and there is nothing to design.

@@ -26,6 +26,9 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
 /// knows that its ends move.
 const Quantity& programmed_quantity(const Problem& problem, std::size_t quantity);
 
+/// Whether every quantity that the problem names has a value in this motion.
+bool all_defined(const Problem& problem, const Motion& motion);
+
 /// A condition that one component, not all of them, has to meet.
 struct Disjunction {
     std::size_t quantity;

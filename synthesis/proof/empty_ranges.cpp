@@ -47,12 +47,25 @@ std::string condition_out_of_reach(const Problem& problem, const Family& family)
     return {};
 }
 
+/// Whether a design may have a motion of this family that ends by itself. Searches leave such out where no range is
+/// given; a design is judged over it all the same, unless the crank has to turn fully or a quantity is asked for that
+/// only full turns have.
+bool may_end_by_itself(const Problem& problem, std::size_t family) {
+    if (problem.mechanism->families[family].full_turn) return false;
+    if ((problem.path && problem.path->closed) || (problem.followed && problem.followed->full_turn)) return false;
+    Motion motion = motion_of(problem, family, 0);
+    if (!(motion.from <= motion.to)) motion.to = motion.from;
+    return all_defined(problem, motion);
+}
+
 }  // namespace
 
 std::shared_ptr<const Proof> proof_by_ranges(const Problem& problem) {
     std::set<std::size_t> families;
     for (const Variant& variant : variants(problem))
         families.insert(variant.family);
+    for (std::size_t f = 0; f < problem.mechanism->families.size(); ++f)
+        if (may_end_by_itself(problem, f)) families.insert(f);
     if (families.empty()) return nullptr;
     std::string why;
     for (const std::size_t f : families) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/document/claim_json.h"
+#include "synthesis/program/result.h"
 #include "synthesis/verify/derived.h"
 #include "synthesis/verify/rebuilt.h"
 #include "synthesis/verify/verify.h"
@@ -13,31 +15,23 @@ namespace mechwright {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using claims::Json;
+using claims::member;
 
 constexpr double same_within = 1e-9;  // of objectives, relative
 
-bool passed(const std::vector<Check>& checks) {
-    return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](const Check& c) { return c.passed; });
-}
-
 /// All checks of one of the other designs as one.
 Check as_one(std::string name, const std::vector<Check>& checks) {
-    Check check{std::move(name), passed(checks), {}};
+    Check check{std::move(name), all_passed(checks), {}};
     for (const Check& one : checks)
         if (!one.passed) check.detail += (check.detail.empty() ? "" : "; ") + one.name + ": " + one.detail;
     if (check.passed) check.detail = fmt::format("all {} checks passed", checks.size());
     return check;
 }
 
-const Json* list_in(const Json& document, const char* name) {
-    const auto at = document.find(name);
-    return at == document.end() ? nullptr : &*at;
-}
-
 std::optional<double> number_in(const Json& json, const char* name) {
-    const auto at = json.is_object() ? json.find(name) : json.end();
-    return at != json.end() && at->is_number() ? std::optional(at->get<double>()) : std::nullopt;
+    const Json* at = json.is_object() ? member(json, name) : nullptr;
+    return at && at->is_number() ? std::optional(at->get<double>()) : std::nullopt;
 }
 
 Json without_others(const Json& document) {
@@ -93,7 +87,7 @@ Check check_front_order(const Json& front, double tolerance) {
 }
 
 void add_front(const Json& document, std::vector<Check>& checks) {
-    const Json* front = list_in(document, "front");
+    const Json* front = member(document, "front");
     if (!front) return;
     if (!front->is_array()) return checks.push_back({"the front is a list of designs", false, ""});
     for (std::size_t i = 0; i < front->size(); ++i)
@@ -150,7 +144,7 @@ std::string cognate_defect(const Json& document, const Json& entry) {
 }
 
 void add_alternatives(const Json& document, std::vector<Check>& checks) {
-    const Json* list = list_in(document, "alternatives");
+    const Json* list = member(document, "alternatives");
     if (!list) return;
     if (!list->is_array()) return checks.push_back({"the alternatives are a list of designs", false, ""});
     for (std::size_t i = 0; i < list->size(); ++i) {
@@ -181,7 +175,7 @@ std::vector<Check> check_others(const Json& document) {
 
 std::vector<Check> check_verdict(const Json& document, const std::vector<Check>& checks) {
     std::vector<Check> verdict;
-    if (!passed(checks)) return verdict;  // then the document is not verified, whatever it says of itself
+    if (!all_passed(checks)) return verdict;  // then the document is not verified, whatever it says of itself
     const auto verification = document.find("verification");
     if (verification != document.end() && !verification->is_null()) {
         bool as_stated = verification->is_object() && verification->value("passed", Json()) == true;

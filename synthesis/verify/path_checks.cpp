@@ -173,7 +173,7 @@ Check check_nearest(const Rebuilt& design) {
 }
 
 Check check_closed(const Rebuilt& design) {
-    const bool passed = design.claim->mechanism->motion(design.rounded, design.claim->assembly, nullptr).full_turn;
+    const bool passed = turns_fully(design);
     return {"the crank goes round the closed path", passed, passed ? "it turns fully" : "it does not turn fully"};
 }
 

@@ -9,7 +9,8 @@
 #include <limits>
 
 #include "synthesis/problem/units.h"
-#include "synthesis/program/quantity_value.h"
+#include "synthesis/program/result.h"
+#include "synthesis/verify/motion_again.h"
 
 namespace mechwright {
 
@@ -23,6 +24,17 @@ constexpr double point_rounding = 1e-12;  // of distances, over the size of what
 double plain(const Digits50& value) { return value.convert_to<double>(); }
 
 Digits50 to_radians() { return boost::math::constants::pi<Digits50>() / 180; }
+
+/// The range of crank angles that is given, or that of the input of a function, a line or an arc.
+std::optional<Vector<Digits50>> range_of(const Claim& claim, std::span<const Digits50> dimensions) {
+    if (claim.crank_range)
+        return Vector<Digits50>{from_document(claim.crank_range->x, Unit::angle, claim.units),
+                                from_document(claim.crank_range->y, Unit::angle, claim.units)};
+    if (!claim.function && !claim.followed) return std::nullopt;
+    const std::size_t input = claim.mechanism->function_scales;
+    const Digits50 start = dimensions[input], end = start + dimensions[input + 1];
+    return Vector<Digits50>{std::min(start, end), std::max(start, end)};
+}
 
 RebuiltPath rebuilt_path(const Rebuilt& design) {
     const Claim& claim = *design.claim;
@@ -125,12 +137,7 @@ Rebuilt rebuilt(const Claim& claim) {
         if (kind == DimensionKind::force) design.strongest += abs(design.dimensions[i]);
         if (kind == DimensionKind::number) design.strongest += abs(design.dimensions[i]) * design.longest;
     }
-    std::optional<Vector<double>> given;
-    if (claim.crank_range)
-        given = {plain(from_document(claim.crank_range->x, Unit::angle, claim.units)),
-                 plain(from_document(claim.crank_range->y, Unit::angle, claim.units))};
-    const auto range = crank_range_of(mechanism, given, claim.function || claim.followed, design.rounded);
-    design.motion = mechanism.motion(design.rounded, claim.assembly, range ? range->data() : nullptr);
+    design.motion = motion_again(mechanism, claim.assembly, design.dimensions, range_of(claim, design.dimensions));
     design.motion.settings = claim.settings;
     design.motion.program = claim.program.get();
     design.motion.function = claim.function.get();
@@ -139,6 +146,10 @@ Rebuilt rebuilt(const Claim& claim) {
     design.of_motion = mechanism.check_motion(design.motion, design.dimensions);
     if (claim.path && claim.path->crank_angles.size() == claim.path->points.size()) design.path = rebuilt_path(design);
     return design;
+}
+
+bool turns_fully(const Rebuilt& design) {
+    return motion_again(*design.claim->mechanism, design.claim->assembly, design.dimensions, std::nullopt).full_turn;
 }
 
 Measurements::Measurements(const Rebuilt& rebuilt)

@@ -38,6 +38,9 @@ struct Rebuilt {
 
 Rebuilt rebuilt(const Claim& claim);
 
+/// Whether the crank can turn fully, whatever range is asked for.
+bool turns_fully(const Rebuilt& design);
+
 /// Every quantity at most once.
 struct Measurements {
     const Rebuilt* design;

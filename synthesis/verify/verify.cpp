@@ -68,7 +68,7 @@ Check check_kind(const Rebuilt& design) {
 }
 
 Check check_full_turn(const Rebuilt& design) {
-    const bool passed = design.claim->mechanism->motion(design.rounded, design.claim->assembly, nullptr).full_turn;
+    const bool passed = turns_fully(design);
     return {"the crank turns fully", passed, passed ? "it does" : "it does not"};
 }
 

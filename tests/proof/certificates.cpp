@@ -200,6 +200,88 @@ TEST(Certificates, ThatWereTamperedWithDoNotHold) {
     expect_refused(bad, "status");
 }
 
+// A linkage that does not turn fully moves over the range in which it assembles: 95, 151 and 60 meet the requirement.
+const std::string triple_rockers = R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 100
+crank = { min = 95, max = 96 }
+coupler = { min = 150, max = 151 }
+rocker = { min = 59, max = 60 }
+[[require]]
+quantity = "grashof-margin"
+max = -16
+[objective]
+minimize = "link-ratio"
+[solver]
+starts = 4
+)";
+
+TEST(Certificates, RangesWithoutAFullTurnAreNotEmpty) {
+    const Solved s = solved(triple_rockers);
+    EXPECT_FALSE(s.result.search.complete()) << s.result.note;
+    Json bad = document(s.problem, s.result);
+    bad["status"] = "infeasible";
+    bad["search"]["complete"] = true;
+    bad["search"]["certificate"] = {{"kind", "ranges"}};
+    expect_refused(bad, "ranges");
+    // With a quantity that only full turns have nothing is left.
+    bad["requirements"] = Json::array({{{"quantity", "time-ratio"}, {"min", 1.1}}});
+    EXPECT_TRUE(all_passed(check_proof(bad)));
+}
+
+// The stated value lies below the exact limit by less than a coarse look at it would show.
+TEST(Certificates, OfLimitsAreExact) {
+    const std::string shaper =
+        "schema = 1\nmechanism = \"crank-shaper\"\n[dimensions]\ncentre-distance = 300\n"
+        "crank = { min = 20, max = 290 }\nlever = { min = 100, max = 900 }\n"
+        "rod = { min = 100, max = 400 }\nram-distance = { min = 301, max = 500 }\n";
+    const std::string best = "[objective]\nmaximize = \"transmission-angle-worst\"\n";
+    const std::string ratio = require("time-ratio", "equal", 1.5);
+    for (const std::string& text :
+         {shaper + ratio + best, slider_crank(ratio + best),
+          four_bar(require("swing", "equal", 60) + require("time-ratio", "equal", 1.2) + best)}) {
+        const Solved s = solved(text);
+        ASSERT_EQ(s.result.status, Status::solved);
+        ASSERT_TRUE(s.result.search.complete()) << text;
+        Json json = document(s.problem, s.result);
+        ASSERT_TRUE(all_passed(check_proof(json))) << text << check_proof(json)[0].detail;
+        Json& value = json["search"]["certificate"]["value"];
+        ASSERT_TRUE(value.is_number());
+        value = value.get<double>() - 1.2e-7;  // degrees, 2e-9 rad
+        expect_refused(json, text.c_str());
+    }
+}
+
+/// The document of a problem whose search is said to be complete by branch and bound.
+Json said_to_be_bounded(const Solved& s) {
+    Json json = document(s.problem, s.result);
+    json["search"]["complete"] = true;
+    json["search"]["certificate"] = {{"kind", "bound"}};
+    json["search"]["bound"] = json["objective"]["value"].get<double>() * (1 - 1e-6);
+    return json;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    const auto at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return at == std::string::npos ? text : text.replace(at, what.size(), by);
+}
+
+TEST(Certificates, OfBoundsThatOtherLinkagesUndercutDoNotHold) {
+    const std::string power = shipped("power.toml", "function");
+    EXPECT_TRUE(all_passed(check_proof(said_to_be_bounded(solved(power)))));
+    const std::string coupler = "coupler  = { min = 0, max = 100 }";
+    expect_refused(said_to_be_bounded(solved(replaced(power, coupler, "coupler = { min = 0, max = 14.5 }"))), "power");
+    const std::string free = replaced(replaced(power, "start = 210", "start = { min = 180, max = 240 }"), coupler,
+                                      "coupler = { min = 0, max = 12 }");
+    expect_refused(said_to_be_bounded(solved(free)), "scales");
+    const std::string timed = shipped("case-2.toml", "path");
+    EXPECT_TRUE(all_passed(check_proof(said_to_be_bounded(solved(timed)))));
+    const std::string links = "coupler      = { min = 0, max = 50 }";
+    expect_refused(said_to_be_bounded(solved(replaced(timed, links, "coupler = { min = 0, max = 2 }"))), "path");
+}
+
 // Poses of a slider-crank of the ranges: a greatest distance of zero is the end of the search.
 TEST(Certificates, ZeroOfWhatCannotBeNegativeEndsTheSearch) {
     const Solved s = solved(R"(schema = 1

@@ -78,7 +78,7 @@ constexpr std::array<Entry, 4> kinds_of_files{
      {"*.csv", "Tables: points of a path that a problem file names, motions, designs."}}};
 
 /// What verify does about each claim of a result document.
-constexpr std::array<Entry, 12> verified_claims{
+constexpr std::array<Entry, 14> verified_claims{
     {{"what was asked for",
       "The document holds the text of its problem file under its checksum, unless that names other files. The text is "
       "read again, and mechanism, units, ranges and ties, range of crank angles, segments and laws, targets, "
@@ -90,6 +90,10 @@ constexpr std::array<Entry, 12> verified_claims{
      {"assembly, circuit, branch",
       "In fifty digits over the whole continuous motion, by circle intersections and brackets of every extreme; none "
       "of the formulas that designs are made with."},
+     {"range of motion",
+      "Whether the crank turns fully, where a motion that ends by itself begins and ends, and the family of the "
+      "design: "
+      "derived in fifty digits from the geometry, by other formulas than those that designs are made with."},
      {"quantities, requirements, objective",
       "Measured again in fifty digits over the motion; stated values have to agree to 1e-9, angles to 1e-9 rad. "
       "Requirements have to be met by the tolerance; violation and active are derived. At a toggle that ends the "
@@ -99,20 +103,31 @@ constexpr std::array<Entry, 12> verified_claims{
       "Where the mechanism is at the stated crank angles, its distances, order and timing; that it stays assembled on "
       "one branch between them; of points without an order that no place of the curve is nearer."},
      {"extremes, alternating, free",
-      "Of functions, lines and arcs: derived again by the analysis; errors of an "
-      "expression in fifty digits at the stated places, too."},
+      "Of functions, lines and arcs: the extremes are found again in fifty digits by sampling and golden sections (y "
+      "of x "
+      "in double), those that are as great as the greatest to a millionth counted with their signs, and the free "
+      "dimensions by differences of these errors. Where more alternate than are free, weights above 0 with which their "
+      "slopes balance are computed: no small change of the dimensions makes all of them smaller."},
      {"warnings", "Margins below the rule's limit are derived again."},
      {"front", "Every design as that of the result; none may be as good as another in both objectives."},
      {"alternatives",
       "Every one that is not stated with a defect: it meets the requirements with its stated objective, "
       "is not better than the design, and is the cognate that it is stated to be."},
      {"complete, certificate",
-      "What is said to be proven stands there with a certificate, which is evaluated again: weights of half-planes "
-      "that "
-      "keep the centre of a cam away, places where a flat face asks for the largest cam, a limit in closed form by "
-      "other formulas than the method's, counts of solutions that leave none out, a zero of what cannot be negative. "
-      "Of "
-      "branch and bound the bound has to meet the objective; its boxes are not covered again."},
+      "What is said to be proven stands there with a certificate, which is evaluated again in fifty digits: weights of "
+      "half-planes that keep the centre of a cam away; places where a flat face asks for the largest cam; a limit, by "
+      "a "
+      "closed form or an extreme of its own, and that what is asked for lies beyond it by more than the tolerance; "
+      "ranges that leave no room for the loop to close or the crank to turn, ties and tolerance among them; counts of "
+      "solutions that leave none out (their numbers alone: the solutions are not tracked again); a zero of what cannot "
+      "be negative."},
+     {"complete by branch and bound",
+      "The bound has to meet the objective. Of a function whose scales are given it is proven again: every linkage "
+      "errs "
+      "by so much at one of four places, by convex hulls in fifty digits. With free scales the same is done at two "
+      "hundred places of the scales, evenly spread and around the design; of a timed path some ten thousand other "
+      "linkages, placed by least squares, and descents from the best of them must not come below the bound. What lies "
+      "between such places is not covered again: there the claim rests on the search alone."},
      {"status, verification",
       "Solved and passed only where all other checks pass; unverified only where one does not."},
      {"not checked", "Texts in words (note, defect, details), versions, times and counts of the search."}}};

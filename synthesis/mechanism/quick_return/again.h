@@ -32,6 +32,11 @@ struct RamAgain {
     static Digits50 link_ratio(const Motion& motion, Dimensions dimensions);
     static Digits50 total_length(const Motion& motion, Dimensions dimensions);
 
+    /// The motion of a design, rebuilt as everything here: family 0 where the ram makes two strokes in each full turn
+    /// as its mechanism's name says; the full turn or the widest range in which it assembles, of equally wide ones the
+    /// first from crank angle 0 on; from > to where there is none.
+    static Motion motion(std::size_t assembly, Dimensions dimensions);
+
     /// In this order: the dimensions are positive and finite; for slotted arms, crank and centre distance are those of
     /// the mechanism; for a drag link the checks of its four-bar; the rod reaches the slide over the whole motion; it
     /// stays on one branch; where the family says so, the ram makes two strokes in each turn. Where the first fails the

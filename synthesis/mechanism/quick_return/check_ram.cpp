@@ -12,9 +12,8 @@ namespace {
 
 using namespace again;
 
-constexpr double rounding = 1e-12;          // of crank angles, and of margins over the unit of length
-constexpr double zero = 1e-30;              // places are found to forty digits
-constexpr double confirmed_within = 1e-25;  // of crank angles at which fifty digits show a zero
+constexpr double rounding = 1e-12;  // of crank angles, and of margins over the unit of length
+constexpr double zero = 1e-30;      // places are found to forty digits
 
 std::string number(const Digits50& value) { return fmt::format("{:.9g}", value.convert_to<double>()); }
 
@@ -85,25 +84,6 @@ Check check_branch(const std::vector<RodPlace>& all, bool reaches) {
     else
         check.detail = "the rod never stands square to the slide";
     return check;
-}
-
-/// The crank angles at which the ram really turns back, each once: the sweep is a little longer than the turn, and
-/// rounding in double can show zeros that fifty digits do not confirm.
-template <class Geometry>
-std::vector<Digits50> turning_points(const Rebuilt<Geometry>& m, const Motion& motion) {
-    const Digits50& turn = boost::math::constants::two_pi<Digits50>();
-    std::vector<Digits50> found;
-    for (const Digits50& x : stationary_crank_angles(m, sweep_of(motion), Slope::position)) {
-        const bool known = std::any_of(found.begin(), found.end(), [&](const Digits50& y) {
-            const Digits50 apart = abs(x - y);
-            return apart < rounding || abs(apart - turn) < rounding;
-        });
-        const auto position = m.at(x).position;
-        const bool confirmed =
-            abs(position.c[1]) < confirmed_within * std::max(Digits50(1), Digits50(abs(position.c[2])));
-        if (!known && confirmed) found.push_back(x);
-    }
-    return found;
 }
 
 template <class Geometry>

@@ -3,6 +3,8 @@
 /// Where the ram's motion is stationary, in fifty digits: what both the measures and the checks of verification look
 /// for.
 
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <vector>
 
 #include "synthesis/mechanism/quick_return/ram_again.h"
@@ -35,6 +37,27 @@ std::vector<Digits50> stationary_crank_angles(const Rebuilt<Geometry>& m, const 
     return stationary_points(
         sweep, [&](double x) { return slope_of(m.at(x), what); },
         [&](const Digits50& x) { return slope_of(m.at(x), what); }, fast);
+}
+
+/// The crank angles at which the ram really turns back, each once: the sweep is a little longer than the turn, and
+/// rounding in double can show zeros that fifty digits do not confirm.
+template <class Geometry>
+std::vector<Digits50> turning_points(const Rebuilt<Geometry>& m, const Motion& motion) {
+    constexpr double rounding = 1e-12;          // of crank angles
+    constexpr double confirmed_within = 1e-25;  // of crank angles at which fifty digits show a zero
+    const Digits50& turn = boost::math::constants::two_pi<Digits50>();
+    std::vector<Digits50> found;
+    for (const Digits50& x : stationary_crank_angles(m, sweep_of(motion), Slope::position)) {
+        const bool known = std::any_of(found.begin(), found.end(), [&](const Digits50& y) {
+            const Digits50 apart = abs(x - y);
+            return apart < rounding || abs(apart - turn) < rounding;
+        });
+        const auto position = m.at(x).position;
+        const bool confirmed =
+            abs(position.c[1]) < confirmed_within * std::max(Digits50(1), Digits50(abs(position.c[2])));
+        if (!known && confirmed) found.push_back(x);
+    }
+    return found;
 }
 
 }  // namespace mechwright::quick_return::again

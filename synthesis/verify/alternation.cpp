@@ -1,0 +1,261 @@
+#include "synthesis/verify/alternation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "synthesis/problem/units.h"
+#include "synthesis/program/result.h"
+#include "synthesis/verify/error_again.h"
+
+namespace mechwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Row = std::vector<Digits50>;
+
+constexpr std::size_t most_listed = 40;  // extremes of a document
+
+struct Error {
+    const Claim& claim;
+    Rebuilt design;
+    ErrorAgain curve;
+    std::vector<ExtremeAgain> extremes;
+    Digits50 greatest = 0;
+
+    explicit Error(const Claim& c) : claim(c), design(rebuilt(c)), curve(design), extremes(curve.extremes()) {
+        for (const ExtremeAgain& e : extremes)
+            greatest = std::max<Digits50>(greatest, abs(e.error));
+    }
+
+    Unit unit() const {
+        const Mechanism& m = *claim.mechanism;
+        return claim.function && m.dimensions[m.function_scales + 2].kind == DimensionKind::angle ? Unit::angle
+                                                                                                  : Unit::length;
+    }
+    /// What an error is off by rounding of the dimensions.
+    Digits50 rounding() const {
+        return 8 * std::numeric_limits<double>::epsilon() * (unit() == Unit::angle ? Digits50(1) : design.longest);
+    }
+    /// The place as a document has it: x of a function, else the crank angle.
+    double place(double share) const {
+        if (claim.function) return claim.function->from + share * (claim.function->to - claim.function->from);
+        const std::size_t input = claim.mechanism->function_scales;
+        const Digits50 angle = design.dimensions[input] + design.dimensions[input + 1] * share;
+        return in_document(angle, Unit::angle, claim.units).convert_to<double>();
+    }
+};
+
+/// Why the list of extremes is not that of the design; empty if it is. Ripples that are nothing but rounding may be
+/// listed or not.
+std::string extremes_defect(const Json& stated, const Error& error) {
+    constexpr double place_within = 1e-5, error_within = 1e-7;
+    const char* where = error.claim.function ? "x" : "crank_angle";
+    const char* what = error.claim.function ? "error" : "distance";
+    const double span = std::abs(error.place(1) - error.place(0));
+    const Digits50 room = error_within * error.greatest + error.rounding();
+    if (!stated.is_array()) return "they are no list";
+    std::vector<bool> listed(error.extremes.size(), false);
+    double last = -std::numeric_limits<double>::infinity();
+    for (const Json& one : stated) {
+        if (!one.is_object() || !one.contains(where) || !one[where].is_number() || !one.contains(what) ||
+            !one[what].is_number())
+            return one.dump() + " is no extreme";
+        const double place = one[where].get<double>();
+        const Digits50 size = from_document(one[what].get<double>(), error.unit(), error.claim.units);
+        bool known = false;
+        for (std::size_t i = 0; i < error.extremes.size(); ++i) {
+            const ExtremeAgain& e = error.extremes[i];
+            if (std::abs(error.place(e.share) - place) > place_within * span || abs(e.error - size) > room) continue;
+            known = listed[i] = true;
+        }
+        if (!known) return fmt::format("there is none at {} {} of {}", where, place, one[what].dump());
+        const double along = error.place(1) > error.place(0) ? place : -place;
+        if (!(along > last)) return "they are not in order";
+        last = along;
+    }
+    for (std::size_t i = 0; i < listed.size() && stated.size() < most_listed; ++i) {
+        const bool ripple =
+            i > 0 && i + 1 < listed.size() && abs(error.extremes[i].error - error.extremes[i - 1].error) <= room;
+        if (!listed[i] && !ripple)
+            return fmt::format("that at {} {} is not stated", where, error.place(error.extremes[i].share));
+    }
+    return {};
+}
+
+/// Those that are as great as the greatest, the first of each run of one sign.
+std::vector<ExtremeAgain> alternating(const Error& error) {
+    std::vector<ExtremeAgain> kept;
+    for (const ExtremeAgain& e : greatest_of(error.extremes, error.rounding()))
+        if (kept.empty() || (kept.back().error > 0) != (e.error > 0)) kept.push_back(e);
+    return kept;
+}
+
+/// How the errors at some extremes, with the signs that make them positive, change with each free dimension.
+std::vector<Row> slopes(const Error& error, const std::vector<ExtremeAgain>& at) {
+    const Claim& claim = error.claim;
+    const Digits50 part_of_size("1e-18");
+    std::vector<Row> rows(at.size());
+    for (std::size_t k = 0; k < claim.design.size(); ++k) {
+        const auto& given = claim.given[k];
+        if (!given || given->tie.times != 0 || given->min == given->max) continue;
+        const Digits50 step = part_of_size * std::max<Digits50>(abs(error.design.dimensions[k]), 1);
+        std::vector<Digits50> more = error.design.dimensions, less = more;
+        for (std::size_t i = 0; i < more.size(); ++i) {
+            const bool tied = claim.given[i] && claim.given[i]->tie.times != 0 && claim.given[i]->tie.of == k;
+            const Digits50 change = i == k ? step : tied ? Digits50(claim.given[i]->tie.times * step) : Digits50(0);
+            more[i] += change;
+            less[i] -= change;
+        }
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const Digits50 slope = (error.curve.at(at[i].share, more) - error.curve.at(at[i].share, less)) / (2 * step);
+            rows[i].push_back(at[i].error < 0 ? Digits50(-slope) : slope);
+        }
+    }
+    return rows;
+}
+
+/// Columns of unit length, or none.
+void scale_columns(std::vector<Row>& rows) {
+    for (std::size_t k = 0; !rows.empty() && k < rows[0].size(); ++k) {
+        Digits50 square = 0;
+        for (const Row& row : rows)
+            square += row[k] * row[k];
+        for (Row& row : rows)
+            if (square > 0) row[k] /= sqrt(square);
+    }
+}
+
+/// Brings rows to echelon form, the greatest pivot first, and returns the number of independent columns and, in
+/// `pivots`, which they are.
+std::size_t rank_of(std::vector<Row> rows, std::vector<std::size_t>& pivots) {
+    constexpr double independent_beyond = 1e-7;
+    Digits50 first = 0;
+    for (std::size_t rank = 0; rank < rows.size() && !rows.empty() && rank < rows[0].size(); ++rank) {
+        std::size_t r = rank, c = 0;
+        Digits50 pivot = 0;
+        for (std::size_t i = rank; i < rows.size(); ++i)
+            for (std::size_t k = 0; k < rows[i].size(); ++k)
+                if (abs(rows[i][k]) > pivot) {
+                    pivot = abs(rows[i][k]);
+                    r = i;
+                    c = k;
+                }
+        if (rank == 0) first = pivot;
+        if (!(pivot > independent_beyond * first)) return rank;
+        std::swap(rows[rank], rows[r]);
+        pivots.push_back(c);
+        for (std::size_t i = rank + 1; i < rows.size(); ++i) {
+            const Digits50 factor = rows[i][c] / rows[rank][c];
+            for (std::size_t k = 0; k < rows[i].size(); ++k)
+                rows[i][k] -= factor * rows[rank][k];
+            rows[i][c] = 0;
+        }
+    }
+    return pivots.size();
+}
+
+/// The determinant of a square matrix.
+Digits50 determinant(std::vector<Row> rows) {
+    Digits50 product = 1;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const auto pivot = std::max_element(rows.begin() + static_cast<std::ptrdiff_t>(k), rows.end(),
+                                            [&](const Row& a, const Row& b) { return abs(a[k]) < abs(b[k]); });
+        if ((*pivot)[k] == 0) return 0;
+        if (pivot != rows.begin() + static_cast<std::ptrdiff_t>(k)) {
+            std::swap(*pivot, rows[k]);
+            product = -product;
+        }
+        product *= rows[k][k];
+        for (std::size_t i = k + 1; i < rows.size(); ++i) {
+            const Digits50 factor = rows[i][k] / rows[k][k];
+            for (std::size_t j = k; j < rows.size(); ++j)
+                rows[i][j] -= factor * rows[k][j];
+        }
+    }
+    return product;
+}
+
+/// Of n + 1 rows in n columns: whether they balance with weights of one sign. These are the determinants of the other
+/// rows, with alternating signs.
+bool balances(const std::vector<Row>& rows) {
+    bool positive = false, negative = false;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::vector<Row> others = rows;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        const Digits50 weight = i % 2 == 0 ? determinant(others) : Digits50(-determinant(others));
+        (weight > 0 ? positive : negative) = true;
+    }
+    return positive != negative;
+}
+
+std::size_t free_dimensions(const Error& error, std::vector<std::size_t>& pivots) {
+    constexpr std::size_t most = 16;
+    std::vector<ExtremeAgain> at = error.extremes;
+    std::sort(at.begin(), at.end(),
+              [](const ExtremeAgain& a, const ExtremeAgain& b) { return abs(a.error) > abs(b.error); });
+    at.resize(std::min(at.size(), most));
+    std::vector<Row> rows = slopes(error, at);
+    scale_columns(rows);
+    return rank_of(rows, pivots);
+}
+
+Check check_balance(const Error& error, const std::vector<ExtremeAgain>& equal,
+                    const std::vector<std::size_t>& columns) {
+    std::vector<Row> rows;
+    for (const Row& row : slopes(error, equal)) {
+        rows.emplace_back();
+        for (const std::size_t k : columns)
+            rows.back().push_back(row[k]);
+    }
+    scale_columns(rows);
+    const std::size_t needed = columns.size() + 1;
+    for (std::size_t first = 0; first + needed <= rows.size(); ++first)
+        if (balances({rows.begin() + static_cast<std::ptrdiff_t>(first),
+                      rows.begin() + static_cast<std::ptrdiff_t>(first + needed)}))
+            return {"alternation shows that no design near is better", true,
+                    fmt::format("{} extremes balance in {} free dimensions, with positive weights", needed,
+                                columns.size())};
+    return {"alternation shows that no design near is better", false, "the extremes do not balance"};
+}
+
+}  // namespace
+
+std::vector<Check> check_alternation(const Json& stated, const Claim& claim) {
+    Check check{"extremes of the error are as stated", false, {}};
+    const Error error(claim);
+    if (!all_passed(error.design.of_motion)) return {};
+    const Json extremes = stated.value("extremes", Json());
+    constexpr double rounding = 1e-11;
+    if (error.greatest < rounding) {
+        // Of errors that are nothing but rounding neither places nor their number mean anything.
+        const char* what = claim.function ? "error" : "distance";
+        check.passed = extremes.is_array() && std::all_of(extremes.begin(), extremes.end(), [&](const Json& e) {
+                           return e.is_object() && e.contains(what) && e[what].is_number() &&
+                                  std::abs(e[what].get<double>()) <= 1e-10;
+                       });
+        check.detail = check.passed ? "the error is nothing but rounding" : "the error is rounding, and not stated so";
+        return {check};
+    }
+    check.detail = extremes_defect(extremes, error);
+    const auto equal = alternating(error);
+    std::vector<std::size_t> columns;
+    const std::size_t free = free_dimensions(error, columns);
+    const auto count = [&](const char* name, std::size_t again) {
+        if (check.detail.empty() && stated.value(name, Json()) != again)
+            check.detail = fmt::format("{} is stated as {}, it is {}", name, stated.value(name, Json()).dump(), again);
+    };
+    count("alternating", equal.size());
+    count("free", free);
+    check.passed = check.detail.empty();
+    if (!check.passed) return {check};
+    check.detail =
+        fmt::format("{} extremes derived again in fifty digits, {} of them alternate", extremes.size(), equal.size());
+    if (free == 0 || equal.size() <= free) return {check};
+    return {check, check_balance(error, equal, columns)};
+}
+
+}  // namespace mechwright

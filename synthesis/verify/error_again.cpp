@@ -1,0 +1,105 @@
+#include "synthesis/verify/error_again.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "analysis/numbers/golden_section.h"
+#include "synthesis/problem/problem.h"
+
+namespace mechwright {
+
+ErrorAgain::ErrorAgain(const Rebuilt& design) : design_(&design), function_(design.claim->function.get()) {
+    if (!function_) return;
+    if (function_->parts.empty()) {
+        y_ = std::make_shared<ExpressionValues>(function_->expression);
+        y_from_ = (*y_)(function_->from);
+        height_ = (*y_)(function_->to) - y_from_;
+    }
+    // The registry measures sizes alone: asked for a little less, the output errs by so much more, and the size of that
+    // tells the sign.
+    const Mechanism& mechanism = *design.claim->mechanism;
+    const bool angle = mechanism.dimensions[mechanism.function_scales + 2].kind == DimensionKind::angle;
+    shift_ = angle ? Digits50(1) : design.longest;
+}
+
+double ErrorAgain::part(double share) const {
+    if (!function_) return 0;
+    if (y_) return ((*y_)(function_->from + share * (function_->to - function_->from)) - y_from_) / height_;
+    const auto at =
+        std::min_element(function_->parts.begin(), function_->parts.end(),
+                         [&](const auto& a, const auto& b) { return std::abs(a.x - share) < std::abs(b.x - share); });
+    return at->y;
+}
+
+Digits50 ErrorAgain::of_function(double share, std::vector<Digits50> d) const {
+    const Mechanism& mechanism = *design_->claim->mechanism;
+    const std::size_t scale = mechanism.function_scales;
+    d[scale] += d[scale + 1] * share;
+    d[scale + 2] += d[scale + 3] * part(share);
+    FunctionTarget here;
+    here.parts = {{0, 0}};
+    Motion motion = design_->motion;
+    motion.function = &here;
+    const Quantity& deviation = deviation_from(mechanism, "function");
+    const Digits50 size = deviation.measure_again(motion, d);
+    d[scale + 2] -= shift_;
+    const Digits50 shifted = deviation.measure_again(motion, d);
+    return abs(shifted - abs(shift_ + size)) <= abs(shifted - abs(shift_ - size)) ? size : Digits50(-size);
+}
+
+Digits50 ErrorAgain::of_shape(double share, std::span<const Digits50> d) const {
+    const Claim& claim = *design_->claim;
+    const std::size_t input = claim.mechanism->function_scales;
+    const Digits50 crank_angle = d[input] + d[input + 1] * share;
+    const Vector<Digits50> p = claim.mechanism->path_point(claim.assembly, d, crank_angle);
+    const bool line = claim.followed->shape == Followed::line;
+    const std::size_t place = (line ? claim.mechanism->line : claim.mechanism->arc).place;
+    if (line) return cos(d[place]) * p.y - sin(d[place]) * p.x - d[place + 1];
+    const Vector<Digits50> away = p - Vector<Digits50>{d[place], d[place + 1]};
+    return sqrt(dot(away, away)) - d[place + 2];
+}
+
+Digits50 ErrorAgain::at(double share, std::span<const Digits50> dimensions) const {
+    return function_ ? of_function(share, {dimensions.begin(), dimensions.end()}) : of_shape(share, dimensions);
+}
+
+std::vector<ExtremeAgain> ErrorAgain::extremes() const {
+    std::vector<ExtremeAgain> found;
+    if (function_ && !function_->parts.empty()) {
+        for (const Vector<double>& sample : function_->parts)
+            found.push_back({sample.x, at(sample.x)});
+        return found;
+    }
+    constexpr int steps = 600;
+    std::vector<double> share, error;
+    for (int i = 0; i <= steps; ++i) {
+        share.push_back(0.5 - 0.5 * std::cos(std::numbers::pi * i / steps));
+        error.push_back(at(share.back()).convert_to<double>());
+    }
+    found.push_back({0, at(0)});
+    for (std::size_t i = 1; i < steps; ++i) {
+        const double before = error[i] - error[i - 1], after = error[i + 1] - error[i];
+        if (!(before * after < 0 || after == 0)) continue;
+        const double sign = before > 0 || after < 0 ? 1 : -1;
+        const double place =
+            greatest_between([&](double s) { return Digits50(sign * at(s)); }, share[i - 1], share[i + 1]);
+        found.push_back({place, at(place)});
+    }
+    found.push_back({1, at(1)});
+    return found;
+}
+
+std::vector<ExtremeAgain> greatest_of(const std::vector<ExtremeAgain>& all, const Digits50& rounding) {
+    constexpr double as_great_within = 1e-6;
+    Digits50 greatest = 0;
+    for (const ExtremeAgain& e : all)
+        greatest = std::max<Digits50>(greatest, abs(e.error));
+    std::vector<ExtremeAgain> kept;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(kept),
+                 [&](const ExtremeAgain& e) { return abs(e.error) >= (1 - as_great_within) * greatest - rounding; });
+    return kept;
+}
+
+}  // namespace mechwright
