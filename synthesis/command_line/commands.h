@@ -32,6 +32,7 @@ Command add_export(CLI::App& program);
 Command add_quantities(CLI::App& program);
 Command add_methods(CLI::App& program);
 Command add_explain(CLI::App& program);
+Command add_schema(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_start_system(CLI::App& program);
 Command add_completion(CLI::App& program);

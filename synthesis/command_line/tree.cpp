@@ -57,6 +57,7 @@ const std::vector<Known>& known_values() {
                                 {"", "QUANTITY", {words, as_strings(explained_names())}},
                                 {"", "MECHANISM", {words, as_strings(mechanism_names())}},
                                 {"", "SHELL", {words, {"bash", "zsh", "fish"}}},
+                                {"", "DOCUMENT", {words, {"problem", "result"}}},
                                 {"start-system", "PROBLEM", {words, start_system_names()}},
                                 {"", "RESULT", {files, {"json"}}},
                                 {"", "PARAMETERS", {files, {}}},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/problem/units.h"
@@ -13,19 +14,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+using namespace names;
+
 std::string_view name_of(cam::SegmentKind kind) { return segment_kind_names[static_cast<std::size_t>(kind)]; }
 
 Json segment_document(const Problem& problem, const SegmentPlan& segment, bool angular) {
-    Json json{{"kind", name_of(segment.kind)}};
+    Json json{{of_segment("kind"), name_of(segment.kind)}};
     if (!segment.laws.empty()) {
         Json laws = Json::array();
         for (const std::size_t law : segment.laws)
             laws.push_back(cam_laws()[law].name);
-        json["laws"] = std::move(laws);
+        json[of_segment("laws")] = std::move(laws);
         if (segment.start_count + segment.end_count + segment.shape_count > 0) {
-            json["start"] = segment.start_count;
-            json["end"] = segment.end_count;
-            json["shape"] = segment.shape_count;
+            json[of_segment("start")] = segment.start_count;
+            json[of_segment("end")] = segment.end_count;
+            json[of_segment("shape")] = segment.shape_count;
         }
     }
     if (segment.table) {
@@ -34,7 +37,7 @@ Json segment_document(const Problem& problem, const SegmentPlan& segment, bool a
             points.push_back(
                 {in_file_unit(segment.table->angle[i], Unit::angle, problem.units),
                  in_file_unit(segment.table->lift[i], angular ? Unit::angle : Unit::length, problem.units)});
-        json["points"] = std::move(points);
+        json[of_segment("points")] = std::move(points);
     }
     return json;
 }
@@ -55,17 +58,17 @@ nlohmann::ordered_json cam_document(const Problem& problem) {
     Json segments = Json::array();
     for (const SegmentPlan& segment : problem.program->segments)
         segments.push_back(segment_document(problem, segment, kind.oscillating));
-    Json json{{"follower", cam_follower_names[static_cast<std::size_t>(kind.follower)]},
-              {"motion", cam_motion_names[kind.oscillating ? 1 : 0]}};
+    Json json{{of_cam("follower"), cam_follower_names[static_cast<std::size_t>(kind.follower)]},
+              {of_cam("motion"), cam_motion_names[kind.oscillating ? 1 : 0]}};
     if (kind.contour != cam::ContourKind::none)
-        json["contour"] = cam_contour_names[static_cast<std::size_t>(kind.contour) - 1];
-    json["segments"] = std::move(segments);
+        json[of_cam("contour")] = cam_contour_names[static_cast<std::size_t>(kind.contour) - 1];
+    json[of_cam("segments")] = std::move(segments);
     return json;
 }
 
 void put_cam_choice(nlohmann::ordered_json& design, const Problem& problem, std::size_t assembly) {
-    design["rotation"] = cam_rotation_names[assembly % 2];
-    design["laws"] = law_names(problem, assembly);
+    design[of_design("rotation")] = cam_rotation_names[assembly % 2];
+    design[of_design("laws")] = law_names(problem, assembly);
 }
 
 std::string cam_choice_text(const Problem& problem, std::size_t assembly) {

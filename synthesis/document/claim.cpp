@@ -8,6 +8,7 @@
 
 #include "synthesis/document/claim_json.h"
 #include "synthesis/document/claimed_cam.h"
+#include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/text.h"
@@ -17,6 +18,7 @@ namespace mechwright {
 namespace {
 
 using namespace claims;
+using namespace names;
 
 constexpr std::size_t most_points = 10000;
 constexpr std::size_t most_entries = 1000;  // requirements, terms of the objective
@@ -36,20 +38,21 @@ bool is_angle(const Claim& claim, std::size_t dimension) {
 }
 
 void read_head(Reader& in, const Json& document, Claim& claim) {
-    if (in.number(member(document, "schema"), "schema") != 1) in.fail("schema is not 1");
-    const Json* problem = in.object(member(document, "problem"), "problem");
-    const std::string name = problem ? in.text(member(*problem, "mechanism"), "problem.mechanism") : "";
+    if (in.number(member(document, of_document("schema")), "schema") != 1) in.fail("schema is not 1");
+    const Json* problem = in.object(member(document, of_document("problem")), "problem");
+    const std::string name = problem ? in.text(member(*problem, of_problem("mechanism")), "problem.mechanism") : "";
     claim.mechanism = find_mechanism(name);
     if (!claim.mechanism) in.fail(fmt::format("there is no mechanism {}", reading::quoted(name)));
-    if (const Json* units = member(document, "units")) {
-        if (const Json* angle = in.object(units, "units") ? member(*units, "angle") : nullptr) {
+    if (const Json* units = member(document, of_document("units"))) {
+        if (const Json* angle = in.object(units, "units") ? member(*units, of_units("angle")) : nullptr) {
             const std::string unit = in.text(angle, "units.angle");
             claim.units.degrees = unit == "deg";
             if (unit != "deg" && unit != "rad") in.fail("units.angle is neither deg nor rad");
         }
-        if (const Json* length = member(*units, "length")) claim.units.length = in.text(length, "units.length");
+        if (const Json* length = member(*units, of_units("length")))
+            claim.units.length = in.text(length, "units.length");
     }
-    if (const Json* tolerance = member(document, "tolerance")) {
+    if (const Json* tolerance = member(document, of_document("tolerance"))) {
         claim.tolerance = in.number(tolerance, "tolerance");
         if (!(claim.tolerance > 0 && claim.tolerance <= loosest_tolerance))
             in.fail(fmt::format("tolerance is {}, not above 0 and at most {}", claim.tolerance, loosest_tolerance));
@@ -62,21 +65,21 @@ double dimension_number(Reader& in, const Claim& claim, std::size_t i, const Jso
 
 void read_given(Reader& in, const Json& document, Claim& claim) {
     claim.given.resize(claim.mechanism->dimensions.size());
-    const Json* given = in.object(member(document, "dimensions"), "dimensions");
+    const Json* given = in.object(member(document, of_document("dimensions")), "dimensions");
     if (!given) return;
     for (const auto& [name, value] : given->items()) {
         const std::string place = "dimensions." + reading::quoted(name);
         const int index = find_dimension(*claim.mechanism, name);
         if (index < 0) return in.fail(fmt::format("a {} does not have {}", claim.mechanism->name, place));
         const auto i = static_cast<std::size_t>(index);
-        if (value.is_object() && member(value, "of")) {
-            const int of = find_dimension(*claim.mechanism, in.text(member(value, "of"), place + ".of"));
+        if (value.is_object() && member(value, of_tie("of"))) {
+            const int of = find_dimension(*claim.mechanism, in.text(member(value, of_tie("of")), place + ".of"));
             if (of < 0) return in.fail(fmt::format("{} is tied to a dimension that does not exist", place));
-            const double times = in.number(member(value, "times"), place + ".times");
+            const double times = in.number(member(value, of_tie("times")), place + ".times");
             claim.given[i] = ClaimedRange{0, 0, Tie{static_cast<std::size_t>(of), times}};
         } else if (value.is_object()) {
-            const double min = dimension_number(in, claim, i, member(value, "min"), place + ".min");
-            const double max = dimension_number(in, claim, i, member(value, "max"), place + ".max");
+            const double min = dimension_number(in, claim, i, member(value, of_range("min")), place + ".min");
+            const double max = dimension_number(in, claim, i, member(value, of_range("max")), place + ".max");
             claim.given[i] = ClaimedRange{min, max, {}};
         } else {
             const double number = dimension_number(in, claim, i, &value, place);
@@ -88,7 +91,7 @@ void read_given(Reader& in, const Json& document, Claim& claim) {
 void read_design(Reader& in, const Json& document, Claim& claim) {
     const Mechanism& mechanism = *claim.mechanism;
     claim.design.assign(mechanism.dimensions.size(), 0.0);
-    const Json* design = member(document, "design");
+    const Json* design = member(document, of_document("design"));
     if (!design) return in.fail("the document has no design");
     if (!in.object(design, "design")) return;
     for (const auto& [name, value] : design->items())
@@ -101,8 +104,8 @@ void read_design(Reader& in, const Json& document, Claim& claim) {
         const Json* value = member(*design, name);
         if (value || dimension.required) claim.design[i] = dimension_number(in, claim, i, value, "design." + name);
     }
-    if (const Json* kind = member(*design, "kind")) claim.kind = in.text(kind, "design.kind");
-    const Json* assembly = member(*design, "assembly");
+    if (const Json* kind = member(*design, of_design("kind"))) claim.kind = in.text(kind, "design.kind");
+    const Json* assembly = member(*design, of_design("assembly"));
     if (!assembly || mechanism.assemblies.empty()) return;
     const std::string name = in.text(assembly, "design.assembly");
     while (claim.assembly < mechanism.assemblies.size() && mechanism.assemblies[claim.assembly] != name)
@@ -112,7 +115,7 @@ void read_design(Reader& in, const Json& document, Claim& claim) {
 }
 
 void read_crank_range(Reader& in, const Json& document, Claim& claim) {
-    const Json* range = member(document, "crank_range");
+    const Json* range = member(document, of_document("crank_range"));
     if (!range) return;
     const auto ends = in.numbers(range, "crank_range", 2, true);
     if (ends.size() != 2) return in.fail("crank_range is not [from, to]");
@@ -124,7 +127,7 @@ void read_settings(Reader& in, const Json& document, Claim& claim) {
     const auto settings = claim.mechanism->settings;
     for (std::size_t i = 0; i < settings.size(); ++i)
         claim.settings[i] = settings[i].preset;
-    const Json* json = member(document, "settings");
+    const Json* json = member(document, of_document("settings"));
     if (!json || !in.object(json, "settings")) return;
     for (const auto& [name, value] : json->items()) {
         const std::string place = "settings." + reading::quoted(name);
@@ -139,39 +142,44 @@ void read_settings(Reader& in, const Json& document, Claim& claim) {
 }
 
 void read_requirements(Reader& in, const Json& document, Claim& claim) {
-    const Json* list = member(document, "requirements");
+    const Json* list = member(document, of_document("requirements"));
     if (!list || !in.array(list, "requirements", most_entries)) return;
     for (std::size_t i = 0; i < list->size() && in.understood(); ++i) {
         const Json& one = (*list)[i];
         const std::string place = fmt::format("requirements[{}]", i);
         if (!in.object(&one, place)) return;
-        const auto quantity = quantity_named(in, member(one, "quantity"), place + ".quantity", claim);
+        const auto quantity = quantity_named(in, member(one, of_requirement("quantity")), place + ".quantity", claim);
         if (!quantity) return;
         const auto number = [&](const char* name) { return in.optional_number(member(one, name), place + "." + name); };
-        ClaimedRequirement r{
-            *quantity, number("value"), number("equal"), number("min"), number("max"), number("violation"), {}};
-        if (const Json* active = member(one, "active")) r.active = in.flag(active, place + ".active");
+        ClaimedRequirement r{*quantity,
+                             number(of_requirement("value")),
+                             number(of_requirement("equal")),
+                             number(of_requirement("min")),
+                             number(of_requirement("max")),
+                             number(of_requirement("violation")),
+                             {}};
+        if (const Json* active = member(one, of_requirement("active"))) r.active = in.flag(active, place + ".active");
         if (!r.equal && !r.min && !r.max) in.fail(place + " requires nothing: it has neither equal, min nor max");
         claim.requirements.push_back(r);
     }
 }
 
 std::optional<ClaimedTerm> read_term(Reader& in, const Json& json, const std::string& place, const Claim& claim) {
-    const auto quantity = quantity_named(in, member(json, "quantity"), place + ".quantity", claim);
+    const auto quantity = quantity_named(in, member(json, of_term("quantity")), place + ".quantity", claim);
     if (!quantity) return std::nullopt;
-    const std::string sense = in.text(member(json, "sense"), place + ".sense");
+    const std::string sense = in.text(member(json, of_term("sense")), place + ".sense");
     if (sense != "maximize" && sense != "minimize") in.fail(place + ".sense is neither minimize nor maximize");
-    const double weight = in.optional_number(member(json, "weight"), place + ".weight").value_or(1);
+    const double weight = in.optional_number(member(json, of_term("weight")), place + ".weight").value_or(1);
     return ClaimedTerm{*quantity, sense == "maximize", weight,
-                       in.optional_number(member(json, "value"), place + ".value")};
+                       in.optional_number(member(json, of_term("value")), place + ".value")};
 }
 
 void read_objective(Reader& in, const Json& document, Claim& claim) {
-    const Json* json = member(document, "objective");
+    const Json* json = member(document, of_document("objective"));
     if (!json || !in.object(json, "objective")) return;
     ClaimedObjective objective;
-    objective.value = in.optional_number(member(*json, "value"), "objective.value");
-    const Json* terms = member(*json, "terms");
+    objective.value = in.optional_number(member(*json, of_objective("value")), "objective.value");
+    const Json* terms = member(*json, of_objective("terms"));
     if (!terms) {
         if (const auto term = read_term(in, *json, "objective", claim)) objective.terms.push_back(*term);
     } else if (in.array(terms, "objective.terms", most_entries)) {
@@ -180,7 +188,7 @@ void read_objective(Reader& in, const Json& document, Claim& claim) {
             if (!in.object(&(*terms)[i], place)) return;
             if (const auto term = read_term(in, (*terms)[i], place, claim)) objective.terms.push_back(*term);
         }
-        const Json* reduce = member(*json, "reduce");
+        const Json* reduce = member(*json, of_objective("reduce"));
         const std::string reduction = reduce ? in.text(reduce, "objective.reduce") : "sum";
         objective.worst = reduction == "max";
         if (reduction != "max" && reduction != "sum") in.fail("objective.reduce is neither sum nor max");
@@ -190,7 +198,7 @@ void read_objective(Reader& in, const Json& document, Claim& claim) {
 }
 
 void read_quantities(Reader& in, const Json& document, Claim& claim) {
-    const Json* json = member(document, "quantities");
+    const Json* json = member(document, of_document("quantities"));
     if (!json || !in.object(json, "quantities")) return;
     for (const auto& [name, value] : json->items()) {
         const std::string place = "quantities." + reading::quoted(name);
@@ -213,17 +221,17 @@ std::vector<std::optional<double>> read_directions(Reader& in, const Json* json)
 }
 
 void read_path(Reader& in, const Json& document, Claim& claim) {
-    const Json* poses = member(document, "poses");
-    const Json* json = poses ? poses : member(document, "path");
+    const Json* poses = member(document, of_document("poses"));
+    const Json* json = poses ? poses : member(document, of_document("path"));
     if (!json || !in.object(json, poses ? "poses" : "path")) return;
     if (!claim.mechanism->path_point)
         return in.fail(fmt::format("a {} guides no point along a path", claim.mechanism->name));
     if (poses && !claim.mechanism->pose_miss) return in.fail(fmt::format("a {} guides no body", claim.mechanism->name));
     ClaimedPath path;
-    path.points = in.points(member(*json, "points"), "path.points", most_points);
+    path.points = in.points(member(*json, of_path("points")), "path.points", most_points);
     if (path.points.empty()) in.fail("path.points is empty");
     const std::size_t count = path.points.size();
-    if (const Json* timing = member(*json, "timing")) {
+    if (const Json* timing = member(*json, of_path("timing"))) {
         const std::string name = in.text(timing, "path.timing");
         path.prescribed_timing = name == "prescribed";
         path.any_order = name == "none";
@@ -231,52 +239,53 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
             in.fail("path.timing is not one of free, prescribed and none");
     }
     if (poses) {
-        path.directions = read_directions(in, member(*json, "directions"));
-        path.body_length = in.number(member(*json, "body_length"), "poses.body_length");
-        if (const Json* reached = member(*json, "reached_directions"))
+        path.directions = read_directions(in, member(*json, of_poses("directions")));
+        path.body_length = in.number(member(*json, of_poses("body_length")), "poses.body_length");
+        if (const Json* reached = member(*json, of_poses("reached_directions")))
             path.reached_directions = in.numbers(reached, "poses.reached_directions", most_points, true);
         if (path.directions.size() != count) in.fail("poses.directions has not one angle for each point");
         if (!(path.body_length > 0)) in.fail("poses.body_length is not greater than 0");
     }
-    if (const Json* closed = member(*json, "closed")) path.closed = in.flag(closed, "path.closed");
+    if (const Json* closed = member(*json, of_path("closed"))) path.closed = in.flag(closed, "path.closed");
     path.weights.assign(count, 1.0);
-    if (const Json* weights = member(*json, "weights"))
+    if (const Json* weights = member(*json, of_path("weights")))
         path.weights = in.numbers(weights, "path.weights", most_points, false);
     for (const double w : path.weights)
         if (w < 0) in.fail("path.weights has a negative weight");
     if (path.weights.size() != count) in.fail("path.weights has not one weight for each point");
     if (path.prescribed_timing) {
         path.prescribed_angles =
-            in.numbers(member(*json, "prescribed_angles"), "path.prescribed_angles", most_points, true);
+            in.numbers(member(*json, of_path("prescribed_angles")), "path.prescribed_angles", most_points, true);
         if (path.prescribed_angles.size() != count) in.fail("path.prescribed_angles has not one angle for each point");
     }
-    if (const Json* reached = member(*json, "reached")) path.reached = in.points(reached, "path.reached", most_points);
-    if (const Json* angles = member(*json, "crank_angles"))
+    if (const Json* reached = member(*json, of_path("reached")))
+        path.reached = in.points(reached, "path.reached", most_points);
+    if (const Json* angles = member(*json, of_path("crank_angles")))
         path.crank_angles = in.numbers(angles, "path.crank_angles", most_points, true);
-    if (const Json* distances = member(*json, "distances"))
+    if (const Json* distances = member(*json, of_path("distances")))
         path.distances = in.numbers(distances, "path.distances", most_points, false);
     claim.path = std::move(path);
 }
 
 void read_function(Reader& in, const Json& document, Claim& claim) {
-    const Json* json = member(document, "function");
+    const Json* json = member(document, of_document("function"));
     if (!json || !in.object(json, "function")) return;
     if (!claim.mechanism->function_fit)
         return in.fail(fmt::format("a {} generates no functions", claim.mechanism->name));
     auto target = std::make_shared<FunctionTarget>();
-    if (const Json* expression = member(*json, "expression")) {
+    if (const Json* expression = member(*json, of_function("expression"))) {
         target->expression = in.text(expression, "function.expression");
-        const auto x = in.numbers(member(*json, "x"), "function.x", 2, false);
+        const auto x = in.numbers(member(*json, of_function("x")), "function.x", 2, false);
         if (x.size() != 2 || !(x[0] < x[1])) return in.fail("function.x is not [from, to]");
         target->from = x[0];
         target->to = x[1];
     } else {
-        target->samples = in.points(member(*json, "samples"), "function.samples", most_points);
+        target->samples = in.points(member(*json, of_function("samples")), "function.samples", most_points);
         for (std::size_t i = 1; i < target->samples.size(); ++i)
             if (!(target->samples[i].x > target->samples[i - 1].x)) in.fail("function.samples do not rise in x");
         if (target->samples.size() < 2) in.fail("function.samples are fewer than two");
     }
-    if (const Json* points = member(*json, "accuracy_points"))
+    if (const Json* points = member(*json, of_function("accuracy_points")))
         target->accuracy_points = in.numbers(points, "function.accuracy_points", most_points, false);
     if (!in.understood()) return;
     if (const std::string why = complete(*target); !why.empty()) return in.fail("function: " + why);
@@ -284,13 +293,14 @@ void read_function(Reader& in, const Json& document, Claim& claim) {
 }
 
 void read_followed(Reader& in, const Json& document, Claim& claim) {
-    for (const auto& [name, shape] : {std::pair{"line", Followed::line}, std::pair{"arc", Followed::arc}}) {
+    for (const auto& [name, shape] :
+         {std::pair{of_document("line"), Followed::line}, std::pair{of_document("arc"), Followed::arc}}) {
         const Json* json = member(document, name);
         if (!json || !in.object(json, name)) continue;
         claim.followed = FollowedTarget{shape};
         if (!followed_shape_of(*claim.mechanism, *claim.followed).extremes)
             return in.fail(fmt::format("a {} follows no {}", claim.mechanism->name, name));
-        if (const Json* turns = member(*json, "full_turn"))
+        if (const Json* turns = member(*json, of_followed("full_turn")))
             claim.followed->full_turn = in.flag(turns, std::string(name) + ".full_turn");
     }
 }
@@ -301,7 +311,7 @@ ReadClaim read_claim(const Json& document) {
     Reader in;
     Claim claim;
     if (!document.is_object()) return {{}, "it is not a JSON object"};
-    if (const Json* instant = member(document, "instant")) claim.has_instant = in.flag(instant, "instant");
+    if (const Json* instant = member(document, of_document("instant"))) claim.has_instant = in.flag(instant, "instant");
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
     for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_function, read_followed,

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// What a result document claims, read from the JSON alone: names resolved by the registry, numbers as they stand there
-/// (lengths and angles in the file's units). See synthesis/document/document.h for the layout.
+/// (lengths and angles in the file's units). See synthesis/document/fields.h for the members.
 
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/problem/text.h"
@@ -14,6 +15,7 @@ namespace mechwright::claims {
 namespace {
 
 using cam::SegmentKind;
+using namespace names;
 
 constexpr std::size_t most_table_points = 10000;
 
@@ -46,7 +48,7 @@ std::size_t count(Reader& in, const Json* json, const std::string& place, std::s
 
 std::shared_ptr<const LiftTable> table_of(Reader& in, const Json& segment, const std::string& place, const Claim& claim,
                                           bool angular) {
-    const auto points = in.points(member(segment, "points"), place + ".points", most_table_points);
+    const auto points = in.points(member(segment, of_segment("points")), place + ".points", most_table_points);
     const double unit = claim.units.degrees ? std::numbers::pi / 180 : 1;
     std::vector<double> angle, lift;
     for (const auto& p : points) {
@@ -69,20 +71,21 @@ std::shared_ptr<const LiftTable> table_of(Reader& in, const Json& segment, const
 SegmentPlan segment_of(Reader& in, const Json& json, const Json* law, const std::string& place, const Claim& claim,
                        bool angular, std::size_t& coefficients) {
     SegmentPlan plan;
-    plan.kind = static_cast<SegmentKind>(word(in, member(json, "kind"), place + ".kind", segment_kind_names));
+    plan.kind =
+        static_cast<SegmentKind>(word(in, member(json, of_segment("kind")), place + ".kind", segment_kind_names));
     if (plan.kind == SegmentKind::cycle) plan.table = table_of(in, json, place, claim, angular);
     if (plan.kind != SegmentKind::rise && plan.kind != SegmentKind::fall) {
         if (law && *law != "") in.fail(fmt::format("{} has no law, stated is {}", place, law->dump()));
         return plan;
     }
     plan.laws = {law_named(in, law, "the law of " + place)};
-    if (const Json* allowed = member(json, "laws");
+    if (const Json* allowed = member(json, of_segment("laws"));
         allowed && law && allowed->is_array() && std::find(allowed->begin(), allowed->end(), *law) == allowed->end())
         in.fail(fmt::format("the law of {} is {}, which it does not list", place, law->dump()));
     plan.first_coefficient = coefficients;
-    plan.start_count = count(in, member(json, "start"), place + ".start", MotionProgram::most_ends);
-    plan.end_count = count(in, member(json, "end"), place + ".end", MotionProgram::most_ends);
-    plan.shape_count = count(in, member(json, "shape"), place + ".shape", MotionProgram::most_shape);
+    plan.start_count = count(in, member(json, of_segment("start")), place + ".start", MotionProgram::most_ends);
+    plan.end_count = count(in, member(json, of_segment("end")), place + ".end", MotionProgram::most_ends);
+    plan.shape_count = count(in, member(json, of_segment("shape")), place + ".shape", MotionProgram::most_shape);
     coefficients += plan.start_count + plan.end_count + plan.shape_count;
     if (coefficients > MotionProgram::most_coefficients) in.fail("cam.segments have too many coefficients");
     return plan;
@@ -91,23 +94,23 @@ SegmentPlan segment_of(Reader& in, const Json& json, const Json* law, const std:
 }  // namespace
 
 void read_cam(Reader& in, const Json& document, Claim& claim) {
-    const Json* json = in.object(member(document, "cam"), "cam");
-    const Json* design = in.object(member(document, "design"), "design");
+    const Json* json = in.object(member(document, of_document("cam")), "cam");
+    const Json* design = in.object(member(document, of_document("design")), "design");
     if (!json || !design) return;
-    const auto follower = word(in, member(*json, "follower"), "cam.follower", cam_follower_names);
-    const bool angular = word(in, member(*json, "motion"), "cam.motion", cam_motion_names) == 1;
+    const auto follower = word(in, member(*json, of_cam("follower")), "cam.follower", cam_follower_names);
+    const bool angular = word(in, member(*json, of_cam("motion")), "cam.motion", cam_motion_names) == 1;
     claim.mechanism = &cam_mechanism(static_cast<CamFollower>(follower), angular);
-    if (const Json* contour = member(*json, "contour")) {
+    if (const Json* contour = member(*json, of_cam("contour"))) {
         const auto kind = static_cast<cam::ContourKind>(word(in, contour, "cam.contour", cam_contour_names) + 1);
         const Mechanism* mechanism = contour_cam_mechanism(static_cast<CamFollower>(follower), kind);
         if (angular || mechanism == nullptr) return in.fail("cam.contour does not go with the follower");
         claim.mechanism = mechanism;
         claim.program = contour_program(kind);
-        claim.assembly = word(in, member(*design, "rotation"), "design.rotation", cam_rotation_names);
+        claim.assembly = word(in, member(*design, of_design("rotation")), "design.rotation", cam_rotation_names);
         return;
     }
-    const Json* segments = member(*json, "segments");
-    const Json* laws = member(*design, "laws");
+    const Json* segments = member(*json, of_cam("segments"));
+    const Json* laws = member(*design, of_design("laws"));
     if (!in.array(segments, "cam.segments", MotionProgram::most_segments) ||
         !in.array(laws, "design.laws", MotionProgram::most_segments))
         return;
@@ -121,7 +124,7 @@ void read_cam(Reader& in, const Json& document, Claim& claim) {
         program->segments.push_back(segment_of(in, (*segments)[i], &(*laws)[i], place, claim, angular, coefficients));
     }
     claim.program = program;
-    claim.assembly = word(in, member(*design, "rotation"), "design.rotation", cam_rotation_names);
+    claim.assembly = word(in, member(*design, of_design("rotation")), "design.rotation", cam_rotation_names);
 }
 
 }  // namespace mechwright::claims

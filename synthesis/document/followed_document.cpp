@@ -1,5 +1,6 @@
 #include "synthesis/document/followed_document.h"
 
+#include "synthesis/document/fields.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/error_extremes.h"
 
@@ -9,18 +10,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+using namespace names;
+
 }  // namespace
 
 Json followed_document(const Problem& problem, const Design* design) {
     Json json = Json::object();
-    json["full_turn"] = problem.followed->full_turn;
+    json[of_followed("full_turn")] = problem.followed->full_turn;
     if (!design) return json;
     const ErrorExtremes extremes = error_extremes_of(problem, *design);
-    json["extremes"] = Json::array();
+    json[of_followed("extremes")] = Json::array();
     for (const auto& e : extremes.all)
-        json["extremes"].push_back({{"crank_angle", place_of(problem, *design, e.share)}, {"distance", e.error}});
-    json["alternating"] = extremes.alternating;
-    json["free"] = extremes.free;
+        json[of_followed("extremes")].push_back(
+            {{of_distance("crank_angle"), place_of(problem, *design, e.share)}, {of_distance("distance"), e.error}});
+    json[of_followed("alternating")] = extremes.alternating;
+    json[of_followed("free")] = extremes.free;
     return json;
 }
 

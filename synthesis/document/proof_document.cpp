@@ -1,5 +1,6 @@
 #include "synthesis/document/proof_document.h"
 
+#include "synthesis/document/fields.h"
 #include "synthesis/problem/units.h"
 
 namespace mechwright {
@@ -8,8 +9,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+using namespace names;
+
 Json place_of(const CamPlace& place) {
-    return {{"segment", place.segment + 1}, {"piece", place.piece}, {"at", place.u}};
+    return {{of_part("segment"), place.segment + 1}, {of_part("piece"), place.piece}, {of_part("at"), place.u}};
 }
 
 Json document_of(const Problem& problem, const HalfPlaneCertificate& certificate) {
@@ -17,47 +20,47 @@ Json document_of(const Problem& problem, const HalfPlaneCertificate& certificate
     for (const HalfPlaneCertificate::Part& part : certificate.parts) {
         Json rows = Json::array();
         for (const WeightedHalfPlane& row : part.rows) {
-            Json one{{"of", half_plane_names[static_cast<std::size_t>(row.origin)]}};
+            Json one{{of_half_plane("of"), fields::half_planes[static_cast<std::size_t>(row.origin)]}};
             if (row.origin == WeightedHalfPlane::Origin::pressure_angle) {
                 one.update(place_of(row.place));
-                one["limit"] = in_file_unit(row.limit, Unit::angle, problem.units);
-                one["side"] = row.side;
+                one[of_half_plane("limit")] = in_file_unit(row.limit, Unit::angle, problem.units);
+                one[of_half_plane("side")] = row.side;
             }
-            one["weight"] = row.weight;
+            one[of_half_plane("weight")] = row.weight;
             rows.push_back(std::move(one));
         }
-        parts.push_back({{"assembly", part.assembly}, {"half_planes", std::move(rows)}});
+        parts.push_back({{of_part("assembly"), part.assembly}, {of_part("half_planes"), std::move(rows)}});
     }
-    return {{"kind", "half-planes"},
-            {"dimension", problem.mechanism->dimensions[certificate.dimension].name},
-            {"parts", std::move(parts)}};
+    return {{of_certificate("kind"), "half-planes"},
+            {of_certificate("dimension"), problem.mechanism->dimensions[certificate.dimension].name},
+            {of_certificate("parts"), std::move(parts)}};
 }
 
 Json document_of(const Problem& problem, const CurvatureCertificate& certificate) {
     Json parts = Json::array();
     for (const CurvatureCertificate::Part& part : certificate.parts) {
-        Json one{{"assembly", part.assembly}};
+        Json one{{of_part("assembly"), part.assembly}};
         one.update(place_of(part.place));
         parts.push_back(std::move(one));
     }
-    return {{"kind", "curvature"},
-            {"dimension", problem.mechanism->dimensions[certificate.dimension].name},
-            {"parts", std::move(parts)}};
+    return {{of_certificate("kind"), "curvature"},
+            {of_certificate("dimension"), problem.mechanism->dimensions[certificate.dimension].name},
+            {of_certificate("parts"), std::move(parts)}};
 }
 
 Json document_of(const Problem& problem, const LimitCertificate& certificate) {
     const Quantity& quantity = problem.mechanism->quantities[certificate.quantity];
-    return {{"kind", "limit"},
-            {"limit", certificate.name},
-            {"quantity", quantity.name},
-            {"value", in_file_unit(certificate.value, quantity.unit, problem.units)}};
+    return {{of_certificate("kind"), "limit"},
+            {of_certificate("limit"), certificate.name},
+            {of_certificate("quantity"), quantity.name},
+            {of_certificate("value"), in_file_unit(certificate.value, quantity.unit, problem.units)}};
 }
 
-Json document_of(const Problem&, const BoundCertificate&) { return {{"kind", "bound"}}; }
-Json document_of(const Problem&, const CountCertificate&) { return {{"kind", "count"}}; }
-Json document_of(const Problem&, const ZeroCertificate&) { return {{"kind", "zero"}}; }
-Json document_of(const Problem&, const GivenCertificate&) { return {{"kind", "given"}}; }
-Json document_of(const Problem&, const RangesCertificate&) { return {{"kind", "ranges"}}; }
+Json document_of(const Problem&, const BoundCertificate&) { return {{of_certificate("kind"), "bound"}}; }
+Json document_of(const Problem&, const CountCertificate&) { return {{of_certificate("kind"), "count"}}; }
+Json document_of(const Problem&, const ZeroCertificate&) { return {{of_certificate("kind"), "zero"}}; }
+Json document_of(const Problem&, const GivenCertificate&) { return {{of_certificate("kind"), "given"}}; }
+Json document_of(const Problem&, const RangesCertificate&) { return {{of_certificate("kind"), "ranges"}}; }
 
 }  // namespace
 

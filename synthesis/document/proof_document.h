@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "synthesis/document/fields.h"
 #include "synthesis/problem/problem.h"
 #include "synthesis/program/proof.h"
 
@@ -13,7 +14,6 @@ namespace mechwright {
 nlohmann::ordered_json certificate_document(const Problem& problem, const Certificate& certificate);
 
 /// The names of WeightedHalfPlane::Origin, in its order.
-inline constexpr std::array<std::string_view, 4> half_plane_names{"pressure angle", "height", "least offset",
-                                                                  "greatest offset"};
+inline constexpr auto half_plane_names = fields::half_planes;
 
 }  // namespace mechwright

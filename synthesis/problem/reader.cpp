@@ -6,6 +6,7 @@
 
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/bytes.h"
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/varied_problem.h"
 #include "synthesis/problem/text.h"
@@ -45,7 +46,7 @@ void warn_of_accuracy_points(const Section& file, const Problem& problem, Messag
 }  // namespace
 
 void read_problem_table(const toml::table& table, Problem& problem, Messages& messages) {
-    Section file{&table, "", {1, 1}};
+    Section file{&table, "", {1, 1}, keys::of_file()};
     read_schema(file, messages);
     read_mechanism(file, problem, messages);
     if (auto title = read_string(file, "title", messages)) problem.title = *std::move(title);

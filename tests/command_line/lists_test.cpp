@@ -1,4 +1,4 @@
-// mechwright quantities, mechwright methods
+// mechwright quantities, mechwright methods, mechwright schema
 
 #include "tests/command_line/problems.h"
 #include "tests/command_line/program.h"
@@ -53,6 +53,19 @@ TEST(Methods, AFileThatNamesNoneOfThemCanStillAskForThem) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.toml", crank_rocker("[solver]\nmethod = \"magic\"\n"));
     EXPECT_EQ(run({"methods", file}).exit_code, 0);
+}
+
+TEST(Schemas, AreThoseOfProblemsAndResults) {
+    for (const std::string document : {"problem", "result"}) {
+        const Outcome outcome = run({"schema", document});
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_EQ(outcome.err, "");
+        expect_has(outcome.out, "\"title\": \"mechwright " + document + "\"");
+    }
+    const Outcome unknown = run({"schema", "study"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_EQ(unknown.out, "");
+    expect_has(unknown.err, "there is no schema of 'study'; there are those of problem and result");
 }
 
 }  // namespace

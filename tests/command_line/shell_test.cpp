@@ -68,7 +68,7 @@ using Set = std::set<std::string>;
 TEST(Completion, OfBashKnowsCommandsOptionsAndNames) {
     const Bash bash;
     EXPECT_EQ(bash.completed({"so"}), Set{"solve"});
-    EXPECT_EQ(bash.completed({"s"}), (Set{"solve", "study", "start-system"}));
+    EXPECT_EQ(bash.completed({"s"}), (Set{"schema", "solve", "study", "start-system"}));
     EXPECT_EQ(bash.completed({"--v"}), Set{"--version"});
     EXPECT_EQ(bash.completed({"man"}), Set{});
     EXPECT_EQ(bash.completed({"solve", "--me"}), Set{"--method"});
@@ -82,6 +82,7 @@ TEST(Completion, OfBashKnowsCommandsOptionsAndNames) {
     EXPECT_EQ(bash.completed({"explain", "stroke", "wh"}), Set{"whitworth"});
     EXPECT_EQ(bash.completed({"explain", "stroke", "whitworth", ""}), Set{});
     EXPECT_EQ(bash.completed({"completion", ""}), (Set{"bash", "zsh", "fish"}));
+    EXPECT_EQ(bash.completed({"schema", ""}), (Set{"problem", "result"}));
     EXPECT_EQ(bash.completed({"new", "--mechanism", "d"}), Set{"drag-link"});
     EXPECT_EQ(bash.completed({"start-system", "n"}), Set{"nine-point"});
 }

@@ -132,11 +132,12 @@ constexpr std::array<Entry, 14> verified_claims{
       "Solved and passed only where all other checks pass; unverified only where one does not."},
      {"not checked", "Texts in words (note, defect, details), versions, times and counts of the search."}}};
 
-constexpr std::array<Entry, 5> examples{
+constexpr std::array<Entry, 6> examples{
     {{"mechwright new problem.toml", "Asks a few questions and writes a problem file."},
      {"mechwright solve problem.toml --out results", "Designs the mechanism and writes the result to a folder."},
      {"mechwright verify results/problem.json", "Checks a result again."},
      {"mechwright explain transmission-angle-worst", "Says what a quantity is."},
+     {"mechwright schema problem > problem.schema.json", "Writes what editors complete and check problem files with."},
      {"mechwright study problem.toml --out study", "Solves a problem for many values of what it says."}}};
 
 template <class Entries>

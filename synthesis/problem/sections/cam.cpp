@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
 
@@ -58,7 +59,7 @@ struct SegmentReader {
         if (!has(section, "kind"))
             add_error(messages, section.place,
                       fmt::format("{} is missing: known are {}", name_of(section, "kind"), listed(segment_kind_names)));
-        const auto kind = read_choice(section, "kind", "kind of segment", segment_kind_names, messages);
+        const auto kind = read_choice(section, "kind", "kind of segment", messages);
         plan.kind = kind ? static_cast<SegmentKind>(*kind) : SegmentKind::dwell;
         whole = kind.has_value();
     }
@@ -135,7 +136,7 @@ struct SegmentReader {
     std::size_t read_named_end(std::string_view key, const toml::node& node) {
         constexpr std::array<std::string_view, 3> names{"velocity", "acceleration", "jerk"};
         if (node.is_string()) {
-            constexpr std::array<std::string_view, 4> kinds{"R", "G", "U", "B"};
+            constexpr auto kinds = keys::ends_of_polynomials;
             const auto kind = to_choice(node, name_of(section, key), "kind of end", kinds, messages);
             if (kind && *kind > 0)
                 add_error(messages, place_of(node),
@@ -149,7 +150,8 @@ struct SegmentReader {
             add_coefficient(key, nullptr);
             return 2;
         }
-        Section end{node.as_table(), fmt::format("{} of {}", key, section.title), place_of(node)};
+        Section end{node.as_table(), fmt::format("{} of {}", key, section.title), place_of(node),
+                    keys::end_of_polynomial};
         const std::size_t count = find(end, names[2]) != nullptr ? 3 : 2;
         for (std::size_t i = 0; i < count; ++i)
             add_coefficient(key, find(end, names[i]));
@@ -360,11 +362,10 @@ void read_cam(Section& file, Problem& problem, Messages& messages) {
     }
     if (!has(*section, "follower"))
         add_error(messages, section->place, "'follower' in [cam] is missing: known are knife, roller, flat");
-    const auto follower = read_choice(*section, "follower", "follower", cam_follower_names, messages);
-    const auto motion = read_choice(*section, "motion", "motion", cam_motion_names, messages);
-    constexpr std::array<std::string_view, 3> rotations{"ccw", "cw", "either"};
-    problem.cam_rotation = read_choice(*section, "rotation", "rotation", rotations, messages).value_or(0);
-    const auto contour = read_choice(*section, "contour", "contour", cam_contour_names, messages);
+    const auto follower = read_choice(*section, "follower", "follower", messages);
+    const auto motion = read_choice(*section, "motion", "motion", messages);
+    problem.cam_rotation = read_choice(*section, "rotation", "rotation", messages).value_or(0);
+    const auto contour = read_choice(*section, "contour", "contour", messages);
     report_unknown_keys(*section, messages);
     const bool known = follower && (motion || !has(*section, "motion")) && (contour || !has(*section, "contour"));
     problem.mechanism = nullptr;
@@ -411,7 +412,7 @@ void read_segments(Section& file, Problem& problem, Messages& messages) {
         const std::string title = fmt::format("segment {}", places.size() + 1);
         places.push_back(place_of(entry));
         if (!entry.is_table()) return report_kind(entry, title, "a section, headed [[segment]]", messages);
-        SegmentReader reader{Section{entry.as_table(), title, places.back()},
+        SegmentReader reader{Section{entry.as_table(), title, places.back(), keys::segment},
                              places.size() - 1,
                              problem,
                              *program,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
 
@@ -43,7 +44,8 @@ void check_range(const Section& range, const Dimension& dimension, const Dimensi
 }
 
 std::optional<DimensionRange> read_range(const toml::node& node, const Dimension& dimension, Messages& messages) {
-    Section range{node.as_table(), fmt::format("the range of '{}'", dimension.name), place_of(node)};
+    Section range{node.as_table(), fmt::format("the range of '{}'", dimension.name), place_of(node),
+                  keys::dimension_range};
     const auto min = required_number(range, "min", messages);
     const auto max = required_number(range, "max", messages);
     const auto start = read_number(range, "start", messages);
@@ -58,7 +60,7 @@ std::optional<DimensionRange> read_range(const toml::node& node, const Dimension
 std::optional<DimensionRange> read_tie(const toml::node& node, std::size_t index, const Mechanism& mechanism,
                                        Messages& messages) {
     const Dimension& dimension = mechanism.dimensions[index];
-    Section section{node.as_table(), fmt::format("the tie of '{}'", dimension.name), place_of(node)};
+    Section section{node.as_table(), fmt::format("the tie of '{}'", dimension.name), place_of(node), keys::tie};
     const auto other = read_string(section, "of", messages);
     const double times = read_number(section, "times", messages).value_or(1);
     report_unknown_keys(section, messages);

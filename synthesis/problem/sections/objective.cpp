@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <array>
-
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
 
@@ -38,13 +37,12 @@ void add_term(const toml::node& node, const Section& section, double weight, Obj
 }
 
 void read_worst(const toml::array& list, Section& section, Objective& objective, const Context& context) {
-    constexpr std::array<std::string_view, 1> reductions{"max"};
     objective.worst = true;
     if (!has(section, "reduce"))
         add_error(context.messages, place_of(list),
                   "a list of quantities needs reduce = \"max\" (its worst counts); for a sum write one [[objective]] "
                   "for each");
-    read_choice(section, "reduce", "reduction", reductions, context.messages);
+    read_choice(section, "reduce", "reduction", context.messages);
     if (list.empty())
         add_error(context.messages, place_of(list), "this list of quantities is empty: name at least one");
     for (const toml::node& node : list)
@@ -72,7 +70,7 @@ Objective read_single(Section& section, const Context& context) {
 void read_weighted(const toml::node& node, Objective& objective, const Context& context) {
     if (!node.is_table())
         return report_kind(node, "an entry of 'objective'", "a section, headed [[objective]]", context.messages);
-    Section section{node.as_table(), "[[objective]]", place_of(node)};
+    Section section{node.as_table(), "[[objective]]", place_of(node), keys::objective};
     const toml::node* sense = find_sense(section, context.messages);
     const double weight = read_number(section, "weight", context.messages).value_or(1);
     report_unknown_keys(section, context.messages);
@@ -101,7 +99,7 @@ void read_objective(Section& file, Problem& problem, Messages& messages) {
     if (node->is_array()) {
         problem.objective = read_sum(*node->as_array(), context);
     } else if (node->is_table()) {
-        Section section{node->as_table(), "[objective]", place_of(*node)};
+        Section section{node->as_table(), "[objective]", place_of(*node), keys::objective};
         problem.objective = read_single(section, context);
     } else {
         report_kind(*node, "'objective'", "a section, headed [objective], or several headed [[objective]]", messages);

@@ -102,10 +102,9 @@ void read_path(Section& file, Problem& problem, Messages& messages) {
         return add_error(messages, path->place,
                          fmt::format("a {} guides no point along a path: leave [path] out", problem.mechanism->name));
     refuse_ties(*path, problem, messages);
-    constexpr std::array<std::string_view, 3> timings{"free", "prescribed", "none"};
     PointList list = read_points(*path, problem, messages);
     PathTarget target;
-    const auto timing = read_choice(*path, "timing", "timing", timings, messages);
+    const auto timing = read_choice(*path, "timing", "timing", messages);
     target.prescribed_timing = timing == 1u;
     target.any_order = timing == 2u;
     target.closed = read_bool(*path, "closed", messages).value_or(false);
@@ -197,10 +196,9 @@ void read_poses(Section& file, Problem& problem, Messages& messages) {
         return add_error(messages, poses->place,
                          fmt::format("a {} guides no body through poses: leave [poses] out", problem.mechanism->name));
     if (problem.path) return add_error(messages, poses->place, "a problem has a [path] or [poses], not both");
-    constexpr std::array<std::string_view, 2> timings{"free", "prescribed"};
     PathTarget target;
     PointList list = read_pose_list(*poses, problem, target, messages);
-    target.prescribed_timing = read_choice(*poses, "timing", "timing", timings, messages) == 1u;
+    target.prescribed_timing = read_choice(*poses, "timing", "timing", messages) == 1u;
     target.body_length = read_body_length(*poses, list, messages);
     target.weights = read_weights(*poses, list, messages);
     if (target.prescribed_timing)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
@@ -83,7 +84,7 @@ std::optional<std::size_t> read_quantity(Section& section, const Section& file, 
 void read_requirement(const toml::node& node, const Section& file, Problem& problem, std::vector<Bounds>& bounds,
                       Messages& messages) {
     if (!node.is_table()) return report_kind(node, "an entry of 'require'", "a section, headed [[require]]", messages);
-    Section section{node.as_table(), "[[require]]", place_of(node)};
+    Section section{node.as_table(), "[[require]]", place_of(node), keys::requirement};
     const auto index = read_quantity(section, file, problem, messages);
     const Values values = read_values(section, messages);
     report_unknown_keys(section, messages);

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -11,9 +11,12 @@ namespace mechwright::reading {
 
 namespace {
 
-/// A whole number between limits, or what it is by default.
-std::int64_t read_bounded(Section& section, std::string_view key, std::int64_t least, std::int64_t most,
-                          std::int64_t preset, Messages& messages) {
+/// A whole number between the key's limits, or what it is by default.
+std::int64_t read_bounded(Section& section, std::string_view key, std::int64_t preset, Messages& messages) {
+    const Limits& limits = find_key(section.known, key)->limits;
+    const auto least = static_cast<std::int64_t>(limits.least);
+    const auto most =
+        std::isfinite(limits.most) ? static_cast<std::int64_t>(limits.most) : std::numeric_limits<std::int64_t>::max();
     const std::int64_t number = read_whole_number(section, key, messages).value_or(preset);
     if (number >= least && number <= most) return number;
     add_error(messages, place_of(section, key),
@@ -21,8 +24,9 @@ std::int64_t read_bounded(Section& section, std::string_view key, std::int64_t l
     return preset;
 }
 
-/// A number above 0 and up to a limit, or what it is by default.
-double read_positive(Section& section, std::string_view key, double most, double preset, Messages& messages) {
+/// A number above 0 and up to the key's limit, or what it is by default.
+double read_positive(Section& section, std::string_view key, double preset, Messages& messages) {
+    const double most = find_key(section.known, key)->limits.most;
     const double number = read_number(section, key, messages).value_or(preset);
     if (number > 0 && number <= most) return number;
     add_error(messages, place_of(section, key),
@@ -41,12 +45,11 @@ void check_crank_range(const Section& motion, double from, double to, double tur
 }
 
 void read_pareto(Section& solver, Problem& problem, Messages& messages) {
-    constexpr std::int64_t most_points = 1000;
     if (!has(solver, "pareto")) {
         find(solver, "pareto");
         return;
     }
-    problem.solver.pareto = static_cast<int>(read_bounded(solver, "pareto", 2, most_points, 2, messages));
+    problem.solver.pareto = static_cast<int>(read_bounded(solver, "pareto", 2, messages));
     if (!problem.objective || problem.objective->terms.size() != 2 || problem.objective->worst)
         add_error(messages, place_of(solver, "pareto"),
                   "'pareto' needs two objectives to trade against each other: write two [[objective]] entries");
@@ -62,10 +65,9 @@ double full_turn(const Units& units) {
 }
 
 void read_units(Section& file, Problem& problem, Messages& messages) {
-    constexpr std::array<std::string_view, 2> angles{"deg", "rad"};
     std::optional<Section> section = read_section(file, "units", messages);
     if (!section) return;
-    problem.units.degrees = read_choice(*section, "angle", "unit of angle", angles, messages) != 1u;
+    problem.units.degrees = read_choice(*section, "angle", "unit of angle", messages) != 1u;
     if (auto length = read_string(*section, "length", messages)) problem.units.length = *std::move(length);
     report_unknown_keys(*section, messages);
 }
@@ -91,17 +93,13 @@ void read_motion(Section& file, Problem& problem, Messages& messages) {
 void read_solver(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> section = read_section(file, "solver", messages);
     if (!section) return;
-    constexpr std::int64_t most_starts = 100000;
-    constexpr std::int64_t most_seed = std::numeric_limits<std::int64_t>::max();
-    constexpr double longest = 1e9;  // seconds: thirty years, and safe for every clock
-    constexpr double loosest = 1e-2;
     SolverOptions& solver = problem.solver;
     if (auto method = read_string(*section, "method", messages)) solver.method = *std::move(method);
-    solver.starts = static_cast<int>(read_bounded(*section, "starts", 1, most_starts, solver.starts, messages));
-    solver.seed = static_cast<std::uint64_t>(
-        read_bounded(*section, "seed", 0, most_seed, static_cast<std::int64_t>(solver.seed), messages));
-    solver.time_limit = read_positive(*section, "time_limit", longest, solver.time_limit, messages);
-    solver.tolerance = read_positive(*section, "tolerance", loosest, solver.tolerance, messages);
+    solver.starts = static_cast<int>(read_bounded(*section, "starts", solver.starts, messages));
+    solver.seed =
+        static_cast<std::uint64_t>(read_bounded(*section, "seed", static_cast<std::int64_t>(solver.seed), messages));
+    solver.time_limit = read_positive(*section, "time_limit", solver.time_limit, messages);
+    solver.tolerance = read_positive(*section, "tolerance", solver.tolerance, messages);
     read_pareto(*section, problem, messages);
     report_unknown_keys(*section, messages);
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/study_sections.h"
 #include "synthesis/problem/study/value_path.h"
@@ -46,21 +47,16 @@ namespace reading {
 namespace {
 
 constexpr std::uint64_t most_points_of_study = 100'000'000;
-constexpr std::array<std::string_view, 4> designs{"grid", "one-at-a-time", "sobol", "latin-hypercube"};
 /// What [study] says of itself; everything else in it is the path of a value.
-constexpr std::array<std::string_view, 7> own_keys{"design",    "count", "seed", "quantities",
-                                                   "tolerance", "case",  "chart"};
-
-bool is_own(std::string_view key) { return std::find(own_keys.begin(), own_keys.end(), key) != own_keys.end(); }
+bool is_own(std::string_view key) { return find_key(keys::study, key) != nullptr; }
 
 std::optional<StudyRange> read_range(Section& section, const Study& study, Messages& messages) {
-    constexpr std::array<std::string_view, 2> spacings{"linear", "log"};
     StudyRange range;
     for (const std::string_view end : {"from", "to"})
         if (!has(section, end)) add_error(messages, section.place, fmt::format("{} is missing", name_of(section, end)));
     const auto from = read_number(section, "from", messages), to = read_number(section, "to", messages);
     const auto count = read_whole_number(section, "count", messages);
-    range.logarithmic = read_choice(section, "spacing", "spacing", spacings, messages) == 1u;
+    range.logarithmic = read_choice(section, "spacing", "spacing", messages) == 1u;
     report_unknown_keys(section, messages);
     if (!from || !to) return {};
     range.from = *from;
@@ -159,7 +155,7 @@ struct AxisReader {
         }
         StudyAxis axis{path, {}, {}, {}};
         if (table != nullptr) {
-            Section section{table, reading::quoted(path), place_of(node)};
+            Section section{table, reading::quoted(path), place_of(node), keys::steps};
             axis.range = read_range(section, study, messages);
             if (!axis.range) return;
         } else if (const toml::array* list = node.as_array()) {
@@ -262,7 +258,7 @@ void read_study(Section& file, Problem& problem, Messages& messages) {
     if (!section) return;
     auto study = std::make_shared<Study>();
     const bool failed_before = std::exchange(messages.failed, false);
-    study->design = static_cast<StudyDesign>(read_choice(*section, "design", "design", designs, messages).value_or(0));
+    study->design = static_cast<StudyDesign>(read_choice(*section, "design", "design", messages).value_or(0));
     read_count(*section, *study, messages);
     read_seed(*section, *study, messages);
     read_axes(*section, *study, messages);

@@ -1,16 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/study/study_sections.h"
 #include "synthesis/problem/text.h"
 
 namespace mechwright::reading {
 
 namespace {
-
-constexpr std::array<std::string_view, 4> kinds{"map", "contours", "curves", "front"};
 
 /// The columns of a chart are looked for in the data, which alone know all of their names.
 std::string column(Section& section, std::string_view key, bool needed, Messages& messages) {
@@ -42,10 +40,10 @@ void read_maximized(Section& section, StudyChart& chart, Messages& messages) {
 }
 
 StudyChart read_chart(const toml::node& node, std::size_t number, Messages& messages) {
-    Section section{node.as_table(), "[[study.chart]]", place_of(node)};
+    Section section{node.as_table(), "[[study.chart]]", place_of(node), keys::chart};
     StudyChart chart;
-    if (!has(section, "kind")) add_error(messages, section.place, "a chart needs a 'kind': " + listed(kinds));
-    chart.kind = static_cast<ChartKind>(read_choice(section, "kind", "kind of chart", kinds, messages).value_or(0));
+    if (!has(section, "kind")) add_error(messages, section.place, "a chart needs a 'kind': " + listed(keys::charts));
+    chart.kind = static_cast<ChartKind>(read_choice(section, "kind", "kind of chart", messages).value_or(0));
     chart.name = read_string(section, "name", messages).value_or(fmt::format("chart-{}", number));
     if (!can_be_file_name(chart.name))
         add_error(messages, place_of(section, "name"), "the name of a chart has letters, digits, - and _ only");

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "synthesis/problem/problem.h"
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/study_sections.h"
 #include "synthesis/problem/text.h"
@@ -14,7 +15,6 @@ namespace {
 
 /// Every length that is not named by itself.
 constexpr std::string_view all_lengths = "lengths";
-constexpr int least_grade = 5, greatest_grade = 13;
 
 /// "IT7": 7.
 std::optional<int> to_grade(const toml::node& node, std::string_view what, const Problem& problem, Messages& messages) {
@@ -26,11 +26,11 @@ std::optional<int> to_grade(const toml::node& node, std::string_view what, const
     int grade = 0;
     const bool it = word->starts_with("IT");
     const auto [end, error] = std::from_chars(word->data() + (it ? 2 : 0), word->data() + word->size(), grade);
-    if (!it || error != std::errc{} || end != word->data() + word->size() || grade < least_grade ||
-        grade > greatest_grade) {
+    if (!it || error != std::errc{} || end != word->data() + word->size() || grade < keys::least_grade ||
+        grade > keys::greatest_grade) {
         add_error(messages, place_of(node),
-                  fmt::format("{} must be a grade of ISO 286 from \"IT{}\" to \"IT{}\", not {}", what, least_grade,
-                              greatest_grade, reading::quoted(*word)));
+                  fmt::format("{} must be a grade of ISO 286 from \"IT{}\" to \"IT{}\", not {}", what,
+                              keys::least_grade, keys::greatest_grade, reading::quoted(*word)));
         return {};
     }
     if (problem.units.length != "mm") {
@@ -45,11 +45,10 @@ std::optional<int> to_grade(const toml::node& node, std::string_view what, const
 
 std::optional<Deviation> read_table(const toml::node& node, const std::string& what, const Problem& problem,
                                     Messages& messages) {
-    constexpr std::array<std::string_view, 2> distributions{"normal", "uniform"};
-    Section section{node.as_table(), what, place_of(node)};
+    Section section{node.as_table(), what, place_of(node), keys::deviation};
     Deviation deviation;
     int given = 0;
-    for (const std::string_view key : distributions) {
+    for (const std::string_view key : keys::distributions) {
         const auto size = read_number(section, key, messages);
         given += has(section, key);
         if (!size) continue;
@@ -62,7 +61,7 @@ std::optional<Deviation> read_table(const toml::node& node, const std::string& w
     if (const toml::node* grade = find(section, "grade")) {
         ++given;
         deviation.grade = to_grade(*grade, name_of(section, "grade"), problem, messages).value_or(0);
-        deviation.uniform = read_choice(section, "distribution", "distribution", distributions, messages) == 1u;
+        deviation.uniform = read_choice(section, "distribution", "distribution", messages) == 1u;
     }
     if (given != 1) {
         add_error(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "synthesis/problem/text.h"
 
@@ -45,6 +46,7 @@ std::string_view kind_of(const toml::node& node) {
 }
 
 const toml::node* find(Section& section, std::string_view key) {
+    assert(section.known.empty() || find_key(section.known, key) != nullptr);
     if (!contains(section.keys, key)) section.keys.push_back(key);
     return section.table->get(key);
 }
@@ -124,7 +126,8 @@ std::optional<Section> read_section(Section& parent, std::string_view key, Messa
         report_kind(*node, quoted(key), fmt::format("a section, headed {}", title), messages);
         return {};
     }
-    return Section{node->as_table(), title, place_of(*node)};
+    const Key* known = find_key(parent.known, key);
+    return Section{node->as_table(), title, place_of(*node), known == nullptr ? std::span<const Key>() : known->below};
 }
 
 std::optional<std::vector<double>> read_numbers(Section& section, std::string_view key, Messages& messages) {
@@ -162,6 +165,11 @@ std::optional<std::size_t> read_choice(Section& section, std::string_view key, s
     const toml::node* node = find(section, key);
     if (node == nullptr) return {};
     return to_choice(*node, name_of(section, key), noun, words, messages);
+}
+
+std::optional<std::size_t> read_choice(Section& section, std::string_view key, std::string_view noun,
+                                       Messages& messages) {
+    return read_choice(section, key, noun, find_key(section.known, key)->words, messages);
 }
 
 }  // namespace mechwright::reading

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "synthesis/problem/messages.h"
+#include "synthesis/problem/schema/key.h"
 
 namespace mechwright::reading {
 
@@ -21,6 +22,7 @@ struct Section {
     const toml::table* table = nullptr;
     std::string title;  ///< as messages name it: "[path]"
     Place place;
+    std::span<const Key> known{};              ///< every key that it can have; empty where the mechanism says that
     std::vector<std::string_view> keys{};      ///< asked for so far
     std::vector<std::string_view> reported{};  ///< keys that are wrong here and have been reported as such
 };
@@ -66,5 +68,8 @@ std::optional<std::size_t> to_choice(const toml::node& node, std::string_view wh
                                      std::span<const std::string_view> words, Messages& messages);
 std::optional<std::size_t> read_choice(Section& section, std::string_view key, std::string_view noun,
                                        std::span<const std::string_view> words, Messages& messages);
+/// One of the words that the key is known to have.
+std::optional<std::size_t> read_choice(Section& section, std::string_view key, std::string_view noun,
+                                       Messages& messages);
 
 }  // namespace mechwright::reading

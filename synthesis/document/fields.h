@@ -1,0 +1,285 @@
+#pragma once
+/// \file
+/// The members of a result document: one list for who writes it, who reads it and the schema that is published
+/// (`mechwright schema result`). Angles are in the document's unit. A number that is not finite is never written: its
+/// member is left out.
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/problem/schema/key.h"
+#include "synthesis/problem/schema/keys.h"
+
+namespace mechwright::fields {
+
+template <std::size_t N>
+using Words = std::array<std::string_view, N>;
+
+/// Two lists as one.
+template <std::size_t A, std::size_t B>
+constexpr std::array<Key, A + B> joined(const std::array<Key, A>& first, const std::array<Key, B>& second) {
+    std::array<Key, A + B> all{};
+    for (std::size_t i = 0; i < A + B; ++i)
+        all[i] = i < A ? first[i] : second[i - A];
+    return all;
+}
+
+inline constexpr Words<5> statuses{"solved", "infeasible", "limit", "unverified", "interrupted"};
+inline constexpr Words<2> senses{"maximize", "minimize"};
+inline constexpr Words<2> reductions{"sum", "max"};
+inline constexpr Words<8> certificates{"half-planes", "curvature", "limit", "bound",
+                                       "count",       "zero",      "given", "ranges"};
+/// The names of WeightedHalfPlane::Origin, in its order.
+inline constexpr Words<4> half_planes{"pressure angle", "height", "least offset", "greatest offset"};
+
+inline constexpr std::array problem{
+    Key{"file", Shape::text, "As it was given.", true}, Key{"sha256", Shape::text, "Of the file's bytes.", true},
+    Key{"text", Shape::text, "The file's bytes, unless it names other files."},
+    Key{"title", Shape::text, "The problem's title.", true}, Key{"mechanism", Shape::name, "What is designed.", true}};
+
+inline constexpr std::array libraries{Key{"ipopt", Shape::text, "Version of Ipopt.", true},
+                                      Key{"nlopt", Shape::text, "Version of NLopt.", true},
+                                      Key{"eigen", Shape::text, "Version of Eigen.", true}};
+
+inline constexpr std::array program{
+    Key{"version", Shape::text, "Version of mechwright.", true},
+    Key{"libraries", Shape::table, "Versions of what it is made with.", true, {}, libraries}};
+
+inline constexpr std::array units{Key{"angle", Shape::word, "Unit of angles.", true, keys::angle_units},
+                                  Key{"length", Shape::text, "Name of the unit of lengths.", true}};
+
+inline constexpr std::array range{Key{"min", Shape::number, "Least value.", true},
+                                  Key{"max", Shape::number, "Greatest value.", true}};
+inline constexpr std::array tie{Key{"of", Shape::text, "The dimension that it follows.", true},
+                                Key{"times", Shape::number, "How many times that.", true}};
+
+inline constexpr std::array segment{Key{"kind", Shape::word, "What the follower does.", true, segment_kind_names},
+                                    Key{"laws", Shape::texts, "Laws of motion that were tried."},
+                                    Key{"start", Shape::whole_number, "Derivatives of a polynomial at its start."},
+                                    Key{"end", Shape::whole_number, "The same at its end."},
+                                    Key{"shape", Shape::whole_number, "Further terms of a polynomial or a spline."},
+                                    Key{"points", Shape::pairs, "Table of a cycle: [cam angle, lift]."}};
+
+inline constexpr std::array cam{Key{"follower", Shape::word, "What touches the cam.", true, cam_follower_names},
+                                Key{"motion", Shape::word, "How the follower is guided.", true, cam_motion_names},
+                                Key{"contour", Shape::word, "The specified contour.", false, cam_contour_names},
+                                Key{"segments", Shape::tables, "Parts of the motion.", true, {}, segment}};
+
+/// Beside the dimensions by name.
+inline constexpr std::array design{
+    Key{"assembly", Shape::text, "How the links are put together."},
+    Key{"rotation", Shape::word, "Sense of rotation of a cam.", false, cam_rotation_names},
+    Key{"laws", Shape::texts, "Law of motion of each segment of a cam, empty where it has none."},
+    Key{"kind", Shape::text, "What kind of linkage the dimensions make.", true}};
+
+inline constexpr std::array term{
+    Key{"quantity", Shape::text, "What is optimised.", true}, Key{"sense", Shape::word, "Which way.", true, senses},
+    Key{"weight", Shape::number, "Weight in the sum."}, Key{"value", Shape::number, "What the design has."}};
+
+inline constexpr std::array objective{
+    Key{"quantity", Shape::text, "What is optimised, where it is one."},
+    Key{"sense", Shape::word, "Which way.", false, senses},
+    Key{"terms", Shape::tables, "What is optimised, where it is several.", false, {}, term},
+    Key{"reduce", Shape::word, "Whether the weighted sum of several counts or the worst.", false, reductions},
+    Key{"value", Shape::number, "What the design has."}};
+
+inline constexpr std::array requirement{
+    Key{"quantity", Shape::text, "What is limited.", true},
+    Key{"value", Shape::number, "What the design has."},
+    Key{"equal", Shape::number, "The value that it has to have."},
+    Key{"min", Shape::number, "Its least value."},
+    Key{"max", Shape::number, "Its greatest value."},
+    Key{"violation", Shape::number, "By how much it is missed, relative; 0 where it is met."},
+    Key{"active", Shape::flag, "Whether the design stands at the limit."}};
+
+inline constexpr std::array path{
+    Key{"points", Shape::pairs, "Points that shall be passed.", true},
+    Key{"timing", Shape::word, "Whether the crank angles are prescribed.", true, keys::path_timings},
+    Key{"closed", Shape::flag, "Whether the crank has to turn fully.", true},
+    Key{"weights", Shape::numbers, "Weight of each point."},
+    Key{"prescribed_angles", Shape::numbers, "Crank angle at each point, counted from crank-start."},
+    Key{"reached", Shape::pairs, "Where the design's point stands for each of them."},
+    Key{"crank_angles", Shape::open_numbers, "Crank angle there."},
+    Key{"distances", Shape::numbers, "Distance from each point."}};
+
+inline constexpr std::array poses = joined(
+    path, std::array{Key{"directions", Shape::open_numbers, "The angle at each, null where any will do.", true},
+                     Key{"body_length", Shape::number, "Length by which angles are weighed against distances.", true},
+                     Key{"reached_directions", Shape::open_numbers, "The angle of the body for each of them."}});
+
+inline constexpr std::array error{Key{"x", Shape::number, "Where it is."},
+                                  Key{"error", Shape::number, "The error there."}};
+
+inline constexpr std::array function{
+    Key{"expression", Shape::text, "The function of x."},
+    Key{"x", Shape::ends, "Range of x."},
+    Key{"samples", Shape::pairs, "[x, y], in place of an expression."},
+    Key{"accuracy_points", Shape::numbers, "Where an exact method meets it."},
+    Key{"extremes", Shape::tables, "Where the error is extreme.", false, {}, error},
+    Key{"alternating", Shape::whole_number, "Extremes as great as the greatest, with alternating signs."},
+    Key{"free", Shape::whole_number, "Dimensions that were free to make the error small."}};
+
+inline constexpr std::array distance{Key{"crank_angle", Shape::number, "Where it is."},
+                                     Key{"distance", Shape::number, "The distance there."}};
+
+inline constexpr std::array followed{
+    Key{"full_turn", Shape::flag, "Whether the crank has to turn fully.", true},
+    Key{"extremes", Shape::tables, "Where the distance is extreme.", false, {}, distance},
+    Key{"alternating", Shape::whole_number, "Extremes as great as the greatest, with alternating signs."},
+    Key{"free", Shape::whole_number, "Dimensions that were free to make the distance small."}};
+
+inline constexpr std::array warning{
+    Key{"name", Shape::text, "Why the mechanism is close to a singular position.", true},
+    Key{"margin", Shape::number, "By how much, a length."},
+    Key{"relative", Shape::number, "The same over the longest length."},
+    Key{"warned_below", Shape::number, "Relative margins below this are warned of.", true}};
+
+inline constexpr std::array check{Key{"name", Shape::text, "What was checked.", true},
+                                  Key{"passed", Shape::flag, "Whether it holds.", true},
+                                  Key{"detail", Shape::text, "What was found, with numbers.", true}};
+
+inline constexpr std::array verification{Key{"passed", Shape::flag, "Whether every check holds.", true},
+                                         Key{"checks", Shape::tables, "What was checked.", true, {}, check}};
+
+inline constexpr std::array alternative{
+    Key{"design", Shape::names, "Dimensions and what kind of mechanism they make.", true},
+    Key{"objective", Shape::number, "Value of the objective."},
+    Key{"path_angles", Shape::numbers, "Crank angle at each point of the path."},
+    Key{"distances", Shape::numbers, "Distance from each point of the path."},
+    Key{"cognate_of", Shape::whole_number,
+        "Draws the same curve as the result's design (0) or the alternative of this number."},
+    Key{"verification", Shape::table, "What was checked of it.", false, {}, verification},
+    Key{"defect", Shape::text, "Why it is no use as a mechanism."}};
+
+inline constexpr std::array solutions{
+    Key{"tracked", Shape::whole_number, "Paths to solutions that were followed, over the complex numbers.", true},
+    Key{"distinct", Shape::whole_number, "Regular solutions.", true},
+    Key{"at_infinity", Shape::whole_number, "Paths that ended at infinity.", true},
+    Key{"singular", Shape::whole_number, "Paths that ended at singular solutions.", true},
+    Key{"real", Shape::whole_number, "Real ones of the distinct solutions.", true},
+    Key{"certified", Shape::whole_number, "Real ones that are proven to exist, each alone in a small ball.", true},
+    Key{"defect_free", Shape::whole_number, "Designs that passed verification.", true}};
+
+/// A place on a cam's motion.
+inline constexpr std::array half_plane{
+    Key{"of", Shape::word, "What the half-plane follows from.", true, half_planes},
+    Key{"segment", Shape::whole_number, "Of the motion, from 1."},
+    Key{"piece", Shape::whole_number, "Of the segment."},
+    Key{"at", Shape::number, "Part of the segment."},
+    Key{"limit", Shape::number, "On the pressure angle."},
+    Key{"side", Shape::whole_number, "1: the pressure angle is at most the limit, -1: at least its negative."},
+    Key{"weight", Shape::number, "Multiplier.", true}};
+
+inline constexpr std::array certificate_part{
+    Key{"assembly", Shape::whole_number, "Which sense of rotation and which laws.", true},
+    Key{"half_planes", Shape::tables, "That the cam's centre has to lie in.", false, {}, half_plane},
+    Key{"segment", Shape::whole_number, "Of the motion, from 1."}, Key{"piece", Shape::whole_number, "Of the segment."},
+    Key{"at", Shape::number, "Part of the segment."}};
+
+inline constexpr std::array certificate{
+    Key{"kind", Shape::word, "What kind of proof it is.", true, certificates},
+    Key{"dimension", Shape::text, "Whose least value is bounded."},
+    Key{"parts", Shape::tables, "A proof for each assembly.", false, {}, certificate_part},
+    Key{"limit", Shape::text, "Name of the limit in closed form."},
+    Key{"quantity", Shape::text, "What is limited."},
+    Key{"value", Shape::number, "The limit."}};
+
+inline constexpr std::array search{
+    Key{"method", Shape::text, "How the design was found.", true},
+    Key{"complete", Shape::flag, "Whether the answer is proven.", true},
+    Key{"argument", Shape::text, "The proof in words."},
+    Key{"certificate", Shape::table, "What verification checks the proof by.", false, {}, certificate},
+    Key{"starts", Shape::whole_number, "Local searches.", true},
+    Key{"local_optima", Shape::whole_number, "Distinct feasible local optima that were found.", true},
+    Key{"hits", Shape::whole_number, "Starts that ended at the best one.", true},
+    Key{"missed_chance", Shape::number, "Estimated chance that a better local optimum was not seen."},
+    Key{"bound", Shape::number, "No design has a better objective than this."},
+    Key{"boxes", Shape::whole_number, "Boxes that were examined for the bound."},
+    Key{"solutions", Shape::table, "What became of all solutions of an exact problem.", false, {}, solutions},
+    Key{"evaluations", Shape::whole_number, "Of the functions of the nonlinear program.", true},
+    Key{"seed", Shape::whole_number, "What the starts were drawn from.", true},
+    Key{"seconds", Shape::number, "What the run took."}};
+
+/// What is said of one design.
+inline constexpr std::array finding{
+    Key{"design", Shape::names, "Dimensions and what kind of mechanism they make."},
+    Key{"objective", Shape::table, "What is optimised.", false, {}, objective},
+    Key{"requirements", Shape::tables, "What the design has to meet.", false, {}, requirement},
+    Key{"quantities", Shape::names, "Value of every quantity that is defined for the design."},
+    Key{"path", Shape::table, "The path that is followed.", false, {}, path},
+    Key{"poses", Shape::table, "The poses that are passed.", false, {}, poses},
+    Key{"function", Shape::table, "The function that is generated.", false, {}, function},
+    Key{"line", Shape::table, "The line that is followed.", false, {}, followed},
+    Key{"arc", Shape::table, "The arc that is followed.", false, {}, followed},
+    Key{"warnings", Shape::tables, "Margins of a design close to a singular position.", false, {}, warning},
+    Key{"verification",
+        Shape::table,
+        "What was checked of it, independently of the optimiser.",
+        false,
+        {},
+        verification}};
+
+inline constexpr std::array of_run{
+    Key{"schema", Shape::whole_number, "Version of the format: 1.", true, {}, {}, keys::first_schema},
+    Key{"problem", Shape::table, "Which problem it answers.", true, {}, problem},
+    Key{"program", Shape::table, "What it was made by.", true, {}, program},
+    Key{"units", Shape::table, "Units of its numbers.", true, {}, units},
+    Key{"status", Shape::word, "How the run ended.", false, statuses},
+    Key{"note", Shape::text, "One sentence for the user where the status needs one."},
+    Key{"tolerance", Shape::number, "Relative, on every requirement.", true, {}, {}, positive},
+    Key{"dimensions", Shape::names, "What was given: a number, a range, or a tie to another dimension.", true},
+    Key{"cam", Shape::table, "What was given of a cam.", false, {}, cam},
+    Key{"crank_range", Shape::ends, "Crank angles that the file limits the motion to."},
+    Key{"settings", Shape::names, "How the mechanism is judged."},
+    Key{"instant", Shape::flag, "Whether velocities at one crank angle are asked for."},
+    Key{"front", Shape::value, "Designs none of which is as good as another in both objectives."},
+    Key{"alternatives",
+        Shape::tables,
+        "Other local optima that passed verification, best first; then those that did not.",
+        false,
+        {},
+        alternative},
+    Key{"search", Shape::table, "What was done.", false, {}, search}};
+
+/// All members, at the top of a document.
+inline constexpr std::array document = joined(of_run, finding);
+
+}  // namespace mechwright::fields
+
+/// The names of members, as far as the lists have them.
+namespace mechwright::names {
+
+inline constexpr NamesOf<fields::alternative> of_alternative;
+inline constexpr NamesOf<fields::cam> of_cam;
+inline constexpr NamesOf<fields::certificate> of_certificate;
+inline constexpr NamesOf<fields::check> of_check;
+inline constexpr NamesOf<fields::design> of_design;
+inline constexpr NamesOf<fields::distance> of_distance;
+inline constexpr NamesOf<fields::document> of_document;
+inline constexpr NamesOf<fields::error> of_error;
+inline constexpr NamesOf<fields::finding> of_finding;
+inline constexpr NamesOf<fields::followed> of_followed;
+inline constexpr NamesOf<fields::function> of_function;
+inline constexpr NamesOf<fields::half_plane> of_half_plane;
+inline constexpr NamesOf<fields::libraries> of_libraries;
+inline constexpr NamesOf<fields::objective> of_objective;
+inline constexpr NamesOf<fields::certificate_part> of_part;
+inline constexpr NamesOf<fields::path> of_path;
+inline constexpr NamesOf<fields::poses> of_poses;
+inline constexpr NamesOf<fields::problem> of_problem;
+inline constexpr NamesOf<fields::program> of_program;
+inline constexpr NamesOf<fields::range> of_range;
+inline constexpr NamesOf<fields::requirement> of_requirement;
+inline constexpr NamesOf<fields::search> of_search;
+inline constexpr NamesOf<fields::segment> of_segment;
+inline constexpr NamesOf<fields::solutions> of_solutions;
+inline constexpr NamesOf<fields::term> of_term;
+inline constexpr NamesOf<fields::tie> of_tie;
+inline constexpr NamesOf<fields::units> of_units;
+inline constexpr NamesOf<fields::verification> of_verification;
+inline constexpr NamesOf<fields::warning> of_warning;
+
+}  // namespace mechwright::names

@@ -1,0 +1,110 @@
+#include "synthesis/document/result_schema.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "synthesis/document/fields.h"
+#include "synthesis/mechanism/mechanism.h"
+#include "synthesis/problem/schema/json_schema.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace schema;
+
+using Names = std::vector<std::string_view>;
+
+void add_name(Names& names, std::string_view name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+/// What mechanisms of one name have: cams come in several kinds.
+struct Kinds {
+    std::string_view name;
+    Names dimensions{};
+    Names quantities{};
+    Names settings{};
+};
+
+std::vector<Kinds> all_kinds() {
+    std::vector<Kinds> all;
+    for (const Mechanism* mechanism : mechanisms()) {
+        if (all.empty() || all.back().name != mechanism->name) all.push_back({mechanism->name});
+        for (const Dimension& dimension : mechanism->dimensions)
+            add_name(all.back().dimensions, dimension.name);
+        for (const Quantity& quantity : mechanism->quantities)
+            add_name(all.back().quantities, quantity.name);
+        for (const Setting& setting : mechanism->settings)
+            add_name(all.back().settings, setting.name);
+    }
+    return all;
+}
+
+/// An object in which all of these names have the same kind of value, and there are no others.
+Json table_by(const Names& names, const Json& value) {
+    Json properties = Json::object();
+    for (const std::string_view name : names)
+        properties[std::string(name)] = value;
+    return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+}
+
+const Json& number() {
+    static const Json json{{"type", "number"}};
+    return json;
+}
+
+Json design_of(const Kinds& kinds) {
+    Json schema = table_of(fields::design);
+    Json properties = table_by(kinds.dimensions, number())["properties"];
+    properties.update(schema["properties"]);
+    schema["properties"] = std::move(properties);
+    return schema;
+}
+
+/// The members that are about one design, as far as the mechanism says what is in them.
+Json findings_of(const Kinds& kinds) {
+    const Json quantity{{"properties", {{"quantity", one_of(kinds.quantities)}}}};
+    Json objective = quantity;
+    objective["properties"]["terms"] = {{"items", quantity}};
+    return {{"design", design_of(kinds)},
+            {"objective", std::move(objective)},
+            {"requirements", {{"items", quantity}}},
+            {"quantities", table_by(kinds.quantities, number())}};
+}
+
+Json of_kinds(const Kinds& kinds) {
+    const Json given = any_of({number(), table_of(fields::range), table_of(fields::tie)});
+    Json properties = findings_of(kinds);
+    properties["dimensions"] = table_by(kinds.dimensions, given);
+    properties["settings"] = table_by(kinds.settings, number());
+    properties["front"] = {{"items", {{"properties", findings_of(kinds)}}}};
+    properties["alternatives"] = {{"items", {{"properties", {{"design", properties["design"]}}}}}};
+    const Json is_of_them{{"properties", {{"mechanism", {{"const", kinds.name}}}}}};
+    return where({{"properties", {{"problem", is_of_them}}}}, {{"properties", std::move(properties)}});
+}
+
+}  // namespace
+
+nlohmann::ordered_json result_schema() {
+    Json schema = table_of(fields::document);
+    Json& properties = schema["properties"];
+    Json point = table_of(fields::finding);
+    point["required"] = {"design", "verification"};
+    properties["front"].update(list_of(std::move(point)));
+    Names names;
+    Json by_mechanism = Json::array();
+    for (const Kinds& kinds : all_kinds()) {
+        names.push_back(kinds.name);
+        by_mechanism.push_back(of_kinds(kinds));
+    }
+    properties["problem"]["properties"]["mechanism"].update(one_of(names));
+    schema["dependencies"] = {{"status", {"alternatives", "search"}}};
+    schema["allOf"] = std::move(by_mechanism);
+    Json all = any_of({definition("result"), list_of(definition("result"))});
+    all["definitions"]["result"] = std::move(schema);
+    return published("mechwright result", "A result document of mechwright, or a list of them.", std::move(all));
+}
+
+}  // namespace mechwright

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// Lists of keys as JSON Schema (draft 7, which editors of TOML and JSON read).
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "synthesis/problem/schema/key.h"
+
+namespace mechwright::schema {
+
+using Json = nlohmann::ordered_json;
+
+/// What may stand behind a key. Of Shape::name, names and value it has the meaning alone.
+Json of(const Key& key);
+
+/// A table with these keys and no others.
+Json table_of(std::span<const Key> keys);
+
+/// A list.
+Json list_of(Json entry);
+
+/// A string among some.
+template <class Words>
+Json one_of(const Words& words) {
+    Json all = Json::array();
+    for (const auto& word : words)
+        all.push_back(word);
+    return {{"type", "string"}, {"enum", std::move(all)}};
+}
+
+/// Either of some schemas.
+Json any_of(std::vector<Json> schemas);
+
+/// What stands under this name in the definitions of the schema; "range" is { min, max } with or without start.
+Json definition(std::string_view name);
+
+/// A number, or a range of numbers.
+Json range_of(const Limits& limits = {});
+
+/// The schema with what is to be told of it.
+Json with_meaning(Json schema, std::string_view meaning);
+
+/// `schema` for documents that meet `condition`.
+Json where(Json condition, Json schema);
+
+/// The head of a published schema.
+Json published(std::string_view title, std::string_view meaning, Json schema);
+
+}  // namespace mechwright::schema

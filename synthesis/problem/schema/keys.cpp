@@ -1,0 +1,48 @@
+#include "synthesis/problem/schema/keys.h"
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+#include "synthesis/mechanism/mechanism.h"
+
+namespace mechwright::keys {
+
+namespace {
+
+struct FileKeys {
+    std::vector<Key> all{file.begin(), file.end()};
+    std::deque<std::vector<Key>> settings;  ///< of the sections after those
+
+    FileKeys() {
+        for (const Mechanism* mechanism : mechanisms())
+            for (const Setting& setting : mechanism->settings)
+                add(setting);
+        for (std::size_t i = 0; i < settings.size(); ++i)
+            all[file.size() + i].below = settings[i];
+    }
+
+    void add(const Setting& setting) {
+        auto at = std::find_if(all.begin(), all.end(), [&](const Key& key) { return key.name == setting.section; });
+        if (at == all.end()) {
+            at = all.insert(all.end(), {setting.section, Shape::table, "How the mechanism is judged."});
+            settings.emplace_back();
+        }
+        std::vector<Key>& keys = settings[static_cast<std::size_t>(at - all.begin()) - file.size()];
+        if (find_key(keys, setting.name) == nullptr)
+            keys.push_back({setting.name, Shape::number, setting.meaning, false, {}, {}, limits_of(setting)});
+    }
+
+    static Limits limits_of(const Setting& setting) {
+        return {.least = setting.above, .most = setting.below, .above = !setting.or_above};
+    }
+};
+
+}  // namespace
+
+std::span<const Key> of_file() {
+    static const FileKeys keys;
+    return keys.all;
+}
+
+}  // namespace mechwright::keys

@@ -1,0 +1,260 @@
+#pragma once
+/// \file
+/// Every section of a problem file with its keys. What follows from the mechanism (its dimensions, quantities,
+/// settings) is not repeated here.
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/problem/schema/key.h"
+
+namespace mechwright::keys {
+
+template <std::size_t N>
+using Words = std::array<std::string_view, N>;
+
+inline constexpr Words<2> angle_units{"deg", "rad"};
+inline constexpr Words<3> rotations{"ccw", "cw", "either"};
+inline constexpr Words<3> path_timings{"free", "prescribed", "none"};
+inline constexpr Words<2> pose_timings{"free", "prescribed"};
+inline constexpr Words<1> reductions{"max"};
+inline constexpr Words<4> ends_of_polynomials{"R", "G", "U", "B"};
+inline constexpr Words<4> designs{"grid", "one-at-a-time", "sobol", "latin-hypercube"};
+inline constexpr Words<2> spacings{"linear", "log"};
+inline constexpr Words<2> distributions{"normal", "uniform"};
+inline constexpr Words<4> charts{"map", "contours", "curves", "front"};
+
+/// Grades of ISO 286 that tolerances can have.
+inline constexpr int least_grade = 5, greatest_grade = 13;
+
+inline constexpr std::array units{
+    Key{"angle", Shape::word, "Unit of all angles of the file. Preset: deg.", false, angle_units},
+    Key{"length", Shape::text, "Name of the unit of all lengths, which are never converted. Preset: mm."}};
+
+inline constexpr std::array cam{
+    Key{"follower", Shape::word, "What touches the cam: a knife edge, a roller or a flat face.", true,
+        cam_follower_names},
+    Key{"motion", Shape::word, "How the follower is guided. Preset: translating.", false, cam_motion_names},
+    Key{"rotation", Shape::word, "Sense of rotation of the cam; either: the better one is chosen. Preset: ccw.", false,
+        rotations},
+    Key{"contour", Shape::word, "A specified contour, from which the motion follows: without segments.", false,
+        cam_contour_names}};
+
+inline constexpr std::array end_of_polynomial{
+    Key{"velocity", Shape::range, "First derivative of the lift with respect to the part of the segment."},
+    Key{"acceleration", Shape::range, "Second derivative."}, Key{"jerk", Shape::range, "Third derivative."}};
+
+inline constexpr std::array segment{
+    Key{"kind", Shape::word, "What the follower does; cycle: a whole turn by a table of points.", true,
+        segment_kind_names},
+    Key{"angle", Shape::range, "Angle of the cam that the segment takes, or a range of it."},
+    Key{"lift", Shape::range, "Lift of a rise or return, an angle where the follower oscillates, or a range of it."},
+    Key{"law", Shape::name, "Law of motion of a rise or return; of a list the best is chosen."},
+    Key{"start", Shape::value,
+        "Derivatives of a polynomial at its start: a list of numbers or ranges, the first the velocity; or its kind "
+        "after "
+        "VDI 2143.",
+        false, ends_of_polynomials, end_of_polynomial},
+    Key{"end", Shape::value, "The same at its end.", false, ends_of_polynomials, end_of_polynomial},
+    Key{"shape", Shape::ranges, "Further terms of a polynomial or a spline: numbers or ranges."},
+    Key{"points", Shape::pairs, "Table of a cycle: [cam angle, lift]."},
+    Key{"points_file", Shape::text, "File with two columns, in place of points."}};
+
+inline constexpr std::array path{
+    Key{"points", Shape::pairs, "Points that the coupler point shall pass: [x, y]."},
+    Key{"points_file", Shape::text, "File with two columns, in place of points."},
+    Key{"timing", Shape::word,
+        "free: at any crank angles, in this order; prescribed: at crank_angles; none: each point counts by the nearest "
+        "point of the curve. Preset: free.",
+        false, path_timings},
+    Key{"closed", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
+    Key{"weights", Shape::numbers, "Weight of each point. Preset: 1.", false, {}, {}, positive},
+    Key{"crank_angles", Shape::numbers, "Crank angle at each point, counted from crank-start; all rise or all fall."}};
+
+inline constexpr std::array poses{
+    Key{"poses", Shape::poses, "Poses of the guided body: [x, y, angle], or [x, y] where any angle will do.", true},
+    Key{"timing", Shape::word, "Whether the crank angles are prescribed. Preset: free.", false, pose_timings},
+    Key{"length",
+        Shape::number,
+        "Length by which angles are weighed against distances. Preset: half the greatest distance from the first pose.",
+        false,
+        {},
+        {},
+        positive},
+    Key{"weights", Shape::numbers, "Weight of each pose. Preset: 1.", false, {}, {}, positive},
+    Key{"crank_angles", Shape::numbers, "Crank angle at each pose, counted from crank-start; all rise or all fall."}};
+
+inline constexpr std::array objective{
+    Key{"minimize", Shape::name, "Quantity to be made least; of a list the greatest counts, with reduce = \"max\"."},
+    Key{"maximize", Shape::name, "Quantity to be made greatest; of a list the least counts, with reduce = \"max\"."},
+    Key{"reduce", Shape::word, "Of a list of quantities the worst counts.", false, reductions},
+    Key{"weight", Shape::number, "Weight of one of several objectives. Preset: 1.", false, {}, {}, positive}};
+
+inline constexpr std::array requirement{Key{"quantity", Shape::text, "What is limited.", true},
+                                        Key{"equal", Shape::number, "The value that it has to have."},
+                                        Key{"min", Shape::number, "Its least value."},
+                                        Key{"max", Shape::number, "Its greatest value."}};
+
+inline constexpr std::array motion{
+    Key{"crank_range", Shape::ends, "Crank angles over which the mechanism is judged, where not over a full turn."}};
+
+inline constexpr std::array scale{
+    Key{"start", Shape::range, "Where it stands at the first x: a number, or a range that is designed.", true},
+    Key{"range", Shape::range, "How far it moves over the range of x, with its sign.", true}};
+
+inline constexpr std::array function{
+    Key{"expression", Shape::text, "The function of x, as in \"x^2 + sin(x)\"."},
+    Key{"x", Shape::ends, "Range of x of an expression."},
+    Key{"samples", Shape::pairs, "[x, y], x rising, in place of an expression."},
+    Key{"accuracy_points", Shape::value,
+        "Where method = \"exact\" meets the expression: 3, 4 or 5 values of x, or only how many."},
+    Key{"input", Shape::table, "The crank angle that stands for x.", true, {}, scale},
+    Key{"output", Shape::table, "The output that stands for y.", true, {}, scale}};
+
+inline constexpr std::array line{
+    Key{"start", Shape::range, "Crank angle at which the stretch begins.", true},
+    Key{"range", Shape::range, "Crank angle that the stretch takes, with its sign.", true},
+    Key{"angle", Shape::range, "Direction of the line. Preset: any."},
+    Key{"offset", Shape::range, "Distance of the line from the origin, to the left of its direction. Preset: any."},
+    Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."}};
+
+inline constexpr std::array arc{Key{"start", Shape::range, "Crank angle at which the stretch begins.", true},
+                                Key{"range", Shape::range, "Crank angle that the stretch takes, with its sign.", true},
+                                Key{"centre-x", Shape::range, "Centre of the arc. Preset: any."},
+                                Key{"centre-y", Shape::range, "Centre of the arc. Preset: any."},
+                                Key{"radius", Shape::range, "Radius of the arc. Preset: any."},
+                                Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."}};
+
+inline constexpr std::array rates{Key{"crank", Shape::number, "Of the crank."},
+                                  Key{"coupler", Shape::number, "Of the coupler."},
+                                  Key{"rocker", Shape::number, "Of the rocker."}};
+
+inline constexpr std::array instant{
+    Key{"velocity",
+        Shape::table,
+        "Angular velocities of the links at one crank angle, that of the crank not 0.",
+        true,
+        {},
+        rates},
+    Key{"acceleration", Shape::table, "Angular accelerations of links whose velocities are given.", false, {}, rates}};
+
+inline constexpr std::array solver{
+    Key{"method", Shape::name, "Method of synthesis. Preset: auto."},
+    Key{"starts", Shape::whole_number, "Local searches. Preset: 32.", false, {}, {}, {1, 100'000}},
+    Key{"seed",
+        Shape::whole_number,
+        "What the starts are drawn from: the same seed, the same result. Preset: 1.",
+        false,
+        {},
+        {},
+        {.least = 0}},
+    // A billion seconds are thirty years, and safe for every clock.
+    Key{"time_limit",
+        Shape::number,
+        "Seconds after which the run ends with the best design so far. Preset: 60.",
+        false,
+        {},
+        {},
+        {0, 1e9, true}},
+    Key{"tolerance", Shape::number, "Relative, on every requirement. Preset: 1e-9.", false, {}, {}, {0, 1e-2, true}},
+    Key{"pareto", Shape::whole_number, "Designs on the front between two objectives.", false, {}, {}, {2, 1000}}};
+
+inline constexpr std::array tie{Key{"of", Shape::name, "The dimension that it follows.", true},
+                                Key{"times", Shape::number, "How many times that. Preset: 1."}};
+
+inline constexpr std::array dimension_range{Key{"min", Shape::number, "Least value.", true},
+                                            Key{"max", Shape::number, "Greatest value.", true},
+                                            Key{"start", Shape::number, "Where one of the local searches begins."}};
+
+inline constexpr std::array steps{
+    Key{"from", Shape::number, "First value.", true}, Key{"to", Shape::number, "Last value.", true},
+    Key{"count", Shape::whole_number, "How many values.", false, {}, {}, {.least = 1}},
+    Key{"spacing", Shape::word, "Evenly, or evenly in their logarithms. Preset: linear.", false, spacings}};
+
+inline constexpr std::array deviation{
+    Key{"normal", Shape::number, "Standard deviation.", false, {}, {}, positive},
+    Key{"uniform", Shape::number, "Half the width.", false, {}, {}, positive},
+    Key{"grade", Shape::name, "Tolerance of this grade of ISO 286."},
+    Key{"distribution", Shape::word, "Of a grade. Preset: normal.", false, distributions}};
+
+inline constexpr std::array chart{
+    Key{"kind", Shape::word, "What is drawn.", true, charts},
+    Key{"name", Shape::text, "Name of its file: letters, digits, - and _."},
+    Key{"title", Shape::text, "What stands above it."},
+    Key{"x", Shape::text, "Column to the right.", true},
+    Key{"y", Shape::text, "Column upwards, of all but curves."},
+    Key{"value", Shape::text, "Column that is drawn, of all but fronts; of curves upwards."},
+    Key{"family", Shape::text, "Column: a curve for each of its values."},
+    Key{"each", Shape::text, "Column: a picture for each of its values."},
+    Key{"where", Shape::text, "SQL: only points for which this is so. Preset: status = 'solved'."},
+    Key{"log", Shape::flag, "Whether the axis of x is logarithmic. Preset: false."},
+    Key{"levels", Shape::numbers, "Of contours. Preset: chosen."},
+    Key{"maximize", Shape::texts, "Columns of a front in which more is better: x, y or both."}};
+
+/// Everything else in [study] is the path of a value.
+inline constexpr std::array study{
+    Key{"design", Shape::word, "How values are combined. Preset: grid.", false, designs},
+    Key{"count",
+        Shape::whole_number,
+        "Points of a random design, or samples of tolerances.",
+        false,
+        {},
+        {},
+        {.least = 1}},
+    Key{"seed", Shape::whole_number, "What random points are drawn from. Preset: 1.", false, {}, {}, {.least = 0}},
+    Key{"quantities", Shape::texts, "Quantities that are kept. Preset: all."},
+    Key{"tolerance", Shape::value,
+        "By how much dimensions are off from piece to piece: a grade of ISO 286, { normal = ... } or { uniform = ... "
+        "}; "
+        "'lengths' for all lengths that are not named."},
+    Key{"case", Shape::value, "A named set of values, by their paths, that change together."},
+    Key{"chart", Shape::tables, "A picture of the study's data.", false, {}, chart}};
+
+inline constexpr Limits first_schema{1, 1};
+
+inline constexpr std::array file{
+    Key{"schema", Shape::whole_number, "Version of the format: 1.", true, {}, {}, first_schema},
+    Key{"mechanism", Shape::name, "What is designed.", true},
+    Key{"title", Shape::text, "What results are headed with."},
+    Key{"units", Shape::table, "Units of the file's numbers.", false, {}, units},
+    Key{"cam", Shape::table, "What kind of cam it is.", false, {}, cam},
+    Key{"dimensions", Shape::names,
+        "Each a number, a range { min = ..., max = ... } that is designed, or tied to another: { of = ..., times = ... "
+        "}.",
+        true},
+    Key{"segment",
+        Shape::tables,
+        "A part of the motion of a cam; together they make up a full turn.",
+        false,
+        {},
+        segment},
+    Key{"path", Shape::table, "A path that the coupler point shall follow.", false, {}, path},
+    Key{"poses", Shape::table, "Poses that a body on the coupler shall pass.", false, {}, poses},
+    Key{"objective",
+        Shape::value,
+        "What is made least or greatest; several are summed with their weights.",
+        false,
+        {},
+        objective},
+    Key{"require", Shape::tables, "What a design has to meet.", false, {}, requirement},
+    Key{"motion", Shape::table, "The motion over which the mechanism is judged.", false, {}, motion},
+    Key{"function", Shape::table, "A function that the output shall be of the input.", false, {}, function},
+    Key{"line", Shape::table, "A straight line that the coupler point shall follow.", false, {}, line},
+    Key{"arc", Shape::table, "An arc that the coupler point shall follow.", false, {}, arc},
+    Key{"solver", Shape::table, "How the design is sought.", false, {}, solver},
+    Key{"instant", Shape::table, "Velocities and accelerations at one crank angle.", false, {}, instant},
+    Key{"study",
+        Shape::value,
+        "The problem for many values of what the file says: \"dimensions.ground\" = { from = ..., to = ..., count = "
+        "... }.",
+        false,
+        {},
+        study}};
+
+/// All sections of a problem file, with those that settings of mechanisms stand in.
+std::span<const Key> of_file();
+
+}  // namespace mechwright::keys

@@ -1,0 +1,296 @@
+#include "synthesis/problem/schema/problem_schema.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/problem/schema/json_schema.h"
+#include "synthesis/problem/schema/keys.h"
+
+namespace mechwright {
+
+namespace {
+
+using namespace schema;
+
+using Names = std::vector<std::string_view>;
+
+void add_name(Names& names, std::string_view name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+bool stands_in_dimensions(const Dimension& dimension) { return !dimension.of_segment && !dimension.of_target; }
+
+Limits limits_of(const Dimension& dimension) { return dimension.kind == DimensionKind::length ? positive : Limits{}; }
+
+/// Dimensions of the same kind that one can be tied to.
+Names ties_of(const Mechanism& mechanism, const Dimension& dimension) {
+    Names names;
+    for (const Dimension& d : mechanism.dimensions)
+        if (stands_in_dimensions(d) && d.name != dimension.name && scales(d.kind) == scales(dimension.kind))
+            names.push_back(d.name);
+    return names;
+}
+
+Json dimension_of(const Mechanism& mechanism, const Dimension& dimension) {
+    Json tie = table_of(keys::tie);
+    tie["properties"]["of"].update(one_of(ties_of(mechanism, dimension)));
+    if (dimension.kind == DimensionKind::length) tie["properties"]["times"]["exclusiveMinimum"] = 0;
+    Json schema = range_of(limits_of(dimension));
+    schema["anyOf"].push_back(std::move(tie));
+    return with_meaning(std::move(schema), dimension.meaning);
+}
+
+Json assembly_of(const Mechanism& mechanism) {
+    Names words(mechanism.assemblies.begin(), mechanism.assemblies.end());
+    words.push_back("either");
+    return with_meaning(one_of(words), fmt::format("How the links are put together. Preset: {}.", words.front()));
+}
+
+Json dimensions_of(const Mechanism& mechanism) {
+    Json properties = Json::object(), required = Json::array();
+    for (const Dimension& dimension : mechanism.dimensions) {
+        if (!stands_in_dimensions(dimension)) continue;
+        properties[std::string(dimension.name)] = dimension_of(mechanism, dimension);
+        if (dimension.required) required.push_back(dimension.name);
+    }
+    if (mechanism.assemblies.size() > 1) properties["assembly"] = assembly_of(mechanism);
+    return {{"type", "object"},
+            {"properties", std::move(properties)},
+            {"required", std::move(required)},
+            {"additionalProperties", false}};
+}
+
+/// A grade of ISO 286, or a table that says a deviation.
+Json deviation() {
+    std::vector<std::string> grades;
+    for (int grade = keys::least_grade; grade <= keys::greatest_grade; ++grade)
+        grades.push_back(fmt::format("IT{}", grade));
+    Json table = table_of(keys::deviation);
+    table["properties"]["grade"].update(one_of(grades));
+    return any_of({one_of(grades), std::move(table)});
+}
+
+Json tolerance_of(const Mechanism& mechanism) {
+    const Json deviations = any_of({definition("deviation")});
+    Json properties{{"lengths", with_meaning(deviations, "Every length that is not named by itself.")}};
+    for (const Dimension& dimension : mechanism.dimensions)
+        if (stands_in_dimensions(dimension))
+            properties[std::string(dimension.name)] = with_meaning(deviations, dimension.meaning);
+    return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+}
+
+Names quantities_of(const Mechanism& mechanism) {
+    Names names;
+    for (const Quantity& quantity : mechanism.quantities)
+        names.push_back(quantity.name);
+    return names;
+}
+
+/// One name, or a list of some.
+Json quantity_or_list(const Json& quantity) { return any_of({quantity, list_of(quantity)}); }
+
+/// What the mechanism has by names of its own, wherever a file names it.
+Json named_by(const Mechanism& mechanism) {
+    const Json quantity = one_of(quantities_of(mechanism));
+    const Json term{
+        {"properties", {{"minimize", quantity_or_list(quantity)}, {"maximize", quantity_or_list(quantity)}}}};
+    Json properties{{"dimensions", dimensions_of(mechanism)},
+                    {"require", {{"items", {{"properties", {{"quantity", quantity}}}}}}},
+                    {"objective", any_of({Json{{"type", "object"}, {"allOf", {term}}}, list_of(term)})},
+                    {"study", {{"properties", {{"tolerance", tolerance_of(mechanism)}}}}}};
+    return {{"properties", std::move(properties)}};
+}
+
+/// Sections that files of a mechanism cannot have.
+Names foreign_sections(const Mechanism& mechanism) {
+    Names own, foreign;
+    for (const Setting& setting : mechanism.settings)
+        add_name(own, setting.section);
+    for (const Mechanism* other : mechanisms())
+        for (const Setting& setting : other->settings)
+            if (std::find(own.begin(), own.end(), setting.section) == own.end()) add_name(foreign, setting.section);
+    if (!is_cam(mechanism)) foreign.insert(foreign.end(), {"cam", "segment"});
+    if (mechanism.path_reads == 0) foreign.push_back("path");
+    if (mechanism.pose_reads == 0) foreign.push_back("poses");
+    if (mechanism.function_fit == nullptr) foreign.push_back("function");
+    if (mechanism.line.extremes == nullptr) foreign.push_back("line");
+    if (mechanism.arc.extremes == nullptr) foreign.push_back("arc");
+    if (find_quantity(mechanism, "instant-rocker-velocity") < 0) foreign.push_back("instant");
+    return foreign;
+}
+
+/// What files of one mechanism alone can say, and what they have to, where they meet a condition.
+Json of_mechanism(const Mechanism& mechanism, Json condition) {
+    Json schema = named_by(mechanism);
+    for (const std::string_view name : foreign_sections(mechanism))
+        schema["properties"][std::string(name)] = false;
+    if (is_cam(mechanism)) {
+        schema["properties"]["motion"] = {{"properties", {{"crank_range", false}}}};
+        if (cam_kind(mechanism).contour != cam::ContourKind::none)
+            schema["properties"]["segment"] = false;
+        else
+            schema["required"] = {"segment"};
+    }
+    return where(std::move(condition), std::move(schema));
+}
+
+/// Whether a file is of a mechanism of this name.
+Json is_named(std::string_view name) {
+    return {{"properties", {{"mechanism", {{"const", name}}}}}, {"required", {"mechanism"}}};
+}
+
+/// Whether a file is of a cam with this follower, which moves so, and has this contour or none (empty).
+Json is_cam_of(std::string_view follower, std::size_t motion, std::string_view contour) {
+    Json properties{{"follower", {{"const", follower}}}, {"motion", {{"const", cam_motion_names[motion]}}}};
+    Json required = Json::array({"follower"});
+    if (motion > 0) required.push_back("motion");
+    if (contour.empty())
+        properties["contour"] = false;
+    else {
+        properties["contour"] = {{"const", contour}};
+        required.push_back("contour");
+    }
+    Json condition = is_named("cam");
+    condition["properties"]["cam"] = {{"properties", std::move(properties)}, {"required", std::move(required)}};
+    condition["required"].push_back("cam");
+    return condition;
+}
+
+/// The same for every kind of cam.
+void add_cams(Json& all) {
+    for (std::size_t follower = 0; follower < cam_follower_names.size(); ++follower) {
+        const auto kind = static_cast<CamFollower>(follower);
+        for (std::size_t motion = 0; motion < cam_motion_names.size(); ++motion)
+            all.push_back(
+                of_mechanism(cam_mechanism(kind, motion == 1), is_cam_of(cam_follower_names[follower], motion, {})));
+        for (std::size_t contour = 0; contour < cam_contour_names.size(); ++contour)
+            if (const Mechanism* mechanism = contour_cam_mechanism(kind, static_cast<cam::ContourKind>(contour + 1)))
+                all.push_back(
+                    of_mechanism(*mechanism, is_cam_of(cam_follower_names[follower], 0, cam_contour_names[contour])));
+    }
+}
+
+/// Names of all mechanisms' dimensions with what they are, for editors that look no further.
+Json all_dimensions() {
+    Json properties = Json::object();
+    for (const Mechanism* mechanism : mechanisms())
+        for (const Dimension& dimension : mechanism->dimensions)
+            if (const std::string name(dimension.name); stands_in_dimensions(dimension) && !properties.contains(name))
+                properties[name] = {{"description", dimension.meaning}};
+    properties["assembly"] = {{"description", "How the links are put together."}};
+    return {{"type", "object"}, {"properties", std::move(properties)}};
+}
+
+Names law_names() {
+    Names names;
+    for (const NamedLaw& law : cam_laws())
+        names.push_back(law.name);
+    for (const NamedLaw& law : cam_law_aliases())
+        names.push_back(law.name);
+    return names;
+}
+
+Json segments(const Key& key) {
+    Json schema = of(key);
+    Json& properties = schema["items"]["properties"];
+    properties["law"].update(any_of({one_of(law_names()), list_of(one_of(law_names()))}));
+    for (const char* end : {"start", "end"})
+        properties[end].update(
+            any_of({list_of(range_of()), one_of(keys::ends_of_polynomials), table_of(keys::end_of_polynomial)}));
+    schema["minItems"] = 1;
+    schema["maxItems"] = MotionProgram::most_segments;
+    return schema;
+}
+
+Json objectives(const Key& key) {
+    const Json text{{"type", "string"}};
+    Json one = table_of(keys::objective);
+    one["properties"]["minimize"].update(any_of({text, list_of(text)}));
+    one["properties"]["maximize"].update(any_of({text, list_of(text)}));
+    one["oneOf"] = {{{"required", {"minimize"}}}, {{"required", {"maximize"}}}};
+    Json list = list_of(one);
+    list["minItems"] = 1;
+    return with_meaning(any_of({std::move(one), std::move(list)}), key.meaning);
+}
+
+Json function_of(const Key& key) {
+    Json schema = of(key);
+    Json points = list_of({{"type", "number"}});
+    points["minItems"] = 3;
+    points["maxItems"] = 5;
+    schema["properties"]["accuracy_points"].update(
+        any_of({Json{{"type", "integer"}, {"minimum", 3}, {"maximum", 5}}, std::move(points)}));
+    schema["oneOf"] = {{{"required", {"expression", "x"}}}, {{"required", {"samples"}}}};
+    return schema;
+}
+
+Json requirements(const Key& key) {
+    Json schema = of(key);
+    schema["items"]["anyOf"] = {{{"required", {"equal"}}}, {{"required", {"min"}}}, {{"required", {"max"}}}};
+    return schema;
+}
+
+/// The paths of values that a study may vary: the name of a section, then what is in it.
+Json values_by_path() {
+    std::string sections;
+    for (const Key& key : keys::of_file())
+        if (key.name != "schema" && key.name != "study")
+            sections += (sections.empty() ? "" : "|") + std::string(key.name);
+    Json list{{"type", "array"}, {"minItems", 1}};
+    Json follows{{"type", "object"},
+                 {"properties", {{"expression", {{"description", "A formula of other values of this study."}}}}},
+                 {"required", {"expression"}},
+                 {"additionalProperties", {{"type", "string"}}}};
+    Json deeper{{"type", "object"},
+                {"not", {{"anyOf", {{{"required", {"from"}}}, {{"required", {"expression"}}}}}}},
+                {"additionalProperties", definition("values")}};
+    Json values = any_of({std::move(list), table_of(keys::steps), std::move(follows), std::move(deeper)});
+    return {{"pattern", "^(" + sections + ")(\\..+)?$"}, {"values", std::move(values)}};
+}
+
+Json study_of(const Key& key, const std::string& pattern) {
+    Json schema = table_of(keys::study);
+    Json& properties = schema["properties"];
+    properties["case"].update(list_of({{"type", "object"},
+                                       {"properties", {{"name", {{"type", "string"}}}}},
+                                       {"required", {"name"}},
+                                       {"patternProperties", {{pattern, Json::object()}}},
+                                       {"additionalProperties", false}}));
+    schema["patternProperties"] = {{pattern, definition("values")}};
+    return with_meaning(std::move(schema), key.meaning);
+}
+
+}  // namespace
+
+nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& methods) {
+    const Json by_path = values_by_path();
+    Json schema = table_of(keys::of_file());
+    Json& properties = schema["properties"];
+    Names names;
+    for (const Mechanism* mechanism : mechanisms())
+        add_name(names, mechanism->name);
+    const auto key = [](std::string_view name) -> const Key& { return *find_key(keys::file, name); };
+    properties["mechanism"].update(one_of(names));
+    properties["dimensions"].update(all_dimensions());
+    properties["segment"] = segments(key("segment"));
+    properties["objective"] = objectives(key("objective"));
+    properties["require"] = requirements(key("require"));
+    properties["function"] = function_of(key("function"));
+    properties["solver"]["properties"]["method"].update(one_of(methods));
+    properties["study"] = study_of(key("study"), by_path["pattern"]);
+    Json by_mechanism = Json::array();
+    for (const Mechanism* mechanism : mechanisms())
+        if (!is_cam(*mechanism)) by_mechanism.push_back(of_mechanism(*mechanism, is_named(mechanism->name)));
+    add_cams(by_mechanism);
+    schema["allOf"] = std::move(by_mechanism);
+    schema["definitions"] = {
+        {"range", table_of(keys::dimension_range)}, {"values", by_path["values"]}, {"deviation", deviation()}};
+    return published("mechwright problem", "A problem for mechwright: a mechanism, and what it has to do.",
+                     std::move(schema));
+}
+
+}  // namespace mechwright

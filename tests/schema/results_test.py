@@ -1,0 +1,139 @@
+"""The schema of result documents: every document of every problem that comes with mechwright is valid, every member of
+the schema is in one of them, and a member that the schema does not have makes a document invalid."""
+
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from common import PROBLEMS, SOURCE, faults, run, schema_of, tables_in, validator_of
+
+SCHEMA = schema_of("result")
+VALIDATOR = validator_of(SCHEMA)
+
+# Little time: what is found does not matter here, only what is said of it.
+QUICKLY = ("--json", "--quiet", "--time-limit", "0.1")
+
+# Solved to their end, so that what their documents say does not depend on the time that is left.
+WHOLE = ["exact/five-poses", "exact/five-timed-points", "exact/reciprocal-three-points",
+         "exact/velocities-of-an-instant", "cam/not-possible", "cam/eccentric", "cam/flat-harmonic", "cam/knife-table",
+         "function/tangent", "function/samples", "line/lambda-120", "four-bar/crank-rocker-compact",
+         "quick-return/slider-crank-not-reachable"]
+
+# What no problem that comes with mechwright has, as designs that are given.
+LINKAGE = """schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = {ground}
+crank = 34
+coupler = {coupler}
+rocker = 70
+point-along = 40
+point-across = 20
+"""
+POINTS = """timing = "prescribed"
+crank_angles = [0, 60, 120]
+weights = [1, 2, 1]
+"""
+CAM = """schema = 1
+mechanism = "cam"
+[cam]
+follower = "flat"
+[dimensions]
+base-radius = 40
+[[segment]]
+kind = "rise"
+angle = 180
+lift = 10
+law = "polynomial"
+start = [0, 0]
+end = "R"
+shape = [0]
+[[segment]]
+kind = "return"
+angle = 180
+lift = 10
+law = "cycloidal"
+"""
+WHOLE_LINKAGE = LINKAGE.format(ground=100, coupler=93)
+GIVEN = {
+    "whole": WHOLE_LINKAGE,
+    "never assembled": LINKAGE.format(ground=1000, coupler=93),
+    "close to a change point": LINKAGE.format(ground=100, coupler=64.0001),
+    "path": WHOLE_LINKAGE + "[path]\npoints = [[0, 0], [10, 5], [20, 0]]\n" + POINTS,
+    "poses": WHOLE_LINKAGE + "[poses]\nposes = [[0, 0, 0], [10, 5, 10], [20, 0]]\n" + POINTS,
+    "arc": WHOLE_LINKAGE + "[arc]\nstart = 10\nrange = 60\ncentre-x = 0\ncentre-y = 0\nradius = 50\n",
+    "cam": CAM,
+}
+
+
+def documents(name, *arguments):
+    """What the program prints: (name, document), ..."""
+    code, text, message = run(*arguments)
+    assert code in (0, 4, 5, 7), (name, message)
+    return [(name, json.loads(text))]
+
+
+def members_of(schema, place=()):
+    """Every member that a table of the schema can have, by the names that lead to it."""
+    for name, below in schema.get("properties", {}).items():
+        yield (*place, name)
+        yield from members_of(below, (*place, name))
+    if "items" in schema:
+        yield from members_of(schema["items"], place)
+
+
+class Results(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.found = documents("--all", "solve", SOURCE / "problems/exact/five-poses.toml", "--json", "--quiet", "--all")
+        for name in WHOLE:
+            cls.found += documents(name, "solve", SOURCE / f"problems/{name}.toml", "--json", "--quiet")
+        for file in PROBLEMS:
+            cls.found += documents(file.name, "solve", file, *QUICKLY)
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        for name, text in GIVEN.items():
+            file = Path(folder.name) / f"{name}.toml"
+            file.write_text(text)
+            cls.found += documents(name, "solve", file, "--json", "--quiet")
+            cls.found += documents(name, "analyse", file, "--json", "--quiet")
+
+    def test_every_document_is_valid(self):
+        self.assertGreater(len(self.found), 100)
+        for name, document in self.found:
+            with self.subTest(file=name):
+                self.assertEqual(faults(VALIDATOR, document), [])
+
+    def test_a_list_of_documents_is_valid(self):
+        self.assertEqual(faults(VALIDATOR, [document for _, document in self.found[:3]]), [])
+
+    def test_every_member_of_the_schema_is_written(self):
+        written = {(*place, key) for _, document in self.found for place, table in tables_in(document) for key in table}
+        missing = [member for member in members_of(SCHEMA["definitions"]["result"])
+                   if member not in written and (member[0] != "front" or len(member) == 1)]
+        self.assertEqual(missing, [])
+
+    def test_an_unknown_member_is_refused(self):
+        seen = set()
+        for name, document in self.found:
+            for place, table in tables_in(document):
+                mark = (document["problem"]["mechanism"], place)
+                if mark in seen:
+                    continue
+                seen.add(mark)
+                table["surprise"] = 1
+                with self.subTest(file=name, place=".".join(place)):
+                    self.assertNotEqual(faults(VALIDATOR, document), [])
+                del table["surprise"]
+        self.assertGreater(len(seen), 100)
+
+    def test_documents_without_what_they_always_have_are_refused(self):
+        for member in SCHEMA["definitions"]["result"]["required"]:
+            document = dict(self.found[0][1])
+            del document[member]
+            self.assertNotEqual(faults(VALIDATOR, document), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
