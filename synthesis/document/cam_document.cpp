@@ -44,10 +44,10 @@ Json segment_document(const Problem& problem, const SegmentPlan& segment, bool a
 
 std::vector<std::string> law_names(const Problem& problem, std::size_t assembly) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < problem.program->segments.size(); ++i)
-        names.emplace_back(problem.program->segments[i].laws.empty()
+    for (std::size_t i = 0; i < program_of(*problem.mechanism)->segments.size(); ++i)
+        names.emplace_back(program_of(*problem.mechanism)->segments[i].laws.empty()
                                ? std::string_view()
-                               : cam_laws()[law_of(*problem.program, assembly, i)].name);
+                               : cam_laws()[law_of(*program_of(*problem.mechanism), assembly, i)].name);
     return names;
 }
 
@@ -56,7 +56,7 @@ std::vector<std::string> law_names(const Problem& problem, std::size_t assembly)
 nlohmann::ordered_json cam_document(const Problem& problem) {
     const CamKind kind = cam_kind(*problem.mechanism);
     Json segments = Json::array();
-    for (const SegmentPlan& segment : problem.program->segments)
+    for (const SegmentPlan& segment : program_of(*problem.mechanism)->segments)
         segments.push_back(segment_document(problem, segment, kind.oscillating));
     Json json{{of_cam("follower"), cam_follower_names[static_cast<std::size_t>(kind.follower)]},
               {of_cam("motion"), cam_motion_names[kind.oscillating ? 1 : 0]}};
@@ -76,7 +76,7 @@ std::string cam_choice_text(const Problem& problem, std::size_t assembly) {
     std::vector<std::string> segments;
     const auto names = law_names(problem, assembly);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto kind = name_of(problem.program->segments[i].kind);
+        const auto kind = name_of(program_of(*problem.mechanism)->segments[i].kind);
         segments.push_back(names[i].empty() ? std::string(kind) : fmt::format("{} {}", names[i], kind));
     }
     return text + "; " + fmt::format("{}", fmt::join(segments, ", "));

@@ -95,7 +95,7 @@ void read_design(Reader& in, const Json& document, Claim& claim) {
     if (!design) return in.fail("the document has no design");
     if (!in.object(design, "design")) return;
     for (const auto& [name, value] : design->items())
-        if (name != "assembly" && name != "kind" && !(claim.program && (name == "rotation" || name == "laws")) &&
+        if (name != "assembly" && name != "kind" && !(is_cam(*claim.mechanism) && (name == "rotation" || name == "laws")) &&
             find_dimension(mechanism, name) < 0)
             return in.fail(fmt::format("a {} does not have design.{}", mechanism.name, reading::quoted(name)));
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
@@ -224,9 +224,9 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
     const Json* poses = member(document, of_document("poses"));
     const Json* json = poses ? poses : member(document, of_document("path"));
     if (!json || !in.object(json, poses ? "poses" : "path")) return;
-    if (!claim.mechanism->path_point)
+    if (!claim.mechanism->point)
         return in.fail(fmt::format("a {} guides no point along a path", claim.mechanism->name));
-    if (poses && !claim.mechanism->pose_miss) return in.fail(fmt::format("a {} guides no body", claim.mechanism->name));
+    if (poses && !claim.mechanism->body) return in.fail(fmt::format("a {} guides no body", claim.mechanism->name));
     ClaimedPath path;
     path.points = in.points(member(*json, of_path("points")), "path.points", most_points);
     if (path.points.empty()) in.fail("path.points is empty");
@@ -270,7 +270,7 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
 void read_function(Reader& in, const Json& document, Claim& claim) {
     const Json* json = member(document, of_document("function"));
     if (!json || !in.object(json, "function")) return;
-    if (!claim.mechanism->function_fit)
+    if (!claim.mechanism->function)
         return in.fail(fmt::format("a {} generates no functions", claim.mechanism->name));
     auto target = std::make_shared<FunctionTarget>();
     if (const Json* expression = member(*json, of_function("expression"))) {
@@ -298,7 +298,7 @@ void read_followed(Reader& in, const Json& document, Claim& claim) {
         const Json* json = member(document, name);
         if (!json || !in.object(json, name)) continue;
         claim.followed = FollowedTarget{shape};
-        if (!followed_shape_of(*claim.mechanism, *claim.followed).extremes)
+        if (!followed_shape_of(*claim.mechanism, *claim.followed))
             return in.fail(fmt::format("a {} follows no {}", claim.mechanism->name, name));
         if (const Json* turns = member(*json, of_followed("full_turn")))
             claim.followed->full_turn = in.flag(turns, std::string(name) + ".full_turn");

@@ -63,7 +63,7 @@ struct ClaimedPath {
 };
 
 struct Claim {
-    const Mechanism* mechanism = nullptr;
+    std::shared_ptr<const Mechanism> mechanism;
     Units units;
     double tolerance = 1e-9;
     std::vector<std::optional<ClaimedRange>> given;  ///< by dimension
@@ -72,7 +72,6 @@ struct Claim {
     std::optional<std::string> kind;
     std::optional<Vector<double>> crank_range;
     std::array<double, Setting::most> settings{};  ///< presets where they are not stated
-    std::shared_ptr<const MotionProgram> program;  ///< of a cam
     std::shared_ptr<const FunctionTarget> function;
     std::optional<FollowedTarget> followed;
     bool has_instant = false;

@@ -99,13 +99,12 @@ void read_cam(Reader& in, const Json& document, Claim& claim) {
     if (!json || !design) return;
     const auto follower = word(in, member(*json, of_cam("follower")), "cam.follower", cam_follower_names);
     const bool angular = word(in, member(*json, of_cam("motion")), "cam.motion", cam_motion_names) == 1;
-    claim.mechanism = &cam_mechanism(static_cast<CamFollower>(follower), angular);
+    claim.mechanism = cam_mechanism(static_cast<CamFollower>(follower), angular);
     if (const Json* contour = member(*json, of_cam("contour"))) {
         const auto kind = static_cast<cam::ContourKind>(word(in, contour, "cam.contour", cam_contour_names) + 1);
-        const Mechanism* mechanism = contour_cam_mechanism(static_cast<CamFollower>(follower), kind);
+        const auto mechanism = contour_cam_mechanism(static_cast<CamFollower>(follower), kind);
         if (angular || mechanism == nullptr) return in.fail("cam.contour does not go with the follower");
-        claim.mechanism = mechanism;
-        claim.program = contour_program(kind);
+        claim.mechanism = with_program(*mechanism, contour_program(kind));
         claim.assembly = word(in, member(*design, of_design("rotation")), "design.rotation", cam_rotation_names);
         return;
     }
@@ -123,7 +122,7 @@ void read_cam(Reader& in, const Json& document, Claim& claim) {
         if (!in.object(&(*segments)[i], place)) return;
         program->segments.push_back(segment_of(in, (*segments)[i], &(*laws)[i], place, claim, angular, coefficients));
     }
-    claim.program = program;
+    claim.mechanism = with_program(*claim.mechanism, program);
     claim.assembly = word(in, member(*design, of_design("rotation")), "design.rotation", cam_rotation_names);
 }
 

@@ -80,7 +80,6 @@ ClaimedDesign claimed_design(const Claim& claim) {
     problem.objective = objective_of(claim);
     problem.path = path_of(claim);
     problem.settings = claim.settings;
-    problem.program = claim.program;
     problem.function = claim.function;
     problem.followed = claim.followed;
     problem.has_instant = claim.has_instant;

@@ -9,6 +9,7 @@
 #include "synthesis/document/function_document.h"
 #include "synthesis/document/proof_document.h"
 #include "synthesis/document/versions.h"
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/singular.h"
@@ -72,8 +73,8 @@ Json design_of(const Problem& problem, const Design& design) {
         put(json, dimension.name, in_file_unit(value, unit_of(dimension.kind), problem.units));
     }
     if (!mechanism.assemblies.empty()) json[of_design("assembly")] = mechanism.assemblies[design.assembly];
-    if (problem.program) put_cam_choice(json, problem, design.assembly);
-    json[of_design("kind")] = mechanism.describe(design.dimensions);
+    if (is_cam(*problem.mechanism)) put_cam_choice(json, problem, design.assembly);
+    json[of_design("kind")] = mechanism.describe(mechanism.form(0), design.dimensions);
     return json;
 }
 
@@ -202,7 +203,7 @@ void put_targets(Json& json, const Problem& problem, const Solution* best) {
         json[problem.path->guides_body() ? of_finding("poses") : of_finding("path")] = path_of(problem, best);
     if (problem.function) json[of_finding("function")] = function_document(problem, design);
     if (problem.followed)
-        json[std::string(followed_shape_of(*problem.mechanism, *problem.followed).name)] =
+        json[std::string(followed_shape_of(*problem.mechanism, *problem.followed)->name)] =
             followed_document(problem, design);
 }
 
@@ -285,7 +286,7 @@ Json head(const Problem& problem) {
 void put_body(Json& json, const Problem& problem, const Solution* best) {
     put(json, of_document("tolerance"), problem.solver.tolerance);
     json[of_document("dimensions")] = given_dimensions(problem);
-    if (problem.program) json[of_document("cam")] = cam_document(problem);
+    if (is_cam(*problem.mechanism)) json[of_document("cam")] = cam_document(problem);
     if (problem.crank_range)
         json[of_document("crank_range")] = angles({problem.crank_range->x, problem.crank_range->y}, problem.units);
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)

@@ -90,7 +90,7 @@ double closure_along_path(const Problem& problem, const Design& design) {
     if (design.path_angles.empty()) return least;
     const auto consider = [&](double crank_angle) {
         PathMiss miss{};
-        problem.mechanism->path_miss(design.assembly, design.dimensions, crank_angle, {0, 0}, miss);
+        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions, crank_angle, {0, 0}, miss);
         least = std::min(least, miss.margin);
     };
     const auto [from, to] = std::minmax_element(design.path_angles.begin(), design.path_angles.end());
@@ -119,7 +119,7 @@ void settle_given(const Problem& problem, Design& design) {
 
 Design design_of(const Problem& problem, const GuidedLinkage& found) {
     const auto& [links, point, placement, assembly] = found.linkage;
-    const PathRoles& roles = problem.mechanism->path_roles;
+    const PathRoles& roles = problem.mechanism->point->roles;
     Design design;
     for (const DimensionRange& range : problem.dimensions)
         design.dimensions.push_back(range.min);
@@ -203,7 +203,7 @@ ExactDesign exact_design(const Problem& problem, const GuidedLinkage& found) {
         return excluded_design(std::move(design), "branch: it has to be taken apart between the targets");
     if (!problem.path->prescribed_timing) return exact_design(problem, std::move(design), found.crank_angles);
     for (const double angle : problem.path->crank_angles)
-        design.path_angles.push_back(design.dimensions[problem.mechanism->path_roles.start] + angle);
+        design.path_angles.push_back(design.dimensions[problem.mechanism->point->roles.start] + angle);
     return exact_design(problem, std::move(design));
 }
 

@@ -60,7 +60,7 @@ std::optional<ExactDesign> member(const Problem& problem, double ratio, std::spa
 }  // namespace
 
 bool requires_extreme_velocity_ratio(const Problem& problem) {
-    return problem.mechanism == &four_bar_mechanism() && required_extreme(problem);
+    return is_four_bar(*problem.mechanism) && required_extreme(problem);
 }
 
 std::string why_no_extreme_velocity_ratio(const Problem& problem) {

@@ -55,7 +55,7 @@ LoopVectors rosenauer(const Rates& rates) {
 }  // namespace
 
 std::string why_no_instant(const Problem& problem) {
-    if (problem.mechanism != &four_bar_mechanism()) return "it knows four-bars alone";
+    if (!is_four_bar(*problem.mechanism)) return "it knows four-bars alone";
     if (has_ties(problem)) return "dimensions are tied to others";
     if (!rates_of(problem).all())
         return "it needs the angular velocities and accelerations of coupler and rocker in [instant]; with fewer, "

@@ -78,7 +78,7 @@ std::vector<RealSolution> real_solutions(const std::vector<homotopy::GuidanceVal
 }  // namespace
 
 std::string why_no_places(const Problem& problem) {
-    if (problem.mechanism != &four_bar_mechanism()) return "it guides by four-bars alone";
+    if (!is_four_bar(*problem.mechanism)) return "it guides by four-bars alone";
     if (!problem.path) return "it needs a [path] or [poses]";
     if (problem.path->prescribed_timing || problem.path->any_order)
         return "it needs points that are met in their order at any crank angle: timing = \"free\"";

@@ -170,20 +170,20 @@ struct ShapeAgain {
     template <class T>
     T error(const T& crank_angle, const T&) const {
         return T(Shape::distance(shape_of<Shape, place>(dimensions),
-                                 path_point(assembly, dimensions, Digits50(crank_angle))));
+                                 path_point(Form{nullptr, assembly}, dimensions, Digits50(crank_angle))));
     }
 
     static Digits50 extent(const Motion& motion, std::span<const Digits50> d) {
-        return Shape::extent(shape_of<Shape, place>(d), path_point(motion.assembly, d, d[input]),
-                             path_point(motion.assembly, d, Digits50(d[input] + d[input + 1])));
+        return Shape::extent(shape_of<Shape, place>(d), path_point(motion.form(), d, d[input]),
+                             path_point(motion.form(), d, Digits50(d[input] + d[input + 1])));
     }
 };
 
 /// The names and texts of a shape's two quantities.
 struct ShapeTexts {
-    std::string_view deviation;
-    std::string_view extent;
-    std::string_view meaning_of_extent;
+    std::string deviation;
+    std::string extent;
+    std::string meaning_of_extent;
     Unit unit_of_extent;
 };
 
@@ -200,7 +200,7 @@ std::array<Quantity, 2> shape_quantities(const ShapeTexts& texts) {
               .components = always<FunctionMax<Distance>::most>,
               .measure = measure_by<FunctionMax<Distance>>,
               .measure_again = function_max_again<Again>,
-              .section = Shape::name},
+              .section = std::string(Shape::name)},
              {.name = texts.extent,
               .unit = texts.unit_of_extent,
               .meaning = texts.meaning_of_extent,
@@ -210,7 +210,7 @@ std::array<Quantity, 2> shape_quantities(const ShapeTexts& texts) {
               .components = always<1>,
               .measure = measure_by<ShapeExtent<Path, Shape, input, place>>,
               .measure_again = Again::extent,
-              .section = Shape::name}}};
+              .section = std::string(Shape::name)}}};
 }
 
 template <class Path, auto path_point, std::size_t input, std::size_t place>
@@ -233,18 +233,19 @@ FollowedShape followed_shape() {
     shape.name = Shape::name;
     shape.place = place;
     shape.parameters = Shape::parameters;
-    shape.extremes = [](std::size_t assembly, std::span<const double> dimensions) {
+    shape.extremes = [](Form form, std::span<const double> dimensions) {
         std::array<double, place + Shape::parameters> x;
         std::copy_n(dimensions.begin(), x.size(), x.begin());
-        return error_extremes<ShapeDistance<Path, Shape, input, place>>(nullptr, x, assembly);
+        return error_extremes<ShapeDistance<Path, Shape, input, place>>(nullptr, x, form.assembly);
     };
-    shape.fit = [](std::size_t assembly, std::span<double> dimensions, const std::array<bool, 3>& free) {
+    shape.fit = [](Form form, std::span<double> dimensions, const std::array<bool, 3>& free) {
         std::array<double, place> x;
         std::copy_n(dimensions.begin(), x.size(), x.begin());
         StretchPoints points;
         for (std::size_t i = 0; i < points.size(); ++i)
             points[i] = guided_point<Path>(
-                assembly, x, x[input] + x[input + 1] * static_cast<double>(i) / static_cast<double>(points.size() - 1));
+                form.assembly, x,
+                x[input] + x[input + 1] * static_cast<double>(i) / static_cast<double>(points.size() - 1));
         std::array<bool, Shape::parameters> own;
         std::copy_n(free.begin(), own.size(), own.begin());
         auto fitted = shape_of<Shape, place>(dimensions);

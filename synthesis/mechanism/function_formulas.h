@@ -207,11 +207,10 @@ std::vector<ErrorExtreme> error_extremes(const FunctionTarget* f, const std::arr
 
 /// The registry's function_extremes.
 template <class Generator>
-std::vector<ErrorExtreme> function_extremes_by(const FunctionTarget& f, std::size_t assembly,
-                                               std::span<const double> dimensions) {
+std::vector<ErrorExtreme> function_extremes_by(const FunctionTarget& f, Form form, std::span<const double> dimensions) {
     std::array<double, Generator::reads> x;
     std::copy_n(dimensions.begin(), x.size(), x.begin());
-    return error_extremes<Generator>(&f, x, assembly);
+    return error_extremes<Generator>(&f, x, form.assembly);
 }
 
 inline bool generates_function(const Motion& motion) { return motion.function != nullptr; }
@@ -223,7 +222,7 @@ std::size_t always(const Motion&) {
 
 /// function-max and function-rms of a generator, measured again by `Again` (function_again.h).
 template <class Generator, class Again>
-std::array<Quantity, 2> function_quantities(Unit unit, std::string_view greatest, std::string_view mean) {
+std::array<Quantity, 2> function_quantities(Unit unit, const char* greatest, const char* mean) {
     return {{{.name = "function-max",
               .unit = unit,
               .meaning = greatest,
@@ -286,7 +285,7 @@ struct InputTransmission {
 /// A quantity over the input range by a formula of measured.h; not one of the contract's list, but what stands in for
 /// one there, or what a search needs.
 template <class Formula>
-Quantity input_quantity(std::string_view name, Unit unit, Reduce reduce) {
+Quantity input_quantity(const char* name, Unit unit, Reduce reduce) {
     return {.name = name,
             .unit = unit,
             .meaning = "over the input range",
@@ -298,7 +297,7 @@ Quantity input_quantity(std::string_view name, Unit unit, Reduce reduce) {
 }
 
 template <class Transmission, TransmissionExtreme extreme>
-Quantity input_transmission_quantity(std::string_view name) {
+Quantity input_transmission_quantity(const char* name) {
     return input_quantity<InputTransmission<Transmission, extreme>>(
         name, Unit::angle, extreme == TransmissionExtreme::greatest ? Reduce::greatest : Reduce::least);
 }

@@ -69,14 +69,14 @@ void face_with_gradient(const Vector<double>& faces, const std::array<double, N>
 /// quicker way to its value, the same bits, and first derivatives: `static bool miss_and_gradient(assembly, x, target,
 /// PathMiss& out)`, which returns false where it does not hold.
 template <class Formula>
-void path_miss_by(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
-                  const Vector<double>& target, PathMiss& out) {
+void path_miss_by(Form form, std::span<const double> dimensions, double crank_angle, const Vector<double>& target,
+                  PathMiss& out) {
     constexpr std::size_t n = Formula::reads + 1;
     std::array<double, n> at{};
     std::copy_n(dimensions.begin(), Formula::reads, at.begin());
     at[Formula::reads] = crank_angle;
     const auto evaluate = [&]<class T>(const std::array<T, n>& x) {
-        const MissAndMargin<T> r = Formula::miss(assembly, x, target);
+        const MissAndMargin<T> r = Formula::miss(form.assembly, x, target);
         out.miss = {value_of(r.miss.x), value_of(r.miss.y)};
         out.margin = r.margin;
         return r.miss;
@@ -88,8 +88,8 @@ void path_miss_by(std::size_t assembly, std::span<const double> dimensions, doub
         std::copy(miss.x.second.begin(), miss.x.second.end(), out.hessian_x.begin());
         std::copy(miss.y.second.begin(), miss.y.second.end(), out.hessian_y.begin());
     } else if (!out.gradient_x.empty()) {
-        if constexpr (requires { Formula::miss_and_gradient(assembly, at, target, out); })
-            if (Formula::miss_and_gradient(assembly, at, target, out)) return;
+        if constexpr (requires { Formula::miss_and_gradient(form.assembly, at, target, out); })
+            if (Formula::miss_and_gradient(form.assembly, at, target, out)) return;
         const auto miss = evaluate(seeded<Dual<double, n>, n>(at));
         std::copy(miss.x.partial.begin(), miss.x.partial.end(), out.gradient_x.begin());
         std::copy(miss.y.partial.begin(), miss.y.partial.end(), out.gradient_y.begin());
@@ -109,14 +109,14 @@ struct PoseMissAndMargin {
 /// std::array<T, reads + 1>& x, const Vector<double>& target, const Vector<double>& facing)`; it too can have a
 /// miss_and_gradient.
 template <class Formula>
-void pose_miss_by(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
-                  const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) {
+void pose_miss_by(Form form, std::span<const double> dimensions, double crank_angle, const Vector<double>& target,
+                  const Vector<double>& facing, PoseMiss& out) {
     constexpr std::size_t n = Formula::reads + 1;
     std::array<double, n> at{};
     std::copy_n(dimensions.begin(), Formula::reads, at.begin());
     at[Formula::reads] = crank_angle;
     const auto evaluate = [&]<class T>(const std::array<T, n>& x) {
-        const PoseMissAndMargin<T> r = Formula::miss(assembly, x, target, facing);
+        const PoseMissAndMargin<T> r = Formula::miss(form.assembly, x, target, facing);
         out.place.miss = {value_of(r.place.miss.x), value_of(r.place.miss.y)};
         out.turn.miss = {value_of(r.turn.x), value_of(r.turn.y)};
         out.place.margin = out.turn.margin = r.place.margin;
@@ -133,8 +133,8 @@ void pose_miss_by(std::size_t assembly, std::span<const double> dimensions, doub
         copy(r.place.miss, out.place);
         copy(r.turn, out.turn);
     } else if (!out.place.gradient_x.empty()) {
-        if constexpr (requires { Formula::miss_and_gradient(assembly, at, target, facing, out); })
-            if (Formula::miss_and_gradient(assembly, at, target, facing, out)) return;
+        if constexpr (requires { Formula::miss_and_gradient(form.assembly, at, target, facing, out); })
+            if (Formula::miss_and_gradient(form.assembly, at, target, facing, out)) return;
         const auto r = evaluate(seeded<Dual<double, n>, n>(at));
         const auto copy = [](const auto& v, PathMiss& to) {
             std::copy(v.x.partial.begin(), v.x.partial.end(), to.gradient_x.begin());
@@ -147,35 +147,39 @@ void pose_miss_by(std::size_t assembly, std::span<const double> dimensions, doub
     }
 }
 
-inline constexpr std::array<Quantity, 2> pose_quantities{{
-    {.name = "pose-rms",
-     .unit = Unit::length,
-     .meaning = "root of the weighted mean of squared distances of the body from the target poses",
-     .path = PathMeasure::root_mean_square,
-     .section = "poses"},
-    {.name = "pose-max",
-     .unit = Unit::length,
-     .meaning = "greatest distance of the body from a target pose",
-     .path = PathMeasure::greatest,
-     .section = "poses"},
-}};
+inline std::vector<Quantity> pose_quantities() {
+    return {
+        {.name = "pose-rms",
+         .unit = Unit::length,
+         .meaning = "root of the weighted mean of squared distances of the body from the target poses",
+         .path = PathMeasure::root_mean_square,
+         .section = "poses"},
+        {.name = "pose-max",
+         .unit = Unit::length,
+         .meaning = "greatest distance of the body from a target pose",
+         .path = PathMeasure::greatest,
+         .section = "poses"},
+    };
+}
 
-inline constexpr std::array<Quantity, 3> path_quantities{{
-    {.name = "path-sse",
-     .unit = Unit::area,
-     .meaning = "weighted sum of squared distances from the target points",
-     .path = PathMeasure::sum_of_squares,
-     .section = "path"},
-    {.name = "path-rms",
-     .unit = Unit::length,
-     .meaning = "root of the weighted mean of squared distances from the target points",
-     .path = PathMeasure::root_mean_square,
-     .section = "path"},
-    {.name = "path-max",
-     .unit = Unit::length,
-     .meaning = "greatest distance from a target point",
-     .path = PathMeasure::greatest,
-     .section = "path"},
-}};
+inline std::vector<Quantity> path_quantities() {
+    return {
+        {.name = "path-sse",
+         .unit = Unit::area,
+         .meaning = "weighted sum of squared distances from the target points",
+         .path = PathMeasure::sum_of_squares,
+         .section = "path"},
+        {.name = "path-rms",
+         .unit = Unit::length,
+         .meaning = "root of the weighted mean of squared distances from the target points",
+         .path = PathMeasure::root_mean_square,
+         .section = "path"},
+        {.name = "path-max",
+         .unit = Unit::length,
+         .meaning = "greatest distance from a target point",
+         .path = PathMeasure::greatest,
+         .section = "path"},
+    };
+}
 
 }  // namespace mechwright

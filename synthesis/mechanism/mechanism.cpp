@@ -1,7 +1,9 @@
 #include "synthesis/mechanism/mechanism.h"
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
+#include <stdexcept>
 
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
@@ -9,27 +11,90 @@
 
 namespace mechwright {
 
-std::span<const Mechanism* const> mechanisms() {
-    static const std::vector<const Mechanism*> all = [] {
-        std::vector<const Mechanism*> list{&four_bar_mechanism(), &slider_crank_mechanism(), &crank_shaper_mechanism(),
-                                           &whitworth_mechanism(), &drag_link_mechanism()};
-        const auto cams = cam_mechanisms();
-        list.insert(list.end(), cams.begin(), cams.end());
-        return list;
-    }();
-    return all;
+namespace {
+
+using Shared = std::shared_ptr<const Mechanism>;
+
+std::vector<Shared> fixed_kinds() {
+    std::vector<Shared> kinds{four_bar_mechanism(), slider_crank_mechanism(), crank_shaper_mechanism(),
+                              whitworth_mechanism(), drag_link_mechanism()};
+    for (Shared& cam : cam_mechanisms())
+        kinds.push_back(std::move(cam));
+    return kinds;
 }
 
-const Mechanism* find_mechanism(std::string_view name) {
+/// The list of all mechanisms, and what guards it.
+struct Listed {
+    std::mutex guard;
+    std::vector<Shared> all = fixed_kinds();
+};
+
+Listed& listed() {
+    static Listed list;
+    return list;
+}
+
+/// What a mechanism lacks or has too much of; empty if it is whole.
+std::string why_not_whole(const Mechanism& m) {
+    if (m.name.empty() || m.meaning.empty()) return "it has no name or no meaning";
+    if (m.dimensions.empty() || m.families.empty()) return "it has no dimensions or no families of motion";
+    if (m.settings.size() > Setting::most) return "it has too many settings";
+    if (!m.motion || !m.describe || !m.check_motion) return "its motion cannot be told, described or checked";
+    if (!m.table.row || m.table.columns.empty() || m.table.columns.size() != m.table.units.size())
+        return "its motion has no table";
+    for (const Quantity& q : m.quantities) {
+        const bool measured = q.defined && q.components && q.measure && q.measure_again;
+        if (q.path == PathMeasure::none && !measured) return "its quantity " + q.name + " cannot be measured twice";
+        if (q.reads > m.dimensions.size()) return "its quantity " + q.name + " reads more dimensions than there are";
+    }
+    if (m.point && (!m.point->miss || !m.point->point || m.point->reads > m.dimensions.size()))
+        return "its guided point cannot be placed";
+    if (m.body && (!m.point || !m.body->miss)) return "its guided body has no pose or no point";
+    if (m.input && !m.input->margin.measure) return "its input range has no margin of assembly";
+    if ((m.function || m.line || m.arc) && !m.input) return "it generates or follows without an input range";
+    if (m.function && (!m.function->fit || !m.function->extremes || !m.function->loop_row))
+        return "its function cannot be fitted, judged or bounded";
+    for (const auto* shape : {&m.line, &m.arc})
+        if (*shape && (!m.point || !(*shape)->extremes || !(*shape)->fit)) return "what it follows cannot be judged";
+    return {};
+}
+
+}  // namespace
+
+std::vector<Shared> mechanisms() {
+    Listed& list = listed();
+    const std::lock_guard lock(list.guard);
+    return list.all;
+}
+
+Shared add_mechanism(Mechanism mechanism) {
+    if (const std::string why = why_not_whole(mechanism); !why.empty())
+        throw std::invalid_argument("mechanism '" + mechanism.name + "': " + why);
+    Listed& list = listed();
+    const std::lock_guard lock(list.guard);
+    for (const Shared& known : list.all)
+        if (known->name == mechanism.name)
+            throw std::invalid_argument("there is a mechanism '" + mechanism.name + "' already");
+    return list.all.emplace_back(std::make_shared<const Mechanism>(std::move(mechanism)));
+}
+
+Shared find_mechanism(std::string_view name) {
     const auto all = mechanisms();
-    const auto at = std::find_if(all.begin(), all.end(), [&](const Mechanism* m) { return m->name == name; });
+    const auto at = std::find_if(all.begin(), all.end(), [&](const Shared& m) { return m->name == name; });
     return at == all.end() ? nullptr : *at;
+}
+
+Motion motion_of(const Mechanism& mechanism, std::span<const double> dimensions, std::size_t assembly,
+                 const double* crank_range) {
+    Motion motion = mechanism.motion(mechanism.form(assembly), dimensions, crank_range);
+    motion.model = mechanism.model.data();
+    return motion;
 }
 
 namespace {
 
 template <class Named>
-int find_by_name(std::span<const Named> all, std::string_view name) {
+int find_by_name(const std::vector<Named>& all, std::string_view name) {
     const auto at = std::find_if(all.begin(), all.end(), [&](const Named& x) { return x.name == name; });
     return at == all.end() ? -1 : static_cast<int>(at - all.begin());
 }

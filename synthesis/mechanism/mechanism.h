@@ -1,16 +1,18 @@
 #pragma once
 /// \file
-/// What the rest of the program knows of a mechanism: the names of its dimensions and quantities, and functions that
-/// measure them. One registry entry per mechanism is the only place where those names stand; the reader, the messages,
-/// the command line's lists and the results all read it from here.
+/// What the rest of the program knows of a mechanism: a value with the names of its dimensions and quantities,
+/// functions that measure them, and what it can do besides. The reader, the messages, the methods, the verification and
+/// the results all take it from here, whether it is one of the fixed kinds or was made while the program runs.
 
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <typeindex>
 #include <vector>
 
 #include "analysis/geometry/vector.h"
@@ -33,10 +35,10 @@ enum class DimensionKind {
 constexpr bool scales(DimensionKind kind) { return kind != DimensionKind::angle && kind != DimensionKind::number; }
 
 struct Dimension {
-    std::string_view name;
+    std::string name;
     DimensionKind kind;
     bool required;  ///< if not, and not named in a problem file, it is 0
-    std::string_view meaning;
+    std::string meaning;
     bool of_segment = false;  ///< stands in a [[segment]] of a cam's motion, not in [dimensions]
     bool of_target = false;   ///< stands in [function] or [line], not in [dimensions]
 };
@@ -45,12 +47,12 @@ enum class Unit { none, length, area, angle, force, torque };
 
 /// A plain number that says how a mechanism is judged, from a section of its own in the problem file.
 struct Setting {
-    std::string_view section;
-    std::string_view name;
+    std::string section;
+    std::string name;
     double preset;
     double above;  ///< the value lies strictly between these two
     double below;
-    std::string_view meaning;
+    std::string meaning;
     bool or_above = false;  ///< may be equal to `above`
 
     static constexpr std::size_t most = 4;  ///< of one mechanism
@@ -59,7 +61,34 @@ struct Setting {
     bool allows(double number) const { return (or_above ? number >= above : number > above) && number < below; }
 };
 
-struct MotionProgram;
+/// What a mechanism is made of beside its dimensions, if anything: the motion program of a cam, the links and joints of
+/// a linkage. Any value, shared by all copies of the mechanism; its functions know its type.
+class Model {
+public:
+    Model() = default;
+    template <class T>
+    explicit Model(T value) : data_(std::make_shared<const T>(std::move(value))), type_(typeid(T)) {}
+
+    /// The value, or null where there is none of this type.
+    template <class T>
+    const T* as() const {
+        return type_ == typeid(T) ? static_cast<const T*>(data_.get()) : nullptr;
+    }
+    /// The value as its mechanism's functions get it.
+    const void* data() const { return data_.get(); }
+
+private:
+    std::shared_ptr<const void> data_;
+    std::type_index type_ = typeid(void);
+};
+
+/// What a mechanism's functions get beside the dimensions: the value of its model, null where it has none, and the
+/// index of the assembly.
+struct Form {
+    const void* model = nullptr;
+    std::size_t assembly = 0;
+};
+
 struct FunctionTarget;
 struct ErrorExtreme;
 struct Interval;
@@ -71,16 +100,18 @@ enum class Followed { nothing, line, arc };
 
 /// The discrete data of a design and the motion over which it is judged.
 struct Motion {
-    std::size_t assembly = 0;  ///< index into Mechanism::assemblies
-    std::size_t family = 0;    ///< index into Mechanism::families
+    std::size_t assembly = 0;     ///< index into Mechanism::assemblies
+    std::size_t family = 0;       ///< index into Mechanism::families
+    const void* model = nullptr;  ///< the value of Mechanism::model
     bool full_turn = true;
     double from = 0;  ///< crank angles in radians; for a full turn 0 and 2 pi
     double to = 0;
     std::array<double, Setting::most> settings{};  ///< values of Mechanism::settings
-    const MotionProgram* program = nullptr;        ///< what the follower of a cam does; null for linkages
     const FunctionTarget* function = nullptr;      ///< what a function generator does; null without one
     Followed followed = Followed::nothing;         ///< by a guided point, over an input range
     bool has_instant = false;                      ///< velocities at one crank angle are asked for
+
+    Form form() const { return {model, assembly}; }
 };
 
 /// Where a measure writes its smooth components. Derivatives are with respect to the first `reads` dimensions of the
@@ -99,9 +130,9 @@ enum class Reduce { only, least, greatest };
 enum class PathMeasure { none, sum_of_squares, root_mean_square, greatest };
 
 struct Quantity {
-    std::string_view name;
+    std::string name;
     Unit unit;
-    std::string_view meaning;
+    std::string meaning;
     Reduce reduce = Reduce::only;
     std::size_t reads = 0;  ///< how many of the first dimensions it depends on
 
@@ -116,35 +147,35 @@ struct Quantity {
 
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
     bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
-    bool paired = false;         ///< each second component is the negative of the one before: of absolute values
-    std::string_view section{};  ///< it has a value only in problems with this section
+    bool paired = false;    ///< each second component is the negative of the one before: of absolute values
+    std::string section{};  ///< it has a value only in problems with this section
 
     static constexpr std::size_t most_components = 32;
 };
 
 /// A linear condition on the dimensions: sum of coefficient[i] dimension[i] >= 0.
 struct LinearCondition {
-    std::string_view name;
+    std::string name;
     std::vector<double> coefficients;
 };
 
 /// A kind of motion that designs can have: with all its conditions met a design has that motion at every crank angle.
 struct Family {
-    std::string_view name;
+    std::string name;
     bool full_turn;
     std::vector<LinearCondition> conditions;
-    /// Components that must all be >= 0 for the design to assemble over its motion; null where the conditions say it
+    /// Components that must all be >= 0 for the design to assemble over its motion; none where the conditions say it
     /// all.
-    const Quantity* assembly_margin = nullptr;
+    std::optional<Quantity> assembly_margin{};
 };
 
 /// The distance from a target to the point that the mechanism guides, at a crank angle; derivatives with respect to the
-/// first `path_reads` dimensions, then the crank angle.
+/// first `reads` dimensions of PointGuidance, then the crank angle.
 struct PathMiss {
     Vector<double> miss;  ///< target - point
     double margin;  ///< assembly margin: < 0 where the mechanism does not assemble; then miss is that of the nearest
                     ///< toggle
-    std::span<double> gradient_x;  ///< path_reads + 1 each, or empty
+    std::span<double> gradient_x;  ///< reads + 1 each, or empty
     std::span<double> gradient_y;
     std::span<double> hessian_x;  ///< lower triangles by rows, or empty
     std::span<double> hessian_y;
@@ -180,89 +211,114 @@ struct Check {
     std::string detail;  ///< what was found, with numbers
 };
 
-/// A line or an arc as a mechanism's point follows it.
+/// A mechanism that guides a point of one of its links.
+struct PointGuidance {
+    std::size_t reads = 0;  ///< how many of the first dimensions the point depends on
+    PathRoles roles{};
+    void (*miss)(Form, std::span<const double> dimensions, double crank_angle, const Vector<double>& target,
+                 PathMiss& out) = nullptr;
+    /// The point in fifty digits, by another way.
+    Vector<Digits50> (*point)(Form, std::span<const Digits50> dimensions, const Digits50& crank_angle) = nullptr;
+    /// Ranks candidates for a path, many at once; null: they are evaluated one by one.
+    PathScreening screening = nullptr;
+    /// Whether the guided points of two designs draw one curve though the designs are different: cognates. Null where
+    /// there are none.
+    bool (*draws_same_curve)(std::span<const double> a, std::span<const double> b) = nullptr;
+};
+
+/// A mechanism that guides a body on the link of its guided point.
+struct BodyGuidance {
+    std::size_t reads = 0;  ///< how many of the first dimensions the pose depends on
+    void (*miss)(Form, std::span<const double> dimensions, double crank_angle, const Vector<double>& target,
+                 const Vector<double>& facing, PoseMiss& out) = nullptr;
+};
+
+/// A mechanism whose input can turn over a range with ends among its dimensions: for functions, lines and arcs.
+struct InputRange {
+    std::size_t start = 0;  ///< the dimension with the crank angle at its start; the next one is the range
+    Quantity margin;        ///< components that must be >= 0 for a design to assemble over the range
+    /// Quantities of the same names as some of the mechanism's that know that the ends of the motion move.
+    std::vector<Quantity> quantities{};
+};
+
+/// A mechanism that generates functions: after start and range of the input stand those of the output.
+struct FunctionGeneration {
+    /// Dimensions that come close to the function for the scales that they have; false where there are none. The scales
+    /// may be turned by half a turn where that is allowed.
+    bool (*fit)(const FunctionTarget&, std::span<double> dimensions, bool turns_input, bool turns_output) = nullptr;
+    /// Where the error of a design is extreme, in order along the range.
+    std::vector<ErrorExtreme> (*extremes)(const FunctionTarget&, Form, std::span<const double> dimensions) = nullptr;
+    /// The loop equation (loop_row.h) over ranges of input and output.
+    LoopRow<Interval> (*loop_row)(const Interval& input, const Interval& output) = nullptr;
+};
+
+/// A line or an arc as a mechanism's guided point follows it over the input range.
 struct FollowedShape {
-    std::string_view name;       ///< of its section in problem files and documents
+    std::string name;            ///< of its section in problem files and documents
     std::size_t place = 0;       ///< its dimensions start here
     std::size_t parameters = 0;  ///< and are so many, three at most
     /// The extremes of the distance, in order along the input range.
-    std::vector<ErrorExtreme> (*extremes)(std::size_t assembly, std::span<const double> dimensions) = nullptr;
+    std::vector<ErrorExtreme> (*extremes)(Form, std::span<const double> dimensions) = nullptr;
     /// Sets those of its dimensions that are free to what comes close to the path.
-    void (*fit)(std::size_t assembly, std::span<double> dimensions, const std::array<bool, 3>& free) = nullptr;
+    void (*fit)(Form, std::span<double> dimensions, const std::array<bool, 3>& free) = nullptr;
 };
 
+/// The motion as a table: names and units of its columns, and one row at a crank angle.
+struct MotionTable {
+    std::vector<std::string> columns;
+    std::vector<Unit> units;
+    /// Returns false where the mechanism does not assemble.
+    bool (*row)(const Motion&, std::span<const double> dimensions, double crank_angle, std::span<double> row) = nullptr;
+};
+
+/// What has no value is what a mechanism cannot do; what has one is whole.
 struct Mechanism {
-    std::string_view name;
-    std::string_view meaning;
-    std::span<const Dimension> dimensions;
-    std::span<const std::string_view> assemblies;  ///< first is the default
-    std::span<const Quantity> quantities;
-    std::span<const Family> families;
-    std::span<const Setting> settings{};  ///< at most Setting::most
+    std::string name;
+    std::string meaning;
+    std::vector<Dimension> dimensions;
+    std::vector<std::string> assemblies;  ///< first is the default
+    std::vector<Quantity> quantities;
+    std::vector<Family> families;
+    std::vector<Setting> settings{};  ///< at most Setting::most
+    Model model{};
 
     /// Whether no design of this mechanism lies in the given ranges, where that shows at a glance; null: no such check.
     std::optional<Objection> (*objection)(std::span<const double> least, std::span<const double> greatest) = nullptr;
     /// The motion of a finished design: its family, and the given crank range or else the full turn or the whole
-    /// assembled range. A design that does not assemble anywhere has from > to. Settings and motion program are left to
-    /// the caller.
-    Motion (*motion)(std::span<const double> dimensions, std::size_t assembly, const double* crank_range) = nullptr;
+    /// assembled range. A design that does not assemble anywhere has from > to. Model and settings are left to
+    /// `motion_of`.
+    Motion (*motion)(Form, std::span<const double> dimensions, const double* crank_range) = nullptr;
     /// In one phrase what kind of linkage the dimensions make ("crank-rocker", change points named).
-    std::string (*describe)(std::span<const double> dimensions) = nullptr;
+    std::string (*describe)(Form, std::span<const double> dimensions) = nullptr;
     /// Checks of assembly, circuit and branch over the whole motion, in extended precision.
     std::vector<Check> (*check_motion)(const Motion&, std::span<const Digits50> dimensions) = nullptr;
 
-    /// Path guidance; `path_reads` is 0 for mechanisms without it.
-    std::size_t path_reads = 0;
-    PathRoles path_roles{};
-    void (*path_miss)(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
-                      const Vector<double>& target, PathMiss& out) = nullptr;
-    /// Body guidance: the pose of a body on the guiding link, its derivatives with respect to the first `pose_reads`
-    /// dimensions, then the crank angle; 0 for mechanisms without it.
-    std::size_t pose_reads = 0;
-    void (*pose_miss)(std::size_t assembly, std::span<const double> dimensions, double crank_angle,
-                      const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) = nullptr;
-    /// Ranks candidates for a path, many at once; null: they are evaluated one by one.
-    PathScreening path_screening = nullptr;
-    Vector<Digits50> (*path_point)(std::size_t assembly, std::span<const Digits50> dimensions,
-                                   const Digits50& crank_angle) = nullptr;
+    MotionTable table{};
 
-    /// Whether the guided points of two designs draw one curve though the designs are different: cognates. Null where
-    /// there are none.
-    bool (*draws_same_curve)(std::span<const double> a, std::span<const double> b) = nullptr;
+    std::optional<PointGuidance> point{};
+    std::optional<BodyGuidance> body{};
+    std::optional<InputRange> input{};
+    std::optional<FunctionGeneration> function{};
+    std::optional<FollowedShape> line{};
+    std::optional<FollowedShape> arc{};
 
-    /// Margins that must be >= 0 for a design to assemble over the input range of a function or a line; null: the
-    /// mechanism does neither.
-    const Quantity* input_margin = nullptr;
-    /// Dimensions that come close to the function for the scales that they have; false where there are none. The scales
-    /// may be turned by half a turn where that is allowed.
-    bool (*function_fit)(const FunctionTarget&, std::span<double> dimensions, bool turns_input,
-                         bool turns_output) = nullptr;
-    /// Where the error of a design is extreme, in order along the range.
-    std::vector<ErrorExtreme> (*function_extremes)(const FunctionTarget&, std::size_t assembly,
-                                                   std::span<const double> dimensions) = nullptr;
-    /// The first of the four scales among the dimensions: start and range of the input, then of the output.
-    std::size_t function_scales = 0;
-    /// The loop equation (loop_row.h) over ranges of input and output.
-    LoopRow<Interval> (*loop_row)(const Interval& input, const Interval& output) = nullptr;
-    /// What a guided point can follow; without `extremes` it cannot.
-    FollowedShape line{};
-    FollowedShape arc{};
-    /// Quantities of the same names that know that the ends of the motion move with the input range.
-    std::span<const Quantity> over_input{};
-
-    /// The motion as a table: column names, and one row at a crank angle.
-    std::span<const std::string_view> motion_columns;
-    std::span<const Unit> motion_units;
-    /// Returns false where the mechanism does not assemble.
-    bool (*motion_row)(const Motion&, std::span<const double> dimensions, double crank_angle,
-                       std::span<double> row) = nullptr;
+    Form form(std::size_t assembly) const { return {model.data(), assembly}; }
 };
 
-/// Every mechanism there is, in the order in which they are listed.
-std::span<const Mechanism* const> mechanisms();
+/// The motion of a finished design by the mechanism's own account, with its model; settings are left to the caller.
+Motion motion_of(const Mechanism& mechanism, std::span<const double> dimensions, std::size_t assembly,
+                 const double* crank_range);
+
+/// Every mechanism there is, in the order in which they are listed: the fixed kinds, then those added.
+std::vector<std::shared_ptr<const Mechanism>> mechanisms();
+
+/// Adds a mechanism to the list for as long as the program runs, so that problem files and documents can name it; its
+/// name must be new. Throws std::invalid_argument, saying what is missing, where it is not whole. Safe while other
+/// threads read the list.
+std::shared_ptr<const Mechanism> add_mechanism(Mechanism mechanism);
 
 /// The mechanism of this name, or null.
-const Mechanism* find_mechanism(std::string_view name);
+std::shared_ptr<const Mechanism> find_mechanism(std::string_view name);
 
 /// The index of a dimension or quantity of this name, or -1.
 int find_dimension(const Mechanism& mechanism, std::string_view name);

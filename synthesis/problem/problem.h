@@ -106,7 +106,7 @@ struct Problem {
     std::string sha256;  ///< of the file's bytes
     std::string text;    ///< the file's bytes; empty where they name other files
     std::string title;
-    const Mechanism* mechanism = nullptr;
+    std::shared_ptr<const Mechanism> mechanism;
     Units units;
     std::vector<DimensionRange> dimensions;  ///< in mechanism order, all of them
     std::vector<std::size_t> assemblies;     ///< those to be searched, indices into Mechanism::assemblies
@@ -115,7 +115,6 @@ struct Problem {
     std::optional<PathTarget> path;
     std::optional<Vector<double>> crank_range;     ///< (from, to), radians
     std::array<double, Setting::most> settings{};  ///< of the mechanism, in the order of Mechanism::settings
-    std::shared_ptr<const MotionProgram> program;  ///< of a cam
     std::shared_ptr<const FunctionTarget> function;
     std::optional<FollowedTarget> followed;
     bool has_instant = false;      ///< velocities are asked for at the crank angle crank-start
@@ -128,7 +127,8 @@ struct Problem {
 /// Whether the motion is that over an input range, whose ends are dimensions.
 inline bool has_input_range(const Problem& problem) { return problem.function != nullptr || problem.followed; }
 
-inline const FollowedShape& followed_shape_of(const Mechanism& mechanism, const FollowedTarget& target) {
+/// What a mechanism's point follows; none where it cannot.
+inline const std::optional<FollowedShape>& followed_shape_of(const Mechanism& mechanism, const FollowedTarget& target) {
     return target.shape == Followed::line ? mechanism.line : mechanism.arc;
 }
 

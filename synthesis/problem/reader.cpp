@@ -28,7 +28,7 @@ void read_schema(Section& file, Messages& messages) {
 
 void read_mechanism(Section& file, Problem& problem, Messages& messages) {
     std::vector<std::string_view> names;
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         if (names.empty() || names.back() != mechanism->name) names.push_back(mechanism->name);
     if (!has(file, "mechanism")) add_error(messages, file.place, "'mechanism' is missing: known are " + listed(names));
     if (const auto index = read_choice(file, "mechanism", "mechanism", names, messages))

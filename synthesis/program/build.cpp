@@ -83,7 +83,7 @@ struct Builder {
             program.dimensions.push_back(range.min / scale);
             if (range.fixed() || range.tied()) continue;
             // A timed path and an instant need the start angle; an untimed path finds its own crank angles.
-            const bool unused_start = problem.mechanism->path_reads > 0 && i == problem.mechanism->path_roles.start &&
+            const bool unused_start = problem.mechanism->point && i == problem.mechanism->point->roles.start &&
                                       !problem.has_instant && !(problem.path && problem.path->prescribed_timing);
             if (unused_start) {
                 program.dimensions.back() = range.start.value_or(range.min) / scale;
@@ -158,13 +158,13 @@ struct Builder {
             add_row(std::string(condition.name), std::move(form), condition_margin, unlimited);
         }
         if (has_input_range(problem)) {
-            add_margins(block_of(*problem.mechanism->input_margin));
+            add_margins(block_of(problem.mechanism->input->margin));
             return;
         }
         if (family.assembly_margin && family.assembly_margin->defined(motion))
             add_margins(block_of(*family.assembly_margin));
         if (!needs_stretch(problem, family)) return;
-        const Quantity& margin = *problem.mechanism->input_margin;
+        const Quantity& margin = problem.mechanism->input->margin;
         program.stretch = QuantityBlock{&margin, motion, program.outputs, margin.components(motion)};
         program.outputs += program.stretch->count;
         add_margins(*program.stretch);

@@ -37,7 +37,7 @@ constexpr double independent_beyond = 1e-7;
 int free_dimensions(const Problem& problem, const Design& design) {
     const Mechanism& mechanism = *problem.mechanism;
     const Quantity& q =
-        deviation_from(mechanism, problem.followed ? followed_shape_of(mechanism, *problem.followed).name : "function");
+        deviation_from(mechanism, problem.followed ? followed_shape_of(mechanism, *problem.followed)->name : "function");
     const Motion motion = motion_of(problem, design);
     const auto count = static_cast<Eigen::Index>(q.components(motion)), reads = static_cast<Eigen::Index>(q.reads);
     std::vector<double> value(static_cast<std::size_t>(count));
@@ -62,7 +62,7 @@ int free_dimensions(const Problem& problem, const Design& design) {
 
 Unit error_unit(const Problem& problem) {
     if (problem.followed) return Unit::length;
-    const DimensionKind kind = problem.mechanism->dimensions[problem.mechanism->function_scales + 2].kind;
+    const DimensionKind kind = problem.mechanism->dimensions[problem.mechanism->input->start + 2].kind;
     return kind == DimensionKind::angle ? Unit::angle : Unit::length;
 }
 
@@ -70,8 +70,8 @@ ErrorExtremes error_extremes_of(const Problem& problem, const Design& design) {
     ErrorExtremes e;
     const Mechanism& mechanism = *problem.mechanism;
     e.all = problem.followed
-                ? followed_shape_of(mechanism, *problem.followed).extremes(design.assembly, design.dimensions)
-                : mechanism.function_extremes(*problem.function, design.assembly, design.dimensions);
+                ? followed_shape_of(mechanism, *problem.followed)->extremes(mechanism.form(design.assembly), design.dimensions)
+                : mechanism.function->extremes(*problem.function, mechanism.form(design.assembly), design.dimensions);
     double greatest = 0;
     for (const auto& extreme : e.all)
         greatest = std::max(greatest, std::abs(extreme.error));

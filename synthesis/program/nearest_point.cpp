@@ -29,14 +29,14 @@ bool point_at(const Problem& problem, const Design& design, double angle, Vector
         miss.gradient_x = x;
         miss.gradient_y = y;
     }
-    problem.mechanism->path_miss(design.assembly, design.dimensions, angle, {0, 0}, miss);
+    problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions, angle, {0, 0}, miss);
     point = -miss.miss;
-    if (slope) *slope = {-x[problem.mechanism->path_reads], -y[problem.mechanism->path_reads]};
+    if (slope) *slope = {-x[problem.mechanism->point->reads], -y[problem.mechanism->point->reads]};
     return miss.margin >= 0;
 }
 
 std::vector<Sample> sampled_curve(const Problem& problem, const Design& design) {
-    const Motion motion = problem.mechanism->motion(design.dimensions, design.assembly, nullptr);
+    const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     std::vector<Sample> curve;
     if (!(motion.from <= motion.to)) return curve;
     for (int i = 0; i <= steps; ++i) {
@@ -67,7 +67,7 @@ void meet_nearest_points(const Problem& problem, Design& design) {
     const std::vector<Sample> curve = sampled_curve(problem, design);
     if (curve.empty()) return;
     const auto last = curve.size() - 1;
-    const Motion motion = problem.mechanism->motion(design.dimensions, design.assembly, nullptr);
+    const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     for (std::size_t i = 0; i < problem.path->points.size(); ++i) {
         const Vector<double>& target = problem.path->points[i];
         const auto square = [&](const Vector<double>& p) { return dot(p - target, p - target); };

@@ -80,13 +80,13 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     const Mechanism& mechanism = *program.problem->mechanism;
     const PathTarget& target = *program.problem->path;
     const PathAngle angle = path_angle(program, dimensions, x, point);
-    const std::size_t reads = target.guides_body() ? mechanism.pose_reads : mechanism.path_reads;
+    const std::size_t reads = target.guides_body() ? mechanism.body->reads : mechanism.point->reads;
     auto& r = t.residuals;
     t.arguments = reads + 1;
     PoseMiss miss{into(r[0], r[1], order), into(r[2], r[3], order)};
     if (target.guides_body()) {
         const double direction = target.faces(point) ? target.directions[point] : 0;
-        mechanism.pose_miss(program.variant.assembly, dimensions, angle.angle, program.targets[point],
+        mechanism.body->miss(mechanism.form(program.variant.assembly), dimensions, angle.angle, program.targets[point],
                             {std::cos(direction), std::sin(direction)}, miss);
         t.count = 4;
         r[2].value = miss.turn.miss.x;
@@ -95,7 +95,7 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
         scale(r[2], length, t.arguments, order);
         scale(r[3], length, t.arguments, order);
     } else {
-        mechanism.path_miss(program.variant.assembly, dimensions, angle.angle, program.targets[point], miss.place);
+        mechanism.point->miss(mechanism.form(program.variant.assembly), dimensions, angle.angle, program.targets[point], miss.place);
         t.count = 2;
     }
     r[0].value = miss.place.miss.x;
@@ -109,7 +109,7 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     t.variable[reads] = angle.variable;
     std::array<double, most_path_reads> times;
     std::copy_n(program.times.begin(), reads, times.begin());
-    times[reads] = program.untimed_path() ? 1 : program.times[program.problem->mechanism->path_roles.start];
+    times[reads] = program.untimed_path() ? 1 : program.times[program.problem->mechanism->point->roles.start];
     if (std::all_of(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(t.arguments),
                     [](double f) { return f == 1; }))
         return;
@@ -143,7 +143,7 @@ PathAngle path_angle(const Program& program, std::span<const double> dimensions,
         const auto variable = static_cast<std::ptrdiff_t>(program.first_path_angle + point);
         return {x[variable], variable};
     }
-    const std::size_t start = program.problem->mechanism->path_roles.start;
+    const std::size_t start = program.problem->mechanism->point->roles.start;
     return {dimensions[start] + program.problem->path->crank_angles[point], program.variable_of[start]};
 }
 

@@ -37,17 +37,16 @@ std::optional<std::array<double, 2>> crank_range_of(const Mechanism& mechanism,
                                                     std::span<const double> dimensions) {
     if (given) return std::array{given->x, given->y};
     if (!over_input) return std::nullopt;
-    const double start = dimensions[mechanism.function_scales];
-    const double end = start + dimensions[mechanism.function_scales + 1];
+    const double start = dimensions[mechanism.input->start];
+    const double end = start + dimensions[mechanism.input->start + 1];
     return std::array{std::min(start, end), std::max(start, end)};
 }
 
 Motion motion_of(const Problem& problem, const Design& design) {
     const auto range = crank_range_of(*problem.mechanism, problem.crank_range, has_input_range(problem),
                                       std::span<const double>(design.dimensions));
-    Motion motion = problem.mechanism->motion(design.dimensions, design.assembly, range ? range->data() : nullptr);
+    Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, range ? range->data() : nullptr);
     motion.settings = problem.settings;
-    motion.program = problem.program.get();
     motion.function = problem.function.get();
     motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
     motion.has_instant = problem.has_instant;
@@ -61,7 +60,7 @@ bool assembles_over(const Problem& problem, const Motion& motion, const Design& 
     if (!problem.crank_range || motion.full_turn) return true;
     const auto& families = problem.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
-    if (limited == families.end() || limited->assembly_margin == nullptr) return true;
+    if (limited == families.end() || !limited->assembly_margin) return true;
     const Quantity& margin = *limited->assembly_margin;
     Motion over = motion;
     over.family = static_cast<std::size_t>(limited - families.begin());
@@ -117,14 +116,14 @@ MissedPoint missed_point(const Problem& problem, const Design& design, std::size
     const PathTarget& target = *problem.path;
     if (!target.guides_body()) {
         PathMiss miss{};
-        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], target.points[i], miss);
+        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions, design.path_angles[i], target.points[i], miss);
         return {miss.miss};
     }
     // Where any direction will do, the one that the body has is counted from 0.
     const double asked = target.faces(i) ? target.directions[i] : 0;
     const Vector<double> facing{std::cos(asked), std::sin(asked)};
     PoseMiss miss{};
-    problem.mechanism->pose_miss(design.assembly, design.dimensions, design.path_angles[i], target.points[i], facing,
+    problem.mechanism->body->miss(problem.mechanism->form(design.assembly), design.dimensions, design.path_angles[i], target.points[i], facing,
                                  miss);
     const Vector<double> faces = facing - miss.turn.miss;
     // The turn is added to the direction asked for, so that both are counted from the same whole turn.

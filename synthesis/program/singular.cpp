@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
@@ -39,25 +40,25 @@ double least_component(const Quantity& quantity, const Motion& motion, const Des
                              components.begin() + static_cast<std::ptrdiff_t>(quantity.components(motion)));
 }
 
-void add_conditions(const Family& family, const Motion& motion, const Design& design, Margins& margins) {
+void add_conditions(const Problem& problem, const Family& family, const Motion& motion, const Design& design, Margins& margins) {
     for (const LinearCondition& condition : family.conditions) {
         double value = 0;
         for (std::size_t i = 0; i < condition.coefficients.size(); ++i)
             value += condition.coefficients[i] * design.dimensions[i];
         margins.add(std::string(condition.name), value);
     }
-    if (family.assembly_margin != nullptr)
-        margins.add(motion.program ? "the follower is held and the cam is not undercut" : "the mechanism assembles",
+    if (family.assembly_margin)
+        margins.add(is_cam(*problem.mechanism) ? "the follower is held and the cam is not undercut" : "the mechanism assembles",
                     least_component(*family.assembly_margin, motion, design));
 }
 
 void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
-    if (has_input_range(problem) && !problem.crank_range && problem.mechanism->input_margin != nullptr)
+    if (has_input_range(problem) && !problem.crank_range && problem.mechanism->input)
         return margins.add("the mechanism assembles over its input range",
-                           least_component(*problem.mechanism->input_margin, motion, design));
+                           least_component(problem.mechanism->input->margin, motion, design));
     const auto& families = problem.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
-    if (!problem.crank_range || limited == families.end() || limited->assembly_margin == nullptr) return;
+    if (!problem.crank_range || limited == families.end() || !limited->assembly_margin) return;
     Motion over = motion;
     over.family = static_cast<std::size_t>(limited - families.begin());
     margins.add("the mechanism assembles over the range of crank angles",
@@ -71,7 +72,7 @@ void add_points(const Problem& problem, const Design& design, Margins& margins) 
     std::size_t at = 0;
     for (std::size_t i = 0; i < angles.size(); ++i) {
         PathMiss miss{};
-        problem.mechanism->path_miss(design.assembly, design.dimensions, angles[i], problem.path->points[i], miss);
+        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions, angles[i], problem.path->points[i], miss);
         if (miss.margin >= least) continue;
         least = miss.margin;
         at = i;
@@ -86,7 +87,7 @@ std::vector<SingularMargin> singular_margins(const Problem& problem, const Desig
     Margins margins{longest_length(problem, design)};
     if (!(margins.longest > 0) || !(motion.from <= motion.to)) return {};
     if (motion.full_turn && motion.family < problem.mechanism->families.size())
-        add_conditions(problem.mechanism->families[motion.family], motion, design, margins);
+        add_conditions(problem, problem.mechanism->families[motion.family], motion, design, margins);
     else if (!motion.full_turn)
         add_over_range(problem, motion, design, margins);
     add_points(problem, design, margins);

@@ -18,7 +18,7 @@ constexpr std::size_t most_reads = 16;
 constexpr std::size_t most_pairs = most_reads * (most_reads + 1) / 2;
 constexpr std::size_t most_components = 8;
 
-const Quantity& margin_of(const Problem& problem) { return *problem.mechanism->input_margin; }
+const Quantity& margin_of(const Problem& problem) { return problem.mechanism->input->margin; }
 
 /// What a margin's argument follows from: a variable and a factor, or the difference of two variables; -1: none.
 struct Argument {
@@ -44,8 +44,8 @@ Arguments arguments_at(const Program& program, std::span<const double> dimension
     const StretchEnds ends = stretch_ends(program, x);
     const PathAngle first = path_angle(program, dimensions, x, ends.first);
     const PathAngle last = path_angle(program, dimensions, x, ends.last);
-    const double by_variable = program.untimed_path() ? 1 : program.times[mechanism.path_roles.start];
-    const std::size_t start = mechanism.function_scales, range = start + 1;
+    const double by_variable = program.untimed_path() ? 1 : program.times[mechanism.point->roles.start];
+    const std::size_t start = mechanism.input->start, range = start + 1;
     all.value[start] = first.angle;
     all.of[start] = {{first.variable, -1}, {by_variable, 0}};
     all.value[range] = last.angle - first.angle;
@@ -64,7 +64,7 @@ void for_each_variable(const Argument& argument, const Use& use) {
 
 bool needs_stretch(const Problem& problem, const Family& family) {
     return problem.path && problem.path->points.size() > 1 && !problem.path->closed && !family.full_turn &&
-           problem.mechanism->input_margin != nullptr;
+           problem.mechanism->input.has_value();
 }
 
 CrankStretch stretch_of(const Problem& problem, std::span<const double> path_angles) {
@@ -82,8 +82,8 @@ double least_margin_along(const Problem& problem, const Design& design) {
     std::array<double, most_reads> arguments{};
     std::copy_n(design.dimensions.begin(), margin.reads, arguments.begin());
     const CrankStretch stretch = stretch_of(problem, design.path_angles);
-    arguments[problem.mechanism->function_scales] = stretch.first;
-    arguments[problem.mechanism->function_scales + 1] = stretch.last - stretch.first;
+    arguments[problem.mechanism->input->start] = stretch.first;
+    arguments[problem.mechanism->input->start + 1] = stretch.last - stretch.first;
     std::array<double, most_components> value;
     Motion motion;
     motion.assembly = design.assembly;

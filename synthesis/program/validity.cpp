@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/stretch.h"
 
@@ -19,7 +20,7 @@ double margin_at_targets(const Problem& problem, const Design& design) {
     double least = without_limit;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
         PathMiss miss{};
-        problem.mechanism->path_miss(design.assembly, design.dimensions, design.path_angles[i], problem.path->points[i],
+        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions, design.path_angles[i], problem.path->points[i],
                                      miss);
         if (!(miss.margin >= least)) least = miss.margin;
     }
@@ -54,7 +55,7 @@ double existence_margin(const Problem& problem, const Design& design) {
 }
 
 void add_margins_of_path(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {
-    const Motion whole = problem.mechanism->motion(design.dimensions, design.assembly, nullptr);
+    const Motion whole = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     if (problem.path->closed)
         all.push_back({"the crank goes round the closed path", whole.full_turn ? 0 : -without_limit, false});
     all.push_back({"it assembles at every target", margin_at_targets(problem, design), false});
@@ -72,7 +73,7 @@ void add_margins_of_path(const Problem& problem, const Design& design, std::vect
 
 std::vector<ValidityMargin> validity_margins(const Problem& problem, const Design& design) {
     std::vector<ValidityMargin> all;
-    if (problem.program)
+    if (is_cam(*problem.mechanism))
         all.push_back({"the follower is held and the cam is not undercut", existence_margin(problem, design), true});
     all.push_back({"it assembles over the range of crank angles",
                    assembles_over_range(problem, design) ? 0 : -without_limit, false});

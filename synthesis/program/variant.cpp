@@ -10,7 +10,7 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     motion.assembly = assembly;
     motion.family = family;
     motion.settings = problem.settings;
-    motion.program = problem.program.get();
+    motion.model = problem.mechanism->model.data();
     motion.function = problem.function.get();
     motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
     motion.has_instant = problem.has_instant;
@@ -30,8 +30,8 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
 
 const Quantity& programmed_quantity(const Problem& problem, std::size_t quantity) {
     const Quantity& plain = problem.mechanism->quantities[quantity];
-    if (!has_input_range(problem) || problem.crank_range) return plain;
-    const auto& moving = problem.mechanism->over_input;
+    if (!has_input_range(problem) || problem.crank_range || !problem.mechanism->input) return plain;
+    const auto& moving = problem.mechanism->input->quantities;
     const auto at = std::find_if(moving.begin(), moving.end(), [&](const Quantity& q) { return q.name == plain.name; });
     return at == moving.end() ? plain : *at;
 }

@@ -38,7 +38,7 @@ bool out_of_reach(const Problem& problem, std::span<const double> coefficients) 
 std::string condition_out_of_reach(const Problem& problem, const Family& family) {
     for (const LinearCondition& condition : family.conditions)
         if (out_of_reach(problem, condition.coefficients)) return std::string(condition.name);
-    if (problem.mechanism != &four_bar_mechanism()) return {};
+    if (!is_four_bar(*problem.mechanism)) return {};
     constexpr std::array<std::array<double, 4>, 4> loops{{{-1, 1, 1, 1}, {1, -1, 1, 1}, {1, 1, -1, 1}, {1, 1, 1, -1}}};
     for (std::size_t i = 0; i < loops.size(); ++i)
         if (out_of_reach(problem, loops[i]))

@@ -81,9 +81,9 @@ std::string FunctionBound::why_not(const Problem& problem) {
 }
 
 FunctionBound::FunctionBound(const Problem& problem, const Design& best) {
-    loop_row_ = problem.mechanism->loop_row;
+    loop_row_ = problem.mechanism->function->loop_row;
     const FunctionTarget& f = *problem.function;
-    auto extremes = problem.mechanism->function_extremes(f, best.assembly, best.dimensions);
+    auto extremes = problem.mechanism->function->extremes(f, problem.mechanism->form(best.assembly), best.dimensions);
     error_ = 0;
     for (const ErrorExtreme& e : extremes)
         error_ = std::max(error_, std::abs(e.error));
@@ -112,11 +112,11 @@ FunctionBound::FunctionBound(const Problem& problem, const Design& best) {
                 for (std::size_t d = c + 1; d < own; ++d)
                     if (d - a > places - 1) chosen_.push_back({a, b, c, d});
     for (std::size_t k = 0; k < Box::most; ++k) {
-        const DimensionRange& range = problem.dimensions[problem.mechanism->function_scales + k];
+        const DimensionRange& range = problem.dimensions[problem.mechanism->input->start + k];
         // A start that may be anywhere is taken once round.
         const bool start = k % 2 == 0;
         const bool angle =
-            problem.mechanism->dimensions[problem.mechanism->function_scales + k].kind == DimensionKind::angle;
+            problem.mechanism->dimensions[problem.mechanism->input->start + k].kind == DimensionKind::angle;
         const double to = start && angle ? std::min(range.max, range.min + 2 * std::numbers::pi) : range.max;
         scales_.middle[k] = 0.5 * (range.min + to);
         scales_.half[k] = 0.5 * (to - range.min);

@@ -9,6 +9,7 @@
 
 #include "analysis/four_bar/best_crank_rocker.h"
 #include "analysis/slider_crank/best_slider_crank.h"
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/mechanism/possible_values.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
@@ -76,7 +77,7 @@ void add_of_crank_rockers(const Problem& problem, std::vector<KnownLimit>& limit
 
 void add_of_rams(const Problem& problem, std::vector<KnownLimit>& limits) {
     constexpr std::size_t slider_rod = 1, whitworth_rod = 3;
-    const bool slider_crank = problem.mechanism == &slider_crank_mechanism();
+    const bool slider_crank = problem.mechanism == slider_crank_mechanism();
     const Asked ratio = asked_of(problem, "time-ratio"), stroke = asked_of(problem, "stroke");
     const auto limit_transmission = [&](std::string_view name, double greatest, const std::string& why) {
         for (const char* quantity : {"transmission-angle-worst", "transmission-angle-min"})
@@ -117,8 +118,8 @@ std::vector<KnownLimit> known_limits(const Problem& problem) {
     std::vector<KnownLimit> limits;
     add_possible_values(problem, limits);
     if (!turns_fully(problem)) return limits;
-    if (problem.mechanism == &four_bar_mechanism()) add_of_crank_rockers(problem, limits);
-    if (problem.mechanism == &slider_crank_mechanism() || problem.mechanism == &whitworth_mechanism())
+    if (is_four_bar(*problem.mechanism)) add_of_crank_rockers(problem, limits);
+    if (problem.mechanism == slider_crank_mechanism() || problem.mechanism == whitworth_mechanism())
         add_of_rams(problem, limits);
     return limits;
 }

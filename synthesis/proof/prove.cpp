@@ -61,7 +61,7 @@ std::string why_no_proof(const Problem& problem) {
 
 bool is_quickly_proved(const Problem& problem) {
     if (!FunctionBound::why_not(problem).empty()) return false;
-    const auto first = problem.dimensions.begin() + static_cast<std::ptrdiff_t>(problem.mechanism->function_scales);
+    const auto first = problem.dimensions.begin() + static_cast<std::ptrdiff_t>(problem.mechanism->input->start);
     return std::all_of(first, first + Box::most, [](const DimensionRange& scale) { return scale.fixed(); });
 }
 

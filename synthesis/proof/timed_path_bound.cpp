@@ -111,7 +111,7 @@ std::string TimedPathBound::why_not(const Problem& problem) {
 
 TimedPathBound::TimedPathBound(const Problem& problem) {
     const PathTarget& path = *problem.path;
-    const PathRoles& roles = problem.mechanism->path_roles;
+    const PathRoles& roles = problem.mechanism->point->roles;
     const auto range = [&](std::size_t i) -> const DimensionRange& { return problem.dimensions[i]; };
     const auto reach = [&](std::size_t i) { return std::max(std::abs(range(i).min), std::abs(range(i).max)); };
     const auto n = static_cast<Index>(path.points.size());

@@ -66,7 +66,7 @@ using Shape = std::vector<py::ssize_t>;
 
 /// Rows that the mechanism does not assemble for are NaN.
 py::dict motion_arrays(const FinishedDesign& design, const std::vector<double>& angles, const Shape& shape) {
-    const auto names = design.mechanism->motion_columns;
+    const auto names = design.mechanism->table.columns;
     std::vector<Column> columns;
     std::vector<double*> to;
     py::dict arrays;

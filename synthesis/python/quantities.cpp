@@ -7,7 +7,7 @@ namespace mechwright::python {
 namespace py = pybind11;
 
 py::object quantities(const std::string& name) {
-    const std::vector<const Mechanism*> found = mechanisms_named(name);
+    const std::vector<std::shared_ptr<const Mechanism>> found = mechanisms_named(name);
     if (found.empty()) throw py::value_error(unknown_mechanism(name));
     py::dict all;
     for (const Mechanism* mechanism : found)

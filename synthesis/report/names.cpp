@@ -28,14 +28,14 @@ std::string_view name_of(Unit unit) {
 
 std::vector<std::string_view> mechanism_names() {
     std::vector<std::string_view> names;
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         add_once(names, mechanism->name);
     return names;
 }
 
-std::vector<const Mechanism*> mechanisms_named(std::string_view name) {
-    std::vector<const Mechanism*> found;
-    for (const Mechanism* mechanism : mechanisms())
+std::vector<std::shared_ptr<const Mechanism>> mechanisms_named(std::string_view name) {
+    std::vector<std::shared_ptr<const Mechanism>> found;
+    for (const auto& mechanism : mechanisms())
         if (mechanism->name == name) found.push_back(mechanism);
     return found;
 }
@@ -46,16 +46,16 @@ std::string unknown_mechanism(const std::string& name) {
 
 std::vector<std::string_view> explained_names() {
     std::vector<std::string_view> names;
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         for (const Quantity& quantity : mechanism->quantities)
             add_once(names, quantity.name);
-    for (const Mechanism* mechanism : mechanisms()) {
+    for (const auto& mechanism : mechanisms()) {
         for (const Dimension& dimension : mechanism->dimensions)
             add_once(names, dimension.name);
         for (const Setting& setting : mechanism->settings)
             add_once(names, setting.name);
     }
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         add_once(names, mechanism->name);
     return names;
 }

@@ -17,7 +17,7 @@ std::string_view name_of(Unit unit);
 std::vector<std::string_view> mechanism_names();
 
 /// All that go by this name: cams come in several kinds.
-std::vector<const Mechanism*> mechanisms_named(std::string_view name);
+std::vector<std::shared_ptr<const Mechanism>> mechanisms_named(std::string_view name);
 
 /// "unknown mechanism 'x'; ..." with what would be right.
 std::string unknown_mechanism(const std::string& name);

@@ -66,7 +66,7 @@ std::vector<double> drawn_path_angles(const Program& program, const LowDiscrepan
             x[static_cast<Eigen::Index>(program.first_path_angle + i)] = angles[i];
         return angles;
     }
-    const std::size_t start = program.problem->mechanism->path_roles.start;
+    const std::size_t start = program.problem->mechanism->point->roles.start;
     const std::ptrdiff_t variable = program.variable_of[start];
     double begin = program.dimensions[start];
     if (variable >= 0) {

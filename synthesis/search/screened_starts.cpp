@@ -44,8 +44,8 @@ ScreenedStarts::ScreenedStarts(const Program& program, std::uint64_t seed)
       stream_(program.variant.family * 16 + program.variant.assembly * 2 + (program.variant.direction > 0 ? 0 : 1) +
               1000) {
     const Mechanism& mechanism = *program.problem->mechanism;
-    const PathRoles& roles = mechanism.path_roles;
-    can_screen_ = mechanism.path_screening && is_free(program, roles.along) && is_free(program, roles.across);
+    const PathRoles& roles = mechanism.point->roles;
+    can_screen_ = mechanism.point->screening && is_free(program, roles.along) && is_free(program, roles.across);
     if (!can_screen_) return;
     free_.size = true;
     for (; mechanism.dimensions[lengths_].kind == DimensionKind::length; ++lengths_) {
@@ -131,7 +131,7 @@ double ScreenedStarts::beyond_range(const Lengths& x, double size) const {
 }
 
 std::vector<ScreenedPoint> ScreenedStarts::points() const {
-    const PathRoles& roles = program_.problem->mechanism->path_roles;
+    const PathRoles& roles = program_.problem->mechanism->point->roles;
     const Vector<double> origin =
         free_.origin ? Vector<double>{0, 0}
                      : Vector<double>{program_.dimensions[roles.origin_x], program_.dimensions[roles.origin_y]};
@@ -149,7 +149,7 @@ std::vector<ScreenedPoint> ScreenedStarts::points() const {
 
 /// Variables that are drawn and not fitted.
 int ScreenedStarts::drawn_variables() const {
-    const PathRoles& roles = program_.problem->mechanism->path_roles;
+    const PathRoles& roles = program_.problem->mechanism->point->roles;
     const auto fitted = [&](std::size_t i, std::size_t j) {
         return is_free(program_, i) && is_free(program_, j) ? 2 : 0;
     };
@@ -194,7 +194,7 @@ std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) 
         for (std::size_t lane = 0; lane < 8; ++lane)
             for (std::size_t i = 0; i < lengths_; ++i)
                 lengths[i][lane] = shape(lane)[i];
-        const Screened screened = program_.problem->mechanism->path_screening(
+        const Screened screened = program_.problem->mechanism->point->screening(
             set, program_.variant.assembly, std::span(lengths).first(lengths_), targets, free_);
         Candidate& kept = best[static_cast<std::size_t>(g)];
         kept.group = g;

@@ -62,7 +62,7 @@ double merit(const Program& program, const VectorXd& x, ProgramValues& values) {
 }  // namespace
 
 void fit_placement(const Program& program, VectorXd& x) {
-    const PathRoles& roles = program.problem->mechanism->path_roles;
+    const PathRoles& roles = program.problem->mechanism->point->roles;
     const auto variable = [&](std::size_t dimension) { return program.variable_of[dimension]; };
     const bool free_point = variable(roles.along) >= 0 && variable(roles.across) >= 0;
     const bool free_origin = variable(roles.origin_x) >= 0 && variable(roles.origin_y) >= 0;
@@ -85,7 +85,7 @@ void fit_placement(const Program& program, VectorXd& x) {
     const auto guided_point = [&](double along, double crank_angle, double& margin) {
         dimensions[roles.along] = along;
         PathMiss miss{};
-        program.problem->mechanism->path_miss(program.variant.assembly, dimensions, crank_angle, {0, 0}, miss);
+        program.problem->mechanism->point->miss(program.problem->mechanism->form(program.variant.assembly), dimensions, crank_angle, {0, 0}, miss);
         margin = miss.margin;
         return -Complex(miss.miss.x, miss.miss.y);
     };
@@ -160,9 +160,9 @@ namespace {
 void fit_function(const Program& program, VectorXd& x) {
     const Mechanism& mechanism = *program.problem->mechanism;
     std::vector<double> dimensions = dimensions_at(program, x);
-    const std::size_t scales = mechanism.function_scales;
+    const std::size_t scales = mechanism.input->start;
     const auto turns = [&](std::size_t start) { return program.variable_of[start] >= 0; };
-    if (!mechanism.function_fit(*program.problem->function, dimensions, turns(scales), turns(scales + 2))) return;
+    if (!mechanism.function->fit(*program.problem->function, dimensions, turns(scales), turns(scales + 2))) return;
     for (std::size_t i = 0; i < dimensions.size(); ++i) {
         const std::ptrdiff_t v = program.variable_of[i];
         if (v < 0 || program.problem->dimensions[i].tied()) continue;
@@ -173,12 +173,12 @@ void fit_function(const Program& program, VectorXd& x) {
 
 /// The line or arc that the guided point of x is closest to, as far as it is free.
 void fit_followed(const Program& program, VectorXd& x) {
-    const FollowedShape& shape = followed_shape_of(*program.problem->mechanism, *program.problem->followed);
+    const FollowedShape& shape = *followed_shape_of(*program.problem->mechanism, *program.problem->followed);
     std::vector<double> dimensions = dimensions_at(program, x);
     std::array<bool, 3> free{};
     for (std::size_t k = 0; k < shape.parameters; ++k)
         free[k] = program.variable_of[shape.place + k] >= 0;
-    shape.fit(program.variant.assembly, dimensions, free);
+    shape.fit(program.problem->mechanism->form(program.variant.assembly), dimensions, free);
     for (std::size_t k = 0; k < shape.parameters; ++k) {
         if (!free[k]) continue;
         const std::ptrdiff_t v = program.variable_of[shape.place + k];

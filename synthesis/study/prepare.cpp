@@ -26,7 +26,7 @@ bool has_section(const Problem& problem, std::string_view section) {
     if (section == "path") return problem.path && !problem.path->guides_body();
     if (section == "poses") return problem.path && problem.path->guides_body();
     if (section == "function") return problem.function != nullptr;
-    return problem.followed && followed_shape_of(*problem.mechanism, *problem.followed).name == section;
+    return problem.followed && followed_shape_of(*problem.mechanism, *problem.followed)->name == section;
 }
 
 void add_columns(const Problem& problem, const Study& study, StudyColumns& columns) {

@@ -51,7 +51,7 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, Pa
     const Mechanism& mechanism = *problem.mechanism;
     const std::optional<PathValues> values = path_values(problem, design);
     if (!values || problem.path->guides_body()) return {};
-    const std::size_t reads = mechanism.path_reads;
+    const std::size_t reads = mechanism.point->reads;
     std::vector<double> x(reads + 1), y(reads + 1), total(mechanism.dimensions.size(), 0.0);
     double weights = 0;
     for (const double w : problem.path->weights)
@@ -63,11 +63,11 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, Pa
         if (measure == PathMeasure::greatest) factor = distance == values->greatest ? 1 / distance : 0;
         if (factor == 0) continue;
         PathMiss miss{{}, 0, x, y, {}, {}};
-        mechanism.path_miss(design.assembly, design.dimensions, design.path_angles[i], problem.path->points[i], miss);
+        mechanism.point->miss(mechanism.form(design.assembly), design.dimensions, design.path_angles[i], problem.path->points[i], miss);
         for (std::size_t k = 0; k < reads; ++k)
             total[k] += factor * (miss.miss.x * x[k] + miss.miss.y * y[k]);
         if (problem.path->prescribed_timing)
-            total[mechanism.path_roles.start] += factor * (miss.miss.x * x[reads] + miss.miss.y * y[reads]);
+            total[mechanism.point->roles.start] += factor * (miss.miss.x * x[reads] + miss.miss.y * y[reads]);
     }
     return total;
 }
@@ -121,7 +121,7 @@ Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_
     const std::optional<PathTarget>& path = design.problem.path;
     if (path && path->prescribed_timing)
         for (std::size_t i = 0; i < path->crank_angles.size(); ++i)
-            piece.path_angles[i] = piece.dimensions[design.problem.mechanism->path_roles.start] + path->crank_angles[i];
+            piece.path_angles[i] = piece.dimensions[design.problem.mechanism->point->roles.start] + path->crank_angles[i];
     else if (path)
         meet_nearest_points(design.problem, piece);
     // The ranges of the dimensions are for design, not for pieces.

@@ -138,8 +138,8 @@ std::string cognate_defect(const Json& document, const Json& entry) {
     const Json other = of == 0 ? document : with_alternative(document, alternatives[of - 1]);
     const ReadClaim one = read_claim(with_alternative(document, entry)), two = read_claim(other);
     if (!one.defect.empty() || !two.defect.empty()) return "one of the cognates is not understood";
-    const auto draws_same_curve = one.claim.mechanism->draws_same_curve;
-    if (draws_same_curve && draws_same_curve(rebuilt(one.claim).rounded, rebuilt(two.claim).rounded)) return {};
+    const auto& point = one.claim.mechanism->point;
+    if (point && point->draws_same_curve && point->draws_same_curve(rebuilt(one.claim).rounded, rebuilt(two.claim).rounded)) return {};
     return "it is stated as a cognate, and is none";
 }
 

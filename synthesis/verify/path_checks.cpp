@@ -79,7 +79,7 @@ Check check_distances(const ClaimedPath& path, const RebuiltPath& rebuilt) {
 
 Check check_prescribed(const Rebuilt& design) {
     const Claim& claim = *design.claim;
-    const Digits50& start = design.dimensions[claim.mechanism->path_roles.start];
+    const Digits50& start = design.dimensions[claim.mechanism->point->roles.start];
     return check_each("meets the points at the prescribed crank angles", claim.path->points.size(), angular,
                       [&](std::size_t i) -> Digits50 {
                           const Digits50 due =
@@ -115,7 +115,7 @@ std::vector<Range> sweeps(const Rebuilt& design) {
     if (path.prescribed_timing) {
         const auto [least, greatest] =
             std::minmax_element(path.prescribed_angles.begin(), path.prescribed_angles.end());
-        const Digits50& start = design.dimensions[design.claim->mechanism->path_roles.start];
+        const Digits50& start = design.dimensions[design.claim->mechanism->point->roles.start];
         return {{start + from_document(*least, Unit::angle, design.claim->units),
                  start + from_document(*greatest, Unit::angle, design.claim->units)}};
     }
@@ -146,7 +146,7 @@ Check check_nearest(const Rebuilt& design) {
     const double from = motion.full_turn ? 0 : motion.from;
     const double to = motion.full_turn ? plain(full_turn()) : motion.to;
     const auto reached = [&](double angle) {
-        return claim.mechanism->path_point(claim.assembly, design.dimensions, Digits50(angle));
+        return claim.mechanism->point->point(claim.mechanism->form(claim.assembly), design.dimensions, Digits50(angle));
     };
     constexpr int steps = 720;
     std::vector<Vector<double>> curve;

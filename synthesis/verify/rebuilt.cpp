@@ -39,7 +39,9 @@ std::optional<Vector<Digits50>> range_of(const Claim& claim, std::span<const Dig
 RebuiltPath rebuilt_path(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     const ClaimedPath& path = *claim.path;
-    const auto point = claim.mechanism->path_point;
+    const auto point = [&](const std::vector<Digits50>& dimensions, const Digits50& crank_angle) {
+        return claim.mechanism->point->point(claim.mechanism->form(claim.assembly), dimensions, crank_angle);
+    };
     RebuiltPath result;
     result.size = design.longest;
     const auto grow = [&](const Digits50& length) { result.size = std::max<Digits50>(result.size, abs(length)); };
@@ -50,16 +52,16 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
         grow(target.x);
         grow(target.y);
         result.crank_angles.push_back(from_document(path.crank_angles[i], Unit::angle, claim.units));
-        result.reached.push_back(point(claim.assembly, design.dimensions, result.crank_angles.back()));
+        result.reached.push_back(point(design.dimensions, result.crank_angles.back()));
         const Vector<Digits50> miss = target - result.reached.back();
         Digits50 square = dot(miss, miss);
         if (!path.directions.empty()) {
             // The body faces where a point one length ahead on the guiding link lies, turned by its own angle.
-            const PathRoles& roles = claim.mechanism->path_roles;
+            const PathRoles& roles = claim.mechanism->point->roles;
             std::vector<Digits50> ahead = design.dimensions;
             ahead[roles.along] += 1;
             const Vector<Digits50> link =
-                point(claim.assembly, ahead, result.crank_angles.back()) - result.reached.back();
+                point(ahead, result.crank_angles.back()) - result.reached.back();
             const Digits50 faces = atan2(link.y, link.x) + design.dimensions[roles.body];
             if (path.directions[i]) {
                 const Digits50 asked = from_document(*path.directions[i], Unit::angle, claim.units);
@@ -139,7 +141,6 @@ Rebuilt rebuilt(const Claim& claim) {
     }
     design.motion = motion_again(mechanism, claim.assembly, design.dimensions, range_of(claim, design.dimensions));
     design.motion.settings = claim.settings;
-    design.motion.program = claim.program.get();
     design.motion.function = claim.function.get();
     design.motion.followed = claim.followed ? claim.followed->shape : Followed::nothing;
     design.motion.has_instant = claim.has_instant;

@@ -60,7 +60,7 @@ Check check_ranges(const Claim& claim) {
 }
 
 Check check_kind(const Rebuilt& design) {
-    const std::string kind = design.claim->mechanism->describe(design.rounded);
+    const std::string kind = design.claim->mechanism->describe(design.claim->mechanism->form(0), design.rounded);
     const std::string& stated = *design.claim->kind;
     return {
         "is the kind of mechanism that is stated", kind == stated,

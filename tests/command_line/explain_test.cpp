@@ -19,7 +19,7 @@ std::string explained(const std::vector<std::string>& arguments) {
 }
 
 TEST(Explanations, ThereIsAFormulaForEveryQuantityOfEveryMechanism) {
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         for (const Quantity& quantity : mechanism->quantities) {
             const Explanation* explanation = find_explanation(quantity.name);
             ASSERT_NE(explanation, nullptr) << quantity.name;
@@ -34,7 +34,7 @@ TEST(Explanations, ThereIsAFormulaForEveryQuantityOfEveryMechanism) {
 TEST(Explanations, AreOfQuantitiesThatThereAreAndEachFormulaIsUsed) {
     for (const Explanation& explanation : explanations()) {
         std::vector<const Formula*> used;
-        for (const Mechanism* mechanism : mechanisms())
+        for (const auto& mechanism : mechanisms())
             if (find_quantity(*mechanism, explanation.name) >= 0) used.push_back(formula_for(explanation, *mechanism));
         EXPECT_FALSE(used.empty()) << explanation.name;
         for (const Formula& formula : explanation.formulas)
@@ -52,7 +52,7 @@ TEST(Explanations, PointToNamesThatAreExplained) {
 }
 
 TEST(Explain, SaysFormulaAndUsualValuesOfEveryQuantity) {
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         for (const Quantity& quantity : mechanism->quantities) {
             const std::string text = explained({std::string(quantity.name), std::string(mechanism->name)});
             for (const char* part : {"\n  of          ", "\n  formula     ", "\n  usual       ", "[[require]]"})

@@ -103,8 +103,9 @@ TEST(MotionPlots, DrawLimitsWhereTheyHold) {
 }
 
 TEST(MotionPlots, DrawLimitsOfQuantitiesThatThereAre) {
+    const auto all = mechanisms();
     for (const std::string_view name : quantities_with_levels())
-        EXPECT_TRUE(std::any_of(mechanisms().begin(), mechanisms().end(), [&](const Mechanism* m) {
+        EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& m) {
             return find_quantity(*m, name) >= 0;
         })) << name;
 }

@@ -76,7 +76,7 @@ TEST(Scene, IsTestedForEveryMechanism) {
         EXPECT_GE(scene_of(design, fineness).bodies.size(), 2u);
         drawn.insert(design.mechanism->name);
     }
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         EXPECT_TRUE(drawn.contains(mechanism->name)) << mechanism->name;
 }
 
@@ -127,7 +127,7 @@ TEST(Scene, GuidesThePointAlongThePathInFiftyDigits) {
     const Scene scene = scene_of(design, fineness);
     const std::vector<Digits50> dimensions(design.dimensions.begin(), design.dimensions.end());
     for (const double angle : even_angles(design, 24)) {
-        const auto exact = design.mechanism->path_point(0, dimensions, Digits50(angle));
+        const auto exact = design.mechanism->point->point(design.mechanism->form(0), dimensions, Digits50(angle));
         const Vector<double> drawn = guided_point(design, scene, angle).value();
         EXPECT_LE(distance(drawn, {exact.x.convert_to<double>(), exact.y.convert_to<double>()}), 1e-12);
     }

@@ -86,7 +86,7 @@ TEST_F(Allocation, IsNotNeededToScreenAGroupOfCandidates) {
     }
     double score = 0;
     const auto screen = [&] {
-        score = four_bar.path_screening(widest_instruction_set(), 0, lengths, points, {true, true, true}).score[0];
+        score = four_bar.point->screening(widest_instruction_set(), 0, lengths, points, {true, true, true}).score[0];
     };
     EXPECT_EQ(requests_of(screen), 0);
     EXPECT_GT(score, 0);

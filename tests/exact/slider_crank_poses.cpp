@@ -92,7 +92,7 @@ TEST(SliderCrankPoses, HaveTheSliderCrankThatMadeThem) {
 TEST(SliderCrankPoses, HaveTheDerivativesOfTheirFormula) {
     const Mechanism& mechanism = *find_mechanism("slider-crank");
     const std::vector<double> at{1, 3, 0.4, 1.5, 1.2, 2, 1, 0.4, 0.1, 0.2};
-    const std::size_t n = mechanism.pose_reads + 1;
+    const std::size_t n = mechanism.body->reads + 1;
     ASSERT_EQ(n, 11u);
     std::array<std::array<double, 16>, 4> gradient{};
     PoseMiss miss{};
@@ -100,7 +100,7 @@ TEST(SliderCrankPoses, HaveTheDerivativesOfTheirFormula) {
     miss.place.gradient_y = gradient[1];
     miss.turn.gradient_x = gradient[2];
     miss.turn.gradient_y = gradient[3];
-    mechanism.pose_miss(0, at, 0.8, {0, 0}, {1, 0}, miss);
+    mechanism.body->miss(mechanism.form(0), at, 0.8, {0, 0}, {1, 0}, miss);
     const double h = 1e-6;
     for (std::size_t i = 0; i < n; ++i) {
         PoseMiss up{}, down{};
@@ -113,8 +113,8 @@ TEST(SliderCrankPoses, HaveTheDerivativesOfTheirFormula) {
             angle_up += h;
             angle_down -= h;
         }
-        mechanism.pose_miss(0, high, angle_up, {0, 0}, {1, 0}, up);
-        mechanism.pose_miss(0, low, angle_down, {0, 0}, {1, 0}, down);
+        mechanism.body->miss(mechanism.form(0), high, angle_up, {0, 0}, {1, 0}, up);
+        mechanism.body->miss(mechanism.form(0), low, angle_down, {0, 0}, {1, 0}, down);
         const auto expect_slope = [&](std::size_t k, double above, double below) {
             EXPECT_NEAR(gradient[k][i], (above - below) / (2 * h), 1e-8) << k << ' ' << i;
         };

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/problem/sections/points.h"
 #include "tests/fuzz/evaluation.h"
@@ -44,7 +44,7 @@ void check_order(const std::vector<Message>& messages) {
 
 /// Of a cam: laws and senses of rotation.
 std::size_t assembly_count(const Problem& problem) {
-    if (problem.program) return 2 * law_choices(*problem.program);
+    if (const MotionProgram* program = program_of(*problem.mechanism)) return 2 * law_choices(*program);
     return std::max<std::size_t>(problem.mechanism->assemblies.size(), 1);
 }
 

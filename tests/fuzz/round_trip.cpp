@@ -84,7 +84,7 @@ void check_same(const Problem& a, const Problem& b) {
     require(same(a.crank_range, b.crank_range) && same(a.settings, b.settings), "motion and settings survive");
     require(same_function(a, b) && same(a.followed, b.followed), "a function or line survives a round trip");
     require(a.has_instant == b.has_instant && a.cam_rotation == b.cam_rotation &&
-                (a.program == nullptr) == (b.program == nullptr) && a.wanted == b.wanted,
+                (program_of(*a.mechanism) == nullptr) == (program_of(*b.mechanism) == nullptr) && a.wanted == b.wanted,
             "the rest survives a round trip");
     require(same(a.solver, b.solver), "solver options survive a round trip");
 }

@@ -2,7 +2,7 @@
 
 #include "synthesis/mechanism/cam/cam.h"
 
-#include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/mechanism/cam/cam.h"
 #include "tests/problem/problem_text.h"
 
 namespace mechwright::test {
@@ -35,9 +35,9 @@ TEST(Cam, IsReadWithItsMotion) {
     const ReadProblem read_cam = read(cam(closed));
     EXPECT_TRUE(accepted(read_cam));
     const Problem& p = read_cam.problem;
-    ASSERT_TRUE(p.program);
-    ASSERT_EQ(p.program->segments.size(), 3u);
-    EXPECT_EQ(p.program->segments[2].kind, mechwright::cam::SegmentKind::fall);
+    ASSERT_TRUE(program_of(*p.mechanism));
+    ASSERT_EQ(program_of(*p.mechanism)->segments.size(), 3u);
+    EXPECT_EQ(program_of(*p.mechanism)->segments[2].kind, mechwright::cam::SegmentKind::fall);
     EXPECT_NEAR(p.dimensions[cam_angle_dimension(*p.mechanism, 2)].min, 3.141592653589793, 1e-15);
     EXPECT_EQ(p.dimensions[cam_lift_dimension(*p.mechanism, 0)].min, 20);
     EXPECT_TRUE(p.requirements.empty());
@@ -130,11 +130,11 @@ TEST(CamLaw, EndsOfPolynomialsHaveTheKindsOfVdi) {
         return read(cam(moving("rise", "180", "20", "\"polynomial\"\n" + ends) + moving("return", "180", "20")));
     };
     EXPECT_TRUE(accepted(polynomial("start = \"R\"")));
-    EXPECT_EQ(polynomial("start = \"R\"").problem.program->segments[0].start_count, 2u);
-    EXPECT_EQ(polynomial("").problem.program->segments[0].end_count, 2u);
+    EXPECT_EQ(program_of(*polynomial("start = \"R\"").problem.mechanism)->segments[0].start_count, 2u);
+    EXPECT_EQ(program_of(*polynomial("").problem.mechanism)->segments[0].end_count, 2u);
     const ReadProblem moved = polynomial("end = { velocity = 3, jerk = { min = -1, max = 1 } }");
     EXPECT_TRUE(accepted(moved));
-    EXPECT_EQ(moved.problem.program->segments[0].end_count, 3u);
+    EXPECT_EQ(program_of(*moved.problem.mechanism)->segments[0].end_count, 3u);
     EXPECT_EQ(moved.problem.dimensions[cam_coefficient_dimension(*moved.problem.mechanism, 2)].min, 3);
     EXPECT_EQ(moved.problem.dimensions[cam_coefficient_dimension(*moved.problem.mechanism, 4)].max, 1);
     EXPECT_TRUE(only_says(polynomial("start = \"G\""), "p.toml:13:9", {"kind G", "start = { velocity = ... }"}));

@@ -64,7 +64,7 @@ TEST(Requirements, WhatNoMechanismReachesCanBeAskedFor) {
 /// A name in the list of possible values that no mechanism has would be one that changed.
 TEST(Requirements, EveryQuantityOfBoundedValuesIsOneOfAMechanism) {
     std::set<std::string_view> bounded;
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         for (const Quantity& quantity : mechanism->quantities)
             if (std::isfinite(possible_values(quantity.name).least)) bounded.insert(quantity.name);
     EXPECT_EQ(bounded.size(), 28u);

@@ -47,13 +47,13 @@ TEST(MotionTable, NumbersReadBackAsTheSame) {
     const Problem problem = problem_of(path_text);
     const Design design = path_solution().design;
     const auto fields = fields_of(lines_of(motion_table(problem, design, 4))[2]);
-    std::vector<double> row(problem.mechanism->motion_columns.size());
-    ASSERT_TRUE(problem.mechanism->motion_row(Motion{}, design.dimensions, 90 * 3.141592653589793 / 180, row));
+    std::vector<double> row(problem.mechanism->table.columns.size());
+    ASSERT_TRUE(problem.mechanism->table.row(Motion{}, design.dimensions, 90 * 3.141592653589793 / 180, row));
     for (std::size_t c = 0; c < row.size(); ++c) {
-        if (problem.mechanism->motion_units[c] == Unit::angle) continue;
+        if (problem.mechanism->table.units[c] == Unit::angle) continue;
         double number = 0;
         std::from_chars(fields[c].data(), fields[c].data() + fields[c].size(), number);
-        EXPECT_EQ(number, row[c]) << problem.mechanism->motion_columns[c];
+        EXPECT_EQ(number, row[c]) << problem.mechanism->table.columns[c];
     }
 }
 

@@ -88,7 +88,7 @@ lengths = { normal = 0.01 }
                     moved.dimensions[i] = value;
                     if (design.problem.path)
                         for (std::size_t k = 0; k < moved.path_angles.size(); ++k)
-                            moved.path_angles[k] = moved.dimensions[design.problem.mechanism->path_roles.start] +
+                            moved.path_angles[k] = moved.dimensions[design.problem.mechanism->point->roles.start] +
                                                    design.problem.path->crank_angles[k];
                     return *quantity_value(design.problem, quantity, moved);
                 };

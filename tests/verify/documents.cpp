@@ -130,7 +130,7 @@ void add_path(Json& document, const std::vector<double>& crank_angles, double mi
     Json reached = Json::array(), distances = Json::array(), due = Json::array();
     for (const double angle : crank_angles) {
         PathMiss there{};
-        four_bar().path_miss(assembly, dimensions, angle * degree, {0, 0}, there);
+        four_bar().point->miss(four_bar().form(assembly), dimensions, angle * degree, {0, 0}, there);
         const double x = -there.miss.x, y = -there.miss.y;
         path["points"].push_back({x + miss, y});
         reached.push_back({x, y});

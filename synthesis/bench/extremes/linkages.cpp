@@ -103,10 +103,10 @@ ExtremeCase over_range() {
 double sampled_deviation(const GivenDesign& design, std::size_t, int samples) {
     const FourBar<double> m = links_of(design.dimensions);
     const auto& line = design.problem->mechanism->line;
-    const double along = design.dimensions[design.problem->mechanism->path_roles.along];
+    const double along = design.dimensions[design.problem->mechanism->point->roles.along];
     const Vector<double> direction{std::cos(design.dimensions[line.place]), std::sin(design.dimensions[line.place])};
     const double offset = design.dimensions[line.place + 1];
-    const std::size_t input = design.problem->mechanism->function_scales;
+    const std::size_t input = design.problem->mechanism->input->start;
     const double start = design.dimensions[input], step = design.dimensions[input + 1] / samples;
     double greatest = 0;
     for (int i = 0; i <= samples; ++i) {
@@ -126,8 +126,8 @@ ExtremeCase straightness() {
         std::vector<double> dimensions = dimensions_of(*problem);
         dimensions[0] += 0.3 * drawn(k, 0);
         dimensions[2] = dimensions[3] = 2.5 + 0.3 * drawn(k, 1);
-        dimensions[problem->mechanism->path_roles.along] = 2 * dimensions[2];
-        dimensions[problem->mechanism->function_scales] += 0.3 * drawn(k, 2);
+        dimensions[problem->mechanism->point->roles.along] = 2 * dimensions[2];
+        dimensions[problem->mechanism->input->start] += 0.3 * drawn(k, 2);
         problem->mechanism->line.fit(0, dimensions, {true, true, false});
         dimensions[problem->mechanism->line.place + 1] += 0.004 * (drawn(k, 3) - 0.5);
         designs.emplace_back(problem, std::move(dimensions));

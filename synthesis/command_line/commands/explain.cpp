@@ -23,7 +23,7 @@ struct ExplainOptions {
     std::string mechanism;
 };
 
-using Mechanisms = std::vector<const Mechanism*>;
+using Mechanisms = std::vector<std::shared_ptr<const Mechanism>>;
 
 /// "  label      text", folded; nothing for an empty text.
 std::string line(std::string_view label, std::string_view text) {
@@ -32,12 +32,12 @@ std::string line(std::string_view label, std::string_view text) {
 
 /// Every kind of cam is a mechanism of its own: "cam" for all, else "cam with ...".
 std::string listed_mechanisms(const Mechanisms& some) {
-    const Mechanisms all(mechanisms().begin(), mechanisms().end());
+    const Mechanisms all = mechanisms();
     std::vector<std::string> names;
-    const auto is_cam = [](const Mechanism* m) { return m->name == "cam"; };
+    const auto is_cam = [](const auto& m) { return m->name == "cam"; };
     const bool all_cams =
         std::count_if(some.begin(), some.end(), is_cam) == std::count_if(all.begin(), all.end(), is_cam);
-    for (const Mechanism* mechanism : some)
+    for (const auto& mechanism : some)
         if (!is_cam(mechanism))
             names.emplace_back(mechanism->name);
         else if (!all_cams)
@@ -53,14 +53,14 @@ std::string formulas_of(const Explanation& explanation, const Mechanisms& some) 
     std::vector<const Formula*> used;
     for (const Formula& formula : explanation.formulas)
         if (std::any_of(some.begin(), some.end(),
-                        [&](const auto* m) { return formula_for(explanation, *m) == &formula; }))
+                        [&](const auto& m) { return formula_for(explanation, *m) == &formula; }))
             used.push_back(&formula);
     for (const Formula* formula : used) {
         std::string of;
         if (used.size() > 1) {
             Mechanisms holders;
             std::copy_if(some.begin(), some.end(), std::back_inserter(holders),
-                         [&](const auto* m) { return formula_for(explanation, *m) == formula; });
+                         [&](const auto& m) { return formula_for(explanation, *m) == formula; });
             of = listed_mechanisms(holders) + ": ";
         }
         text += line(text.empty() ? "formula" : "", of + std::string(formula->text));
@@ -94,11 +94,11 @@ std::string others(std::string_view related, std::string_view name) {
 std::string as_quantity(std::string_view name, const Mechanisms& of, bool colour) {
     Mechanisms with;
     std::copy_if(of.begin(), of.end(), std::back_inserter(with),
-                 [&](const Mechanism* m) { return find_quantity(*m, name) >= 0; });
+                 [&](const auto& m) { return find_quantity(*m, name) >= 0; });
     const Explanation* explanation = find_explanation(name);
     if (with.empty() || explanation == nullptr) return {};
     std::vector<std::string_view> units;
-    for (const Mechanism* mechanism : with) {
+    for (const auto& mechanism : with) {
         const std::string_view unit =
             name_of(mechanism->quantities[static_cast<std::size_t>(find_quantity(*mechanism, name))].unit);
         if (std::find(units.begin(), units.end(), unit) == units.end()) units.push_back(unit);
@@ -136,7 +136,7 @@ struct Meaning {
 
 std::vector<Meaning> meanings_of(std::string_view name, const Mechanisms& of) {
     std::vector<Meaning> meanings;
-    for (const Mechanism* mechanism : of) {
+    for (const auto& mechanism : of) {
         const int index = find_dimension(*mechanism, name);
         if (index < 0) continue;
         const Dimension* dimension = &mechanism->dimensions[static_cast<std::size_t>(index)];
@@ -163,7 +163,7 @@ std::string as_dimension(std::string_view name, const Mechanisms& of, bool colou
 
 std::string as_setting(std::string_view name, const Mechanisms& of, bool colour) {
     std::string text;
-    for (const Mechanism* mechanism : of)
+    for (const auto& mechanism : of)
         for (const Setting& setting : mechanism->settings)
             if (setting.name == name && text.empty())
                 text = emphasised(name, Emphasis::strong, colour) + ": setting\n\n" + line("is", setting.meaning) +
@@ -181,7 +181,7 @@ std::string names_of(const Named& all) {
 
 std::string as_mechanism(std::string_view name, const Mechanisms& of, bool colour) {
     std::string text;
-    for (const Mechanism* mechanism : of) {
+    for (const auto& mechanism : of) {
         if (mechanism->name != name) continue;
         std::vector<Dimension> own;
         std::copy_if(mechanism->dimensions.begin(), mechanism->dimensions.end(), std::back_inserter(own),
@@ -205,9 +205,8 @@ int unknown(std::string_view what, std::string_view name, std::span<const std::s
 }
 
 int explain(const ExplainOptions& options, Console& console) {
-    Mechanisms of;
-    std::copy_if(mechanisms().begin(), mechanisms().end(), std::back_inserter(of),
-                 [&](const Mechanism* m) { return options.mechanism.empty() || m->name == options.mechanism; });
+    Mechanisms of = mechanisms();
+    std::erase_if(of, [&](const auto& m) { return !options.mechanism.empty() && m->name != options.mechanism; });
     if (of.empty()) return unknown("mechanism", options.mechanism, mechanism_names(), console);
     const std::vector<std::string_view> known = explained_names();
     if (std::find(known.begin(), known.end(), options.name) == known.end())

@@ -24,7 +24,7 @@ int list_quantities(const std::string& name, Console& console) {
     const bool colour = colour_wanted(console);
     if (!name.empty()) {
         std::string text;
-        for (const Mechanism* mechanism : mechanisms_named(name))
+        for (const auto& mechanism : mechanisms_named(name))
             text += (text.empty() ? "" : "\n") + list_of(*mechanism, colour);
         if (!text.empty()) {
             print(console, text);
@@ -34,7 +34,7 @@ int list_quantities(const std::string& name, Console& console) {
         return exit_code::wrong_usage;
     }
     std::string text;
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         text += (text.empty() ? "" : "\n") + list_of(*mechanism, colour);
     print(console, text);
     return exit_code::solved;

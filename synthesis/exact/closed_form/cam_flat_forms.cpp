@@ -5,6 +5,7 @@
 
 #include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/exact/closed_form/smallest_design.h"
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/quantities.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/variant.h"
@@ -27,7 +28,7 @@ double least_radius(const Problem& problem) {
 }
 
 bool covers(const Problem& problem) {
-    if (!problem.program || !problem.objective || problem.objective->terms.size() != 1) return false;
+    if (!program_of(*problem.mechanism) || !problem.objective || problem.objective->terms.size() != 1) return false;
     const ObjectiveTerm& term = problem.objective->terms.front();
     if (term.maximize || problem.mechanism->quantities[term.quantity].measure != &measure_dimension<TranslatingFlat, 0>)
         return false;
@@ -40,7 +41,7 @@ template <template <class> class F, class Formula>
 std::pair<double, CamPlace> least_over_turn(const Motion& motion, std::span<const double> dimensions,
                                             const Formula& formula) {
     std::pair<double, CamPlace> least{std::numeric_limits<double>::infinity(), {}};
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i) {
         const PlacedSegment placed = placed_segment<F>(motion, dimensions, i);
         const auto deficit = [&]<class T>(const Lift<T>& lift) { return T(-formula(lift)); };
         const Place at = greatest_places<1>(placed.segment, i, placed.start_lift, deficit)[0];
@@ -89,7 +90,7 @@ struct SwingTask {
 };
 
 std::optional<SwingTask> swing_task(const Problem& problem) {
-    if (!problem.program || !problem.objective || problem.objective->terms.size() != 1) return std::nullopt;
+    if (!program_of(*problem.mechanism) || !problem.objective || problem.objective->terms.size() != 1) return std::nullopt;
     const ObjectiveTerm& term = problem.objective->terms.front();
     const auto asked = problem.mechanism->quantities[term.quantity].measure;
     const bool size =

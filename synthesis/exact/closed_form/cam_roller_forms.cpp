@@ -7,6 +7,7 @@
 #include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/exact/closed_form/half_planes.h"
 #include "synthesis/exact/closed_form/smallest_design.h"
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/quantities.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/variant.h"
@@ -65,8 +66,8 @@ std::vector<AngleLimit> angle_limits(const Problem& problem) {
                             : measure == &Extremes<F, PressureAngle, anywhere, true>::measure   ? anywhere
                                                                                                 : nullptr;
         if (kinds == nullptr || !r.max || !(*r.max > 0 && *r.max < std::numbers::pi / 2)) continue;
-        for (std::size_t i = 0; i < problem.program->segments.size(); ++i)
-            if (kinds(problem.program->segments[i].kind))
+        for (std::size_t i = 0; i < program_of(*problem.mechanism)->segments.size(); ++i)
+            if (kinds(program_of(*problem.mechanism)->segments[i].kind))
                 for (const int sign : {1, -1})
                     limits.push_back({i, *r.max, sign});
     }
@@ -78,7 +79,7 @@ std::vector<AngleLimit> angle_limits(const Problem& problem) {
 template <template <class> class F>
 bool covers(const Problem& problem) {
     constexpr std::size_t arm = 2, roller = Layout<F>::shape - 1;
-    if (!problem.program || problem.mechanism->families[0].assembly_margin->measure != &ExistenceMargin<F>::measure)
+    if (!program_of(*problem.mechanism) || problem.mechanism->families[0].assembly_margin->measure != &ExistenceMargin<F>::measure)
         return false;
     if (!size_asked<F>(problem) || angle_limits<F>(problem).empty()) return false;
     for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
@@ -186,8 +187,8 @@ Digits50 certified_distance(const Motion& motion, std::span<const double> d, con
             planes.push_back({{plane.normal.x, plane.normal.y}, plane.level});
             continue;
         }
-        const auto p = parameters_of<Digits50>(*motion.program, slots<F>, fine, limit->segment);
-        const auto segment = segment_of(*motion.program, motion.assembly, limit->segment, p);
+        const auto p = parameters_of<Digits50>(program_of(motion), slots<F>, fine, limit->segment);
+        const auto segment = segment_of(program_of(motion), motion.assembly, limit->segment, p);
         planes.push_back(row_of(follower, limit->sign, Digits50(tan(Digits50(limit->limit))),
                                 lift_at(segment, place.piece, Digits50(place.u), p.start_lift)));
     }

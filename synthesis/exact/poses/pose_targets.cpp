@@ -27,7 +27,7 @@ PoseTargets pose_targets(const Problem& problem) {
 
 PivotRanges crank_pivot_ranges(const PoseTargets& g) {
     const Problem& problem = *g.problem;
-    const PathRoles& roles = problem.mechanism->path_roles;
+    const PathRoles& roles = problem.mechanism->point->roles;
     const DimensionRange &x = problem.dimensions[roles.origin_x], &y = problem.dimensions[roles.origin_y];
     const double size = g.place.size;
     return {-g.place.origin / size, false, x.min / size, x.max / size, y.min / size, y.max / size};

@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 PivotRanges rocker_pivot_ranges(const PoseTargets& g, Complex crank_pivot) {
     const Problem& problem = *g.problem;
     const DimensionRange &ground = problem.dimensions[0],
-                         &tilt = problem.dimensions[problem.mechanism->path_roles.tilt];
+                         &tilt = problem.dimensions[problem.mechanism->point->roles.tilt];
     return {crank_pivot, true, ground.min / g.place.size, ground.max / g.place.size, tilt.min, tilt.max};
 }
 
@@ -74,7 +74,7 @@ TimedCrank timed_crank(const PoseTargets& g, const Dyad& seen) {
 /// Where the crank's start and the ground link's direction are given, the crank pin's direction is.
 std::optional<DyadCondition> line_of_crank_pin(const PoseTargets& g) {
     const Problem& problem = *g.problem;
-    const PathRoles& roles = problem.mechanism->path_roles;
+    const PathRoles& roles = problem.mechanism->point->roles;
     const DimensionRange &start = problem.dimensions[roles.start], &tilt = problem.dimensions[roles.tilt];
     if (!start.fixed() || !tilt.fixed()) return {};
     return moving_pivot_on_line(0, std::polar(1.0, tilt.min + start.min + problem.path->crank_angles.front()));
@@ -203,7 +203,7 @@ ExactDesigns through_five_timed_points(const PoseTargets& g) {
 }
 
 std::string why_no_four_bar_targets(const Problem& problem) {
-    if (problem.mechanism != &four_bar_mechanism()) return "it guides by four-bars alone";
+    if (!is_four_bar(*problem.mechanism)) return "it guides by four-bars alone";
     if (has_ties(problem)) return "dimensions are tied to others";
     return {};
 }

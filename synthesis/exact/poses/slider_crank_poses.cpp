@@ -22,7 +22,7 @@ struct Found {
 
 std::optional<Found> slider_crank_of(const PoseTargets& g, const Dyad& crank, const SliderDyad& ram) {
     const Problem& problem = *g.problem;
-    const PathRoles& roles = problem.mechanism->path_roles;
+    const PathRoles& roles = problem.mechanism->point->roles;
     const double size = g.place.size;
     const Complex rod = ram.moving - crank.moving;
     const double crank_length = size * std::abs(crank.moving - crank.fixed), rod_length = size * std::abs(rod);

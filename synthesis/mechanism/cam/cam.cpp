@@ -10,91 +10,93 @@ namespace {
 
 using namespace cam;
 
-constexpr std::array<std::string_view, MotionProgram::most_segments> angle_names{
-    "angle-1", "angle-2", "angle-3", "angle-4",  "angle-5",  "angle-6",
-    "angle-7", "angle-8", "angle-9", "angle-10", "angle-11", "angle-12"};
-constexpr std::array<std::string_view, MotionProgram::most_segments> lift_names{
-    "lift-1", "lift-2", "lift-3", "lift-4",  "lift-5",  "lift-6",
-    "lift-7", "lift-8", "lift-9", "lift-10", "lift-11", "lift-12"};
-constexpr std::array<std::string_view, MotionProgram::most_coefficients> coefficient_names{
-    "coefficient-1",  "coefficient-2",  "coefficient-3",  "coefficient-4",  "coefficient-5",  "coefficient-6",
-    "coefficient-7",  "coefficient-8",  "coefficient-9",  "coefficient-10", "coefficient-11", "coefficient-12",
-    "coefficient-13", "coefficient-14", "coefficient-15", "coefficient-16"};
+Dimension prime_radius() {
+    return {"prime-radius", DimensionKind::length, true, "least distance of the roller centre from the cam centre"};
+}
 
-constexpr Dimension prime_radius{"prime-radius", DimensionKind::length, true,
-                                 "least distance of the roller centre from the cam centre"};
-constexpr Dimension base_radius{"base-radius", DimensionKind::length, true, "least radius of the cam"};
-constexpr Dimension pivot_distance{"pivot-distance", DimensionKind::length, true,
-                                   "distance of the follower's pivot from the cam centre"};
-constexpr Dimension roller_radius{"roller-radius", DimensionKind::length, true, "radius of the roller"};
-constexpr Dimension no_roller{"roller-radius", DimensionKind::coordinate, false, "a knife edge has none"};
+Dimension base_radius() { return {"base-radius", DimensionKind::length, true, "least radius of the cam"}; }
+
+Dimension pivot_distance() {
+    return {"pivot-distance", DimensionKind::length, true, "distance of the follower's pivot from the cam centre"};
+}
+
+Dimension roller_radius() { return {"roller-radius", DimensionKind::length, true, "radius of the roller"}; }
+
+Dimension no_roller() { return {"roller-radius", DimensionKind::coordinate, false, "a knife edge has none"}; }
 
 /// Of the circles of a contour; those that a kind does not have stay 0 and are not read.
 std::vector<Dimension> contour_dimensions(ContourKind contour, bool roller) {
     const bool nose = contour != ContourKind::eccentric, arc = contour == ContourKind::circular_arc;
-    constexpr Dimension none{"", DimensionKind::coordinate, false, "", true};
+    const Dimension none{"", DimensionKind::coordinate, false, "", true};
     std::vector<Dimension> all{
-        base_radius,
+        base_radius(),
         nose ? Dimension{"nose-radius", DimensionKind::length, true, "radius of the nose"} : none,
         {"centre-distance", DimensionKind::length, true,
          nose ? "distance of the nose's centre from the cam centre" : "eccentricity of the circle"},
         arc ? Dimension{"flank-radius", DimensionKind::length, true, "radius of the flanks"} : none};
-    if (roller) all.push_back(roller_radius);
+    if (roller) all.push_back(roller_radius());
     return all;
 }
 
 template <template <class> class F>
 std::vector<Dimension> geometry_dimensions(bool knife, ContourKind contour) {
     if constexpr (is_contour<F>) return contour_dimensions(contour, Layout<F>::roller);
-    const Dimension& roller = knife ? no_roller : roller_radius;
+    const Dimension roller = knife ? no_roller() : roller_radius();
     if constexpr (std::is_same_v<F<double>, TranslatingRoller<double>>)
-        return {prime_radius,
+        return {prime_radius(),
                 {"offset", DimensionKind::coordinate, false,
                  "distance of the guide from the cam centre, > 0 on the side that relieves the rise"},
                 roller};
     else if constexpr (std::is_same_v<F<double>, OscillatingRoller<double>>)
-        return {prime_radius,
-                pivot_distance,
+        return {prime_radius(),
+                pivot_distance(),
                 {"arm-length", DimensionKind::length, true, "distance of the roller centre from the pivot"},
                 roller};
     else if constexpr (std::is_same_v<F<double>, TranslatingFlat<double>>)
-        return {base_radius};
+        return {base_radius()};
     else
-        return {base_radius,
-                pivot_distance,
+        return {base_radius(),
+                pivot_distance(),
                 {"face-offset", DimensionKind::coordinate, false,
                  "distance of the face from the pivot, > 0 towards the cam"}};
 }
 
-constexpr std::array<Dimension, load_count> load_dimensions{{
-    {"spring-rate", DimensionKind::number, false, "force of the spring per length"},
-    {"precompression", DimensionKind::coordinate, false, "of the spring at the lowest position"},
-    {"load", DimensionKind::force, false, "any other force on the follower towards the cam"},
-    {"weight", DimensionKind::force, false, "of the follower, towards the cam"},
-    {"guide-length", DimensionKind::coordinate, false, "length of the guide"},
-    {"overhang", DimensionKind::coordinate, false, "of the follower's end over the near edge of the guide"},
-    {"stem-diameter", DimensionKind::coordinate, false, "of the follower in its guide"},
-}};
+/// As many as `load_count`.
+std::vector<Dimension> load_dimensions() {
+    return {
+        {"spring-rate", DimensionKind::number, false, "force of the spring per length"},
+        {"precompression", DimensionKind::coordinate, false, "of the spring at the lowest position"},
+        {"load", DimensionKind::force, false, "any other force on the follower towards the cam"},
+        {"weight", DimensionKind::force, false, "of the follower, towards the cam"},
+        {"guide-length", DimensionKind::coordinate, false, "length of the guide"},
+        {"overhang", DimensionKind::coordinate, false, "of the follower's end over the near edge of the guide"},
+        {"stem-diameter", DimensionKind::coordinate, false, "of the follower in its guide"},
+    };
+}
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr std::array<Setting, 3> load_settings{{
-    {"dynamics", "mass", 0, 0, unlimited, "of all that moves with the follower"},
-    {"dynamics", "speed", 0, 0, unlimited, "of the cam, in turns per minute"},
-    {"dynamics", "friction", 0, 0, 1, "coefficient of friction in the guide", true},
-}};
+std::vector<Setting> load_settings() {
+    return {
+        {"dynamics", "mass", 0, 0, unlimited, "of all that moves with the follower"},
+        {"dynamics", "speed", 0, 0, unlimited, "of the cam, in turns per minute"},
+        {"dynamics", "friction", 0, 0, 1, "coefficient of friction in the guide", true},
+    };
+}
 
 template <template <class> class F>
 std::vector<Dimension> dimensions_of(bool knife, ContourKind contour) {
     std::vector<Dimension> all = geometry_dimensions<F>(knife, contour);
     if constexpr (Layout<F>::geometry > Layout<F>::shape)
-        all.insert(all.end(), load_dimensions.begin(), load_dimensions.end());
+        for (Dimension& load : load_dimensions())
+            all.push_back(std::move(load));
     const DimensionKind lift = Layout<F>::oscillating ? DimensionKind::angle : DimensionKind::coordinate;
-    for (const std::string_view name : angle_names)
-        all.push_back({name, DimensionKind::angle, false, "angle of a segment of the motion", true});
-    for (const std::string_view name : lift_names)
-        all.push_back({name, lift, false, "lift of a segment of the motion", true});
-    for (const std::string_view name : coefficient_names)
-        all.push_back({name, lift, false, "number of a polynomial of the motion", true});
+    const auto add = [&](std::size_t count, std::string_view name, DimensionKind kind, const char* meaning) {
+        for (std::size_t i = 1; i <= count; ++i)
+            all.push_back({fmt::format("{}-{}", name, i), kind, false, meaning, true});
+    };
+    add(MotionProgram::most_segments, "angle", DimensionKind::angle, "angle of a segment of the motion");
+    add(MotionProgram::most_segments, "lift", lift, "lift of a segment of the motion");
+    add(MotionProgram::most_coefficients, "coefficient", lift, "number of a polynomial of the motion");
     return all;
 }
 
@@ -125,16 +127,9 @@ std::vector<LinearCondition> conditions() {
         return {};
 }
 
-template <template <class> class F, ContourKind contour>
-std::span<const Family> families() {
-    static const Quantity margin = existence_margin<F>();
-    static const std::array<Family, 1> all{{{"cam", true, conditions<F, contour>(), &margin}}};
-    return all;
-}
-
-Motion whole_turn(std::span<const double>, std::size_t assembly, const double*) {
+Motion whole_turn(Form form, std::span<const double>, const double*) {
     Motion motion;
-    motion.assembly = assembly;
+    motion.assembly = form.assembly;
     motion.to = 2 * pi<double>();
     return motion;
 }
@@ -147,7 +142,7 @@ struct At {
 
 template <template <class> class F>
 At place_of(const Motion& motion, std::span<const double> d, double cam_angle) {
-    const std::size_t n = motion.program->segments.size();
+    const std::size_t n = program_of(motion).segments.size();
     std::size_t i = 0;
     double left = cam_angle;
     while (i + 1 < n && left >= d[slots<F>.angle(i)])
@@ -172,7 +167,7 @@ At place_of(const Motion& motion, std::span<const double> d, double cam_angle) {
 template <template <class> class F>
 void add_corners(const Motion& motion, std::span<const double> d, std::vector<double>& angles) {
     double begin = 0;
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i) {
         const Segment<double> segment = placed_segment<F>(motion, d, i).segment;
         if (segment.law.form == SegmentLaw::Form::contour) {
             const auto ends = piece_angles(segment.contour);
@@ -185,13 +180,13 @@ void add_corners(const Motion& motion, std::span<const double> d, std::vector<do
     }
 }
 
-constexpr std::array<std::string_view, 14> columns{
-    "cam-angle", "lift",      "velocity",  "acceleration",   "jerk",         "pressure-angle", "pitch-x",
-    "pitch-y",   "profile-x", "profile-y", "profile-radius", "face-contact", "normal-x",       "normal-y"};
+std::vector<std::string> columns() {
+    return {"cam-angle", "lift",      "velocity",  "acceleration",   "jerk",         "pressure-angle", "pitch-x",
+            "pitch-y",   "profile-x", "profile-y", "profile-radius", "face-contact", "normal-x",       "normal-y"};
+}
 
-template <bool oscillating>
-constexpr std::array<Unit, 14> column_units() {
-    constexpr Unit lift = oscillating ? Unit::angle : Unit::length;
+std::vector<Unit> column_units(bool oscillating) {
+    const Unit lift = oscillating ? Unit::angle : Unit::length;
     return {Unit::angle,  lift,         lift,         lift,         lift,         Unit::angle, Unit::length,
             Unit::length, Unit::length, Unit::length, Unit::length, Unit::length, Unit::none,  Unit::none};
 }
@@ -229,6 +224,16 @@ bool motion_row(const Motion& motion, std::span<const double> d, double cam_angl
                                         pitch.y,   profile.x, profile.y, radius, along,  outward.x, outward.y};
     std::copy(values.begin(), values.end(), row.begin());
     return true;
+}
+
+/// "translating roller follower", "circular flanks and a flat-faced follower".
+std::string name_of(const CamKind& kind) {
+    constexpr std::array<std::string_view, 3> followers{"knife-edge", "roller", "flat-faced"};
+    constexpr std::array<std::string_view, 4> contours{"", "straight flanks", "circular flanks", "an eccentric circle"};
+    const std::string_view follower = followers[static_cast<std::size_t>(kind.follower)];
+    if (kind.contour != ContourKind::none)
+        return fmt::format("{} and a {} follower", contours[static_cast<std::size_t>(kind.contour)], follower);
+    return fmt::format("{} {} follower", kind.oscillating ? "oscillating" : "translating", follower);
 }
 
 std::optional<Objection> knife_has_no_roller(std::size_t roller, std::span<const double> least,
@@ -274,99 +279,91 @@ std::optional<Objection> objection(std::span<const double> least, std::span<cons
     return circles_apart(contour, least, greatest);
 }
 
+std::string describe(Form form, std::span<const double>) {
+    return "cam with " + name_of(static_cast<const CamModel*>(form.model)->kind);
+}
+
 template <template <class> class F, bool knife, ContourKind contour = ContourKind::none>
-const Mechanism& entry(std::string_view kind) {
-    static const std::vector<Dimension> dimensions = dimensions_of<F>(knife, contour);
-    static const std::vector<Quantity> quantities = cam_quantities<F>();
-    static const std::array<Unit, 14> units = column_units<Layout<F>::oscillating>();
-    static const std::string name(kind);
-    constexpr bool loaded = Layout<F>::geometry > Layout<F>::shape;
-    static const std::string meaning = "disc cam with " + name;
-    static const Mechanism mechanism{
-        .name = "cam",
-        .meaning = meaning,
-        .dimensions = dimensions,
-        .assemblies = {},
-        .quantities = quantities,
-        .families = families<F, contour>(),
-        .settings = loaded ? std::span<const Setting>(load_settings) : std::span<const Setting>(),
-        .objection = objection<F, knife, contour>,
-        .motion = whole_turn,
-        .describe = [](std::span<const double>) { return "cam with " + name; },
-        .check_motion = check_cam<F>,
-        .motion_columns = columns,
-        .motion_units = units,
-        .motion_row = motion_row<F>};
+std::shared_ptr<const Mechanism> entry() {
+    static const auto mechanism = [] {
+        constexpr bool loaded = Layout<F>::geometry > Layout<F>::shape, oscillating = Layout<F>::oscillating;
+        constexpr CamFollower follower = !Layout<F>::roller ? CamFollower::flat
+                                         : knife            ? CamFollower::knife
+                                                            : CamFollower::roller;
+        const CamKind kind{follower, oscillating, contour};
+        return std::make_shared<const Mechanism>(
+            Mechanism{.name = "cam",
+                      .meaning = "disc cam with " + name_of(kind),
+                      .dimensions = dimensions_of<F>(knife, contour),
+                      .assemblies = {},
+                      .quantities = cam_quantities<F>(),
+                      .families = {{"cam", true, conditions<F, contour>(), existence_margin<F>()}},
+                      .settings = loaded ? load_settings() : std::vector<Setting>{},
+                      .model = Model(CamModel{kind}),
+                      .objection = objection<F, knife, contour>,
+                      .motion = whole_turn,
+                      .describe = describe,
+                      .check_motion = check_cam<F>,
+                      .table = {columns(), column_units(oscillating), motion_row<F>}});
+    }();
     return mechanism;
 }
 
 }  // namespace
 
-const Mechanism& cam_mechanism(CamFollower follower, bool oscillating) {
+std::shared_ptr<const Mechanism> cam_mechanism(CamFollower follower, bool oscillating) {
     switch (follower) {
         case CamFollower::knife:
-            return oscillating ? entry<OscillatingRoller, true>("oscillating knife-edge follower")
-                               : entry<TranslatingRoller, true>("translating knife-edge follower");
-        case CamFollower::flat:
-            return oscillating ? entry<OscillatingFlat, false>("oscillating flat-faced follower")
-                               : entry<TranslatingFlat, false>("translating flat-faced follower");
-        default:
-            return oscillating ? entry<OscillatingRoller, false>("oscillating roller follower")
-                               : entry<TranslatingRoller, false>("translating roller follower");
+            return oscillating ? entry<OscillatingRoller, true>() : entry<TranslatingRoller, true>();
+        case CamFollower::flat: return oscillating ? entry<OscillatingFlat, false>() : entry<TranslatingFlat, false>();
+        default: return oscillating ? entry<OscillatingRoller, false>() : entry<TranslatingRoller, false>();
     }
 }
 
-const Mechanism* contour_cam_mechanism(CamFollower follower, ContourKind contour) {
+std::shared_ptr<const Mechanism> contour_cam_mechanism(CamFollower follower, ContourKind contour) {
     const bool flat = follower == CamFollower::flat;
     switch (contour) {
-        case ContourKind::tangent:
-            return flat ? nullptr
-                        : &entry<ContourRoller, false, ContourKind::tangent>("straight flanks and a roller follower");
+        case ContourKind::tangent: return flat ? nullptr : entry<ContourRoller, false, ContourKind::tangent>();
         case ContourKind::circular_arc:
-            return flat ? &entry<ContourFlat, false, ContourKind::circular_arc>(
-                              "circular flanks and a flat-faced follower")
-                        : &entry<ContourRoller, false, ContourKind::circular_arc>(
-                              "circular flanks and a roller follower");
+            return flat ? entry<ContourFlat, false, ContourKind::circular_arc>()
+                        : entry<ContourRoller, false, ContourKind::circular_arc>();
         case ContourKind::eccentric:
-            return flat ? &entry<ContourFlat, false, ContourKind::eccentric>(
-                              "an eccentric circle and a flat-faced follower")
-                        : &entry<ContourRoller, false, ContourKind::eccentric>(
-                              "an eccentric circle and a roller follower");
+            return flat ? entry<ContourFlat, false, ContourKind::eccentric>()
+                        : entry<ContourRoller, false, ContourKind::eccentric>();
         case ContourKind::none: break;
     }
     return nullptr;
 }
 
-std::span<const Mechanism* const> cam_mechanisms() {
+std::shared_ptr<const Mechanism> with_program(const Mechanism& cam, std::shared_ptr<const MotionProgram> program) {
+    Mechanism moved = cam;
+    moved.model = Model(CamModel{cam_kind(cam), std::move(program)});
+    return std::make_shared<const Mechanism>(std::move(moved));
+}
+
+std::vector<std::shared_ptr<const Mechanism>> cam_mechanisms() {
     using enum CamFollower;
     using enum ContourKind;
-    static const std::array all{&cam_mechanism(roller, false),
-                                &cam_mechanism(roller, true),
-                                &cam_mechanism(knife, false),
-                                &cam_mechanism(knife, true),
-                                &cam_mechanism(flat, false),
-                                &cam_mechanism(flat, true),
-                                contour_cam_mechanism(roller, tangent),
-                                contour_cam_mechanism(roller, circular_arc),
-                                contour_cam_mechanism(flat, circular_arc),
-                                contour_cam_mechanism(roller, eccentric),
-                                contour_cam_mechanism(flat, eccentric)};
-    return all;
+    return {cam_mechanism(roller, false),
+            cam_mechanism(roller, true),
+            cam_mechanism(knife, false),
+            cam_mechanism(knife, true),
+            cam_mechanism(flat, false),
+            cam_mechanism(flat, true),
+            contour_cam_mechanism(roller, tangent),
+            contour_cam_mechanism(roller, circular_arc),
+            contour_cam_mechanism(flat, circular_arc),
+            contour_cam_mechanism(roller, eccentric),
+            contour_cam_mechanism(flat, eccentric)};
 }
 
-bool is_cam(const Mechanism& mechanism) {
-    const auto all = cam_mechanisms();
-    return std::find(all.begin(), all.end(), &mechanism) != all.end();
-}
+bool is_cam(const Mechanism& mechanism) { return mechanism.model.as<CamModel>() != nullptr; }
 
-CamKind cam_kind(const Mechanism& mechanism) {
-    for (const CamFollower follower : {CamFollower::knife, CamFollower::roller, CamFollower::flat})
-        for (const bool oscillating : {false, true})
-            if (&cam_mechanism(follower, oscillating) == &mechanism) return {follower, oscillating};
-    for (const CamFollower follower : {CamFollower::roller, CamFollower::flat})
-        for (const ContourKind contour : {ContourKind::tangent, ContourKind::circular_arc, ContourKind::eccentric})
-            if (contour_cam_mechanism(follower, contour) == &mechanism) return {follower, false, contour};
-    return {CamFollower::roller, false};
+CamKind cam_kind(const Mechanism& mechanism) { return mechanism.model.as<CamModel>()->kind; }
+
+const MotionProgram* program_of(const Mechanism& mechanism) {
+    const CamModel* model = mechanism.model.as<CamModel>();
+    return model ? model->program.get() : nullptr;
 }
 
 namespace {

@@ -6,11 +6,10 @@
 #include <string_view>
 
 #include "analysis/cam/contour.h"
+#include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/mechanism/mechanism.h"
 
 namespace mechwright {
-
-enum class CamFollower { knife, roller, flat };
 
 inline constexpr std::array<std::string_view, 3> cam_follower_names{"knife", "roller", "flat"};
 inline constexpr std::array<std::string_view, 2> cam_motion_names{"translating", "oscillating"};
@@ -18,22 +17,21 @@ inline constexpr std::array<std::string_view, 2> cam_rotation_names{"ccw", "cw"}
 
 inline constexpr std::array<std::string_view, 3> cam_contour_names{"tangent", "circular-arc", "eccentric"};
 
-const Mechanism& cam_mechanism(CamFollower follower, bool oscillating);
+/// The cam with a follower, without a motion of its own.
+std::shared_ptr<const Mechanism> cam_mechanism(CamFollower follower, bool oscillating);
 
 /// Cams of a specified contour with a translating follower; a knife edge has the entry of a roller. A tangent cam with
 /// a flat follower has none: a straight flank cannot move a flat face.
-const Mechanism* contour_cam_mechanism(CamFollower follower, cam::ContourKind contour);
+std::shared_ptr<const Mechanism> contour_cam_mechanism(CamFollower follower, cam::ContourKind contour);
 
-/// What kind of follower an entry is of. Precondition: it is one of the entries above.
-struct CamKind {
-    CamFollower follower;
-    bool oscillating;
-    cam::ContourKind contour = cam::ContourKind::none;
-};
-CamKind cam_kind(const Mechanism& mechanism);
+/// The same cam whose follower moves by a program.
+std::shared_ptr<const Mechanism> with_program(const Mechanism& cam, std::shared_ptr<const MotionProgram> program);
 
-/// Whether an entry is a cam.
+/// Whether a mechanism is a cam, what kind of one, and its motion; null where it has none. Precondition of the kind: it
+/// is a cam.
 bool is_cam(const Mechanism& mechanism);
+CamKind cam_kind(const Mechanism& mechanism);
+const MotionProgram* program_of(const Mechanism& mechanism);
 
 /// Where the angle, lift and coefficients of segments stand among the dimensions of a cam.
 std::size_t cam_angle_dimension(const Mechanism& mechanism, std::size_t segment);
@@ -45,6 +43,6 @@ void cam_corners(const Mechanism& mechanism, const Motion& motion, std::span<con
                  std::vector<double>& angles);
 
 /// All entries, rollers first.
-std::span<const Mechanism* const> cam_mechanisms();
+std::vector<std::shared_ptr<const Mechanism>> cam_mechanisms();
 
 }  // namespace mechwright

@@ -218,15 +218,15 @@ struct Rebuilt {
         const std::span<const double> rounded(plain);
         follower = follower_of<Follower, Digits50>(dimensions, m.assembly);
         plain_follower = follower_of<Follower, double>(rounded, m.assembly);
-        for (std::size_t i = 0; i < m.program->segments.size(); ++i) {
-            const auto p = parameters_of<Digits50>(*m.program, slots<Follower>, dimensions, i);
-            motion.segments.push_back(with_contour<Follower>(segment_of(*m.program, m.assembly, i, p),
-                                                             m.program->segments[i],
+        for (std::size_t i = 0; i < program_of(m).segments.size(); ++i) {
+            const auto p = parameters_of<Digits50>(program_of(m), slots<Follower>, dimensions, i);
+            motion.segments.push_back(with_contour<Follower>(segment_of(program_of(m), m.assembly, i, p),
+                                                             program_of(m).segments[i],
                                                              geometry_of<Follower, Digits50>(dimensions)));
             motion.start_lifts.push_back(p.start_lift);
             motion.plain_segments.push_back(with_contour<Follower>(
-                segment_of(*m.program, m.assembly, i, parameters_of<double>(*m.program, slots<Follower>, rounded, i)),
-                m.program->segments[i], geometry_of<Follower, double>(rounded)));
+                segment_of(program_of(m), m.assembly, i, parameters_of<double>(program_of(m), slots<Follower>, rounded, i)),
+                program_of(m).segments[i], geometry_of<Follower, double>(rounded)));
         }
     }
 };

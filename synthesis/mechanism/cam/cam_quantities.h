@@ -9,7 +9,7 @@ namespace mechwright::cam {
 
 /// A quantity found by a formula over segments of some kinds.
 template <template <class> class F, class Formula, Kinds kinds, bool both, Reduce reduce>
-Quantity extreme(std::string_view name, Unit unit, std::string_view meaning,
+Quantity extreme(const char* name, Unit unit, const char* meaning,
                  Digits50 (*measure_again)(const Motion&, std::span<const Digits50>)) {
     using Search = Extremes<F, Formula, kinds, both>;
     return {name,
@@ -24,7 +24,7 @@ Quantity extreme(std::string_view name, Unit unit, std::string_view meaning,
 }
 
 template <template <class> class F, std::size_t index>
-Quantity dimension_itself(std::string_view name, Unit unit, std::string_view meaning) {
+Quantity dimension_itself(const char* name, Unit unit, const char* meaning) {
     return {name,
             unit,
             meaning,
@@ -76,7 +76,7 @@ std::vector<Quantity> force_quantities() {
 }
 
 template <template <class> class F, class Derivative, int order>
-Quantity jump_quantity(std::string_view name, Unit unit, std::string_view meaning) {
+Quantity jump_quantity(const char* name, Unit unit, const char* meaning) {
     Quantity jump{name,
                   unit,
                   meaning,

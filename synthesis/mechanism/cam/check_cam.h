@@ -70,7 +70,7 @@ std::vector<Check> check_cam(const Motion& motion, std::span<const Digits50> d) 
     std::vector<Check> checks;
     const Digits50 turn = 2 * pi<Digits50>();
     Digits50 greatest_lift = 0, least_angle = turn;
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i) {
         greatest_lift = std::max<Digits50>(greatest_lift, abs(d[slots<F>.lift(i)]));
         least_angle = std::min(least_angle, d[slots<F>.angle(i)]);
     }

@@ -82,8 +82,8 @@ Local<Follower, T> local_of(const Motion& motion, std::size_t index, const std::
     std::copy_n(from + p.start.size(), p.end.size(), p.end.begin());
     std::copy_n(from + p.start.size() + p.end.size(), p.shape.size(), p.shape.begin());
     return {Layout<Follower>::make(geometry, sense_of(motion.assembly)), load_of<Follower>(geometry, motion),
-            with_contour<Follower>(segment_of(*motion.program, motion.assembly, index, p),
-                                   motion.program->segments[index], geometry),
+            with_contour<Follower>(segment_of(program_of(motion), motion.assembly, index, p),
+                                   program_of(motion).segments[index], geometry),
             p.start_lift};
 }
 
@@ -129,7 +129,7 @@ template <template <class> class Follower, class Value>
 void add_term(const Motion& motion, std::span<const double> dimensions, const Term& term, const Value& value,
               std::size_t component, const Measurement& out) {
     const Place& place = term.place;
-    const auto shares = shares_of<Follower>(*motion.program, place.segment);
+    const auto shares = shares_of<Follower>(program_of(motion), place.segment);
     const auto plain = local_values(shares, dimensions);
     const auto at = [&]<class T>(const std::array<T, local_count>& x, const T& u) {
         const auto here = located<Follower, T>(motion, place, x, u);
@@ -164,9 +164,9 @@ struct PlacedSegment {
 
 template <template <class> class Follower>
 PlacedSegment placed_segment(const Motion& motion, std::span<const double> dimensions, std::size_t index) {
-    const auto p = parameters_of<double>(*motion.program, slots<Follower>, dimensions, index);
-    return {with_contour<Follower>(segment_of(*motion.program, motion.assembly, index, p),
-                                   motion.program->segments[index], geometry_of<Follower, double>(dimensions)),
+    const auto p = parameters_of<double>(program_of(motion), slots<Follower>, dimensions, index);
+    return {with_contour<Follower>(segment_of(program_of(motion), motion.assembly, index, p),
+                                   program_of(motion).segments[index], geometry_of<Follower, double>(dimensions)),
             p.start_lift};
 }
 

@@ -14,8 +14,8 @@ template <template <class> class Follower, class Formula>
     clear(out, kept * signs * segments_of(motion, kinds), dimension_count<Follower>);
     const auto value = value_by<Formula>();
     std::size_t component = 0;
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
-        if (!kinds(motion.program->segments[i].kind)) continue;
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i) {
+        if (!kinds(program_of(motion).segments[i].kind)) continue;
         const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
         for (std::size_t s = 0; s < signs; ++s) {
             const double sign = s == 0 ? 1 : -1;
@@ -53,7 +53,7 @@ template <template <class> class Follower>
 void ExistenceMargin<Follower>::measure(const Motion& motion, std::span<const double> dimensions,
                                         const Measurement& out) {
     clear(out, components(motion), dimension_count<Follower>);
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i) {
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i) {
         const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
         const auto worst = [&](const auto& search) {
             return greatest_places<1>(placed.segment, i, placed.start_lift, [&]<class T>(const Lift<T>& lift) {

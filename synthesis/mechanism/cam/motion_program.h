@@ -67,6 +67,25 @@ struct MotionProgram {
 /// The motion of a follower on a cam of a specified contour: one cycle.
 std::shared_ptr<const MotionProgram> contour_program(cam::ContourKind kind);
 
+enum class CamFollower { knife, roller, flat };
+
+/// What kind of cam a mechanism is.
+struct CamKind {
+    CamFollower follower;
+    bool oscillating;
+    cam::ContourKind contour = cam::ContourKind::none;
+};
+
+/// The model of a cam: its kind and, in a problem or a design, its motion.
+struct CamModel {
+    CamKind kind;
+    std::shared_ptr<const MotionProgram> program{};
+};
+
+/// The model and the program of a cam's motion. Precondition: the motion is that of a cam, with a program.
+inline const CamModel& model_of(const Motion& motion) { return *static_cast<const CamModel*>(motion.model); }
+inline const MotionProgram& program_of(const Motion& motion) { return *model_of(motion).program; }
+
 /// How many choices of laws there are. The assembly of a cam numbers them, times two: even with the cam turning
 /// counter-clockwise, odd clockwise.
 std::size_t law_choices(const MotionProgram& program);

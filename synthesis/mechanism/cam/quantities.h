@@ -13,12 +13,12 @@ namespace mechwright::cam {
 using Kinds = bool (*)(SegmentKind);
 
 inline std::size_t segments_of(const Motion& motion, Kinds kinds) {
-    const auto& segments = motion.program->segments;
+    const auto& segments = program_of(motion).segments;
     return static_cast<std::size_t>(
         std::count_if(segments.begin(), segments.end(), [&](const SegmentPlan& s) { return kinds(s.kind); }));
 }
 
-inline bool has_program(const Motion& motion) { return motion.program != nullptr; }
+inline bool has_program(const Motion& motion) { return motion.model != nullptr && model_of(motion).program != nullptr; }
 
 template <Kinds kinds>
 bool has_segments(const Motion& motion) {
@@ -74,18 +74,18 @@ struct SegmentList {
 
 /// The segment after one, round the turn.
 inline std::size_t following(const Motion& motion, std::size_t index) {
-    return index + 1 == motion.program->segments.size() ? 0 : index + 1;
+    return index + 1 == program_of(motion).segments.size() ? 0 : index + 1;
 }
 
 /// Whether a derivative of the lift differs from zero at an end of a segment for some sizes and coefficients of it.
 template <class Derivative>
 bool moves_at(const Motion& motion, std::size_t index, bool end) {
-    if (motion.program->segments[index].contour != ContourKind::none) return true;
+    if (program_of(motion).segments[index].contour != ContourKind::none) return true;
     SegmentParameters<double> some{.lift = 1, .angle = 1};
     some.start.fill(0.3);
     some.end.fill(0.7);
     some.shape.fill(0.9);
-    const Segment<double> segment = segment_of(*motion.program, motion.assembly, index, some);
+    const Segment<double> segment = segment_of(program_of(motion), motion.assembly, index, some);
     const std::size_t piece = end ? pieces(segment) - 1 : 0;
     const double u = break_before(segment, end ? piece + 1 : 0);
     constexpr double rounding = 1e-9;
@@ -96,7 +96,7 @@ bool moves_at(const Motion& motion, std::size_t index, bool end) {
 template <class Derivative>
 SegmentList jumping(const Motion& motion) {
     SegmentList found;
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i)
         if (moves_at<Derivative>(motion, i, true) || moves_at<Derivative>(motion, following(motion, i), false))
             found.add(i);
     if (found.count == 0) found.add(0);
@@ -133,7 +133,7 @@ template <template <class> class Follower>
 struct FaceLength {
     static constexpr std::size_t most = 5;
 
-    static std::size_t kept(const Motion& motion) { return std::min(most, motion.program->segments.size()); }
+    static std::size_t kept(const Motion& motion) { return std::min(most, program_of(motion).segments.size()); }
     static std::size_t components(const Motion& motion) { return kept(motion) * kept(motion); }
 
     static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
@@ -156,7 +156,7 @@ private:
             double along;
         };
         std::array<Found, MotionProgram::most_segments> all;
-        const std::size_t count = motion.program->segments.size();
+        const std::size_t count = program_of(motion).segments.size();
         for (std::size_t i = 0; i < count; ++i) {
             const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
             const auto along = [&]<class T>(const Lift<T>& lift) {
@@ -200,10 +200,10 @@ struct FlankAngle {
 };
 
 inline bool has_contour(const Motion& motion) {
-    return has_program(motion) && motion.program->segments[0].contour != ContourKind::none;
+    return has_program(motion) && program_of(motion).segments[0].contour != ContourKind::none;
 }
 inline bool has_flanks(const Motion& motion) {
-    return has_contour(motion) && motion.program->segments[0].contour != ContourKind::eccentric;
+    return has_contour(motion) && program_of(motion).segments[0].contour != ContourKind::eccentric;
 }
 
 template <template <class> class Follower, class Formula>
@@ -230,7 +230,7 @@ void measure_dimension(const Motion&, std::span<const double> dimensions, const 
 template <template <class> class Follower>
 void measure_turn(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
     clear(out, 1, dimension_count<Follower>);
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i)
         add_dimension(slots<Follower>.angle(i), 1, dimensions, out);
 }
 
@@ -238,8 +238,8 @@ void measure_turn(const Motion& motion, std::span<const double> dimensions, cons
 template <template <class> class Follower>
 void measure_lift_balance(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
     clear(out, 1, dimension_count<Follower>);
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
-        if (const int sign = lift_sign(motion.program->segments[i].kind); sign != 0)
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i)
+        if (const int sign = lift_sign(program_of(motion).segments[i].kind); sign != 0)
             add_dimension(slots<Follower>.lift(i), sign, dimensions, out);
 }
 
@@ -255,7 +255,7 @@ struct ExistenceMargin {
             return decltype(margin)(margin * f.base_radius);
     };
 
-    static std::size_t components(const Motion& motion) { return 2 * motion.program->segments.size(); }
+    static std::size_t components(const Motion& motion) { return 2 * program_of(motion).segments.size(); }
 
     static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out);
 };

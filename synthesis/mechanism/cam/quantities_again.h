@@ -181,7 +181,7 @@ struct ContourAgain {
     Digits50 rise, flank;
 
     ContourAgain(const Motion& motion, std::span<const Digits50> d)
-        : c(Layout<F>::contour(motion.program->segments[0].contour, geometry_of<F, Digits50>(d))) {
+        : c(Layout<F>::contour(program_of(motion).segments[0].contour, geometry_of<F, Digits50>(d))) {
         const Digits50& distance = c.centre_distance;
         if (c.kind == ContourKind::tangent) {
             // The flank is the common tangent of base and nose circles.
@@ -236,7 +236,7 @@ Digits50 dimension(const Motion&, std::span<const Digits50> d) {
 template <template <class> class F>
 Digits50 turn(const Motion& motion, std::span<const Digits50> d) {
     Digits50 sum = 0;
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i)
         sum += d[slots<F>.angle(i)];
     return sum;
 }
@@ -244,8 +244,8 @@ Digits50 turn(const Motion& motion, std::span<const Digits50> d) {
 template <template <class> class F>
 Digits50 lift_balance(const Motion& motion, std::span<const Digits50> d) {
     Digits50 sum = 0;
-    for (std::size_t i = 0; i < motion.program->segments.size(); ++i)
-        sum += lift_sign(motion.program->segments[i].kind) * d[slots<F>.lift(i)];
+    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i)
+        sum += lift_sign(program_of(motion).segments[i].kind) * d[slots<F>.lift(i)];
     return sum;
 }
 

@@ -21,32 +21,33 @@ namespace {
 
 using namespace four_bar;
 
-constexpr std::array<Dimension, 20> dimensions{{
-    {"ground", DimensionKind::length, true, "ground link, crank pivot to rocker pivot"},
-    {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
-    {"coupler", DimensionKind::length, true, "coupler, crank pin to rocker pin"},
-    {"rocker", DimensionKind::length, true, "rocker, rocker pivot to rocker pin"},
-    {"point-along", DimensionKind::coordinate, false, "coupler point along the line from crank pin to rocker pin"},
-    {"point-across", DimensionKind::coordinate, false, "coupler point to the left of that line"},
-    {"origin-x", DimensionKind::coordinate, false, "crank pivot in the drawing"},
-    {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
-    {"tilt", DimensionKind::angle, false, "direction of the ground link in the drawing"},
-    {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
-    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's, line's or arc's range",
-     false, true},
-    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function, line or arc", false, true},
-    {"output-start", DimensionKind::angle, false, "rocker angle at the start of a function's range", false, true},
-    {"output-range", DimensionKind::angle, false, "rocker angle over the range of a function", false, true},
-    {"body-angle", DimensionKind::angle, false, "direction of a guided body, from the line of the coupler's pins"},
-    {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
-    {"line-offset", DimensionKind::coordinate, false, "distance of that line from the drawing's origin, to its left",
-     false, true},
-    {"arc-x", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
-    {"arc-y", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
-    {"arc-radius", DimensionKind::coordinate, false, "radius of that arc", false, true},
-}};
-
-constexpr std::array<std::string_view, 2> assemblies{"open", "crossed"};
+std::vector<Dimension> dimensions() {
+    return {
+        {"ground", DimensionKind::length, true, "ground link, crank pivot to rocker pivot"},
+        {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
+        {"coupler", DimensionKind::length, true, "coupler, crank pin to rocker pin"},
+        {"rocker", DimensionKind::length, true, "rocker, rocker pivot to rocker pin"},
+        {"point-along", DimensionKind::coordinate, false, "coupler point along the line from crank pin to rocker pin"},
+        {"point-across", DimensionKind::coordinate, false, "coupler point to the left of that line"},
+        {"origin-x", DimensionKind::coordinate, false, "crank pivot in the drawing"},
+        {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
+        {"tilt", DimensionKind::angle, false, "direction of the ground link in the drawing"},
+        {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
+        {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's, line's or arc's range",
+         false, true},
+        {"input-range", DimensionKind::angle, false, "crank angle over the range of a function, line or arc", false,
+         true},
+        {"output-start", DimensionKind::angle, false, "rocker angle at the start of a function's range", false, true},
+        {"output-range", DimensionKind::angle, false, "rocker angle over the range of a function", false, true},
+        {"body-angle", DimensionKind::angle, false, "direction of a guided body, from the line of the coupler's pins"},
+        {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
+        {"line-offset", DimensionKind::coordinate, false,
+         "distance of that line from the drawing's origin, to its left", false, true},
+        {"arc-x", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
+        {"arc-y", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
+        {"arc-radius", DimensionKind::coordinate, false, "radius of that arc", false, true},
+    };
+}
 
 bool of_crank_rocker(const Motion& motion) { return motion.family == crank_rocker; }
 bool of_any(const Motion&) { return true; }
@@ -65,106 +66,123 @@ std::size_t worst_transmission_components(const Motion& motion) { return 2 * tra
 std::size_t velocity_ratio_components(const Motion& motion) { return VelocityRatioExtreme<1>::places(motion); }
 std::size_t assembly_margin_components(const Motion& motion) { return 2 * transmission_extremes_of(motion).count; }
 
-const std::array<Quantity, 2> rocker_function = function_quantities<RockerAngle, RockerAngleAgain>(
-    Unit::angle, "greatest difference of the rocker angle from the function",
-    "root mean square difference of the rocker angle from the function");
+std::array<Quantity, 2> rocker_function() {
+    return function_quantities<RockerAngle, RockerAngleAgain>(
+        Unit::angle, "greatest difference of the rocker angle from the function",
+        "root mean square difference of the rocker angle from the function");
+}
 
 constexpr std::size_t line_angle = 15;
 constexpr std::size_t arc_x = 17;
-const std::array<Quantity, 2> coupler_line =
-    line_quantities<CouplerPath, four_bar_path_point, input_start, line_angle>();
+std::array<Quantity, 2> coupler_line() {
+    return line_quantities<CouplerPath, four_bar_path_point, input_start, line_angle>();
+}
 
-const std::array<Quantity, 2> coupler_arc = arc_quantities<CouplerPath, four_bar_path_point, input_start, arc_x>();
+std::array<Quantity, 2> coupler_arc() { return arc_quantities<CouplerPath, four_bar_path_point, input_start, arc_x>(); }
 
-const std::array<Quantity, 3> over_input{
-    {input_transmission_quantity<RockerTransmission, TransmissionExtreme::least>("transmission-angle-min"),
-     input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max"),
-     input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst")}};
+std::vector<Quantity> over_input() {
+    return {input_transmission_quantity<RockerTransmission, TransmissionExtreme::least>("transmission-angle-min"),
+            input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max"),
+            input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst")};
+}
 
-const std::array<Quantity, 25> quantities{{
-    {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest, links,
-     of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
-    {"swing", Unit::angle, "angle through which the rocker swings over a full turn of the crank", Reduce::only, links,
-     of_crank_rocker, components<1>, measure_by<Swing>, swing_again},
-    {"transmission-angle-min", Unit::angle, "least angle between coupler and rocker over the motion", Reduce::least,
-     links, of_known_range, transmission_components, measure_by<TransmissionAngleMin>, transmission_angle_min_again},
-    {"transmission-angle-max", Unit::angle, "greatest angle between coupler and rocker over the motion",
-     Reduce::greatest, links, of_known_range, transmission_components, measure_by<TransmissionAngleMax>,
-     transmission_angle_max_again},
-    {"transmission-angle-worst", Unit::angle, "least of the transmission angle and its supplement over the motion",
-     Reduce::least, links, of_known_range, worst_transmission_components, measure_by<TransmissionAngleWorst>,
-     transmission_angle_worst_again},
-    {"velocity-ratio-min", Unit::none, "least angular velocity of the rocker over that of the crank (signed)",
-     Reduce::least, links, of_known_range, velocity_ratio_components, measure_by<VelocityRatioExtreme<-1>>,
-     velocity_ratio_min_again, PathMeasure::none, true},
-    {"velocity-ratio-max", Unit::none, "greatest angular velocity of the rocker over that of the crank (signed)",
-     Reduce::greatest, links, of_known_range, velocity_ratio_components, measure_by<VelocityRatioExtreme<1>>,
-     velocity_ratio_max_again, PathMeasure::none, true},
-    {"link-ratio", Unit::none, "longest link over shortest link", Reduce::greatest, links, of_any,
-     link_ratio_components, measure_by<LinkRatio>, link_ratio_again},
-    {"total-length", Unit::length, "sum of the four link lengths", Reduce::only, links, of_any, components<1>,
-     measure_by<TotalLength>, total_length_again},
-    {"grashof-margin", Unit::length,
-     "p + q - s - l: the middle links less shortest and longest; < 0: no link turns fully", Reduce::least, links,
-     of_any, grashof_components, measure_by<GrashofMargin>, grashof_margin_again},
-    path_quantities[0],
-    path_quantities[1],
-    path_quantities[2],
-    pose_quantities[0],
-    pose_quantities[1],
-    rocker_function[0],
-    rocker_function[1],
-    coupler_line[0],
-    coupler_line[1],
-    coupler_arc[0],
-    coupler_arc[1],
-    instant_quantity<OfLink::coupler, Rate::velocity>("instant-coupler-velocity",
-                                                      "angular velocity of the coupler over that of the crank at the "
-                                                      "crank angle crank-start"),
-    instant_quantity<OfLink::rocker, Rate::velocity>("instant-rocker-velocity",
-                                                     "angular velocity of the rocker over that of the crank there"),
-    instant_quantity<OfLink::coupler, Rate::acceleration>(
-        "instant-coupler-acceleration", "angular acceleration of the coupler there, for unit velocity of the crank"),
-    instant_quantity<OfLink::rocker, Rate::acceleration>(
-        "instant-rocker-acceleration", "angular acceleration of the rocker there, for unit velocity of the crank"),
-}};
+std::vector<Quantity> of_the_links() {
+    return {
+        {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest,
+         links, of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
+        {"swing", Unit::angle, "angle through which the rocker swings over a full turn of the crank", Reduce::only,
+         links, of_crank_rocker, components<1>, measure_by<Swing>, swing_again},
+        {"transmission-angle-min", Unit::angle, "least angle between coupler and rocker over the motion", Reduce::least,
+         links, of_known_range, transmission_components, measure_by<TransmissionAngleMin>,
+         transmission_angle_min_again},
+        {"transmission-angle-max", Unit::angle, "greatest angle between coupler and rocker over the motion",
+         Reduce::greatest, links, of_known_range, transmission_components, measure_by<TransmissionAngleMax>,
+         transmission_angle_max_again},
+        {"transmission-angle-worst", Unit::angle, "least of the transmission angle and its supplement over the motion",
+         Reduce::least, links, of_known_range, worst_transmission_components, measure_by<TransmissionAngleWorst>,
+         transmission_angle_worst_again},
+        {"velocity-ratio-min", Unit::none, "least angular velocity of the rocker over that of the crank (signed)",
+         Reduce::least, links, of_known_range, velocity_ratio_components, measure_by<VelocityRatioExtreme<-1>>,
+         velocity_ratio_min_again, PathMeasure::none, true},
+        {"velocity-ratio-max", Unit::none, "greatest angular velocity of the rocker over that of the crank (signed)",
+         Reduce::greatest, links, of_known_range, velocity_ratio_components, measure_by<VelocityRatioExtreme<1>>,
+         velocity_ratio_max_again, PathMeasure::none, true},
+        {"link-ratio", Unit::none, "longest link over shortest link", Reduce::greatest, links, of_any,
+         link_ratio_components, measure_by<LinkRatio>, link_ratio_again},
+        {"total-length", Unit::length, "sum of the four link lengths", Reduce::only, links, of_any, components<1>,
+         measure_by<TotalLength>, total_length_again},
+        {"grashof-margin", Unit::length,
+         "p + q - s - l: the middle links less shortest and longest; < 0: no link turns fully", Reduce::least, links,
+         of_any, grashof_components, measure_by<GrashofMargin>, grashof_margin_again},
+    };
+}
 
-const Quantity input_margin = input_margin_quantity<InputMargin>();
+std::vector<Quantity> at_an_instant() {
+    return {
+        instant_quantity<OfLink::coupler, Rate::velocity>(
+            "instant-coupler-velocity",
+            "angular velocity of the coupler over that of the crank at the "
+            "crank angle crank-start"),
+        instant_quantity<OfLink::rocker, Rate::velocity>("instant-rocker-velocity",
+                                                         "angular velocity of the rocker over that of the crank there"),
+        instant_quantity<OfLink::coupler, Rate::acceleration>(
+            "instant-coupler-acceleration",
+            "angular acceleration of the coupler there, for unit velocity of the crank"),
+        instant_quantity<OfLink::rocker, Rate::acceleration>(
+            "instant-rocker-acceleration", "angular acceleration of the rocker there, for unit velocity of the crank"),
+    };
+}
+
+std::vector<Quantity> quantities() {
+    std::vector<Quantity> all = of_the_links();
+    const auto add = [&](const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
+    add(path_quantities());
+    add(pose_quantities());
+    add(rocker_function());
+    add(coupler_line());
+    add(coupler_arc());
+    add(at_an_instant());
+    return all;
+}
 
 /// Not a quantity of the contract: what keeps a design of limited range assembled.
-const Quantity assembly_margin{.name = "assembly margin",
-                               .unit = Unit::length,
-                               .meaning = "least length by which the loop closes",
-                               .reduce = Reduce::least,
-                               .reads = links,
-                               .defined = of_known_range,
-                               .components = assembly_margin_components,
-                               .measure = measure_by<AssemblyMargin>};
+Quantity assembly_margin() {
+    return {.name = "assembly margin",
+            .unit = Unit::length,
+            .meaning = "least length by which the loop closes",
+            .reduce = Reduce::least,
+            .reads = links,
+            .defined = of_known_range,
+            .components = assembly_margin_components,
+            .measure = measure_by<AssemblyMargin>};
+}
 
 // Coefficients of ground, crank, coupler, rocker.
-const std::array<Family, 3> families{{
-    {"crank-rocker",
-     true,
-     {{"the crank turns past the longest ground link", {-1, -1, 1, 1}},
-      {"the crank turns past the longest coupler", {1, -1, -1, 1}},
-      {"the crank turns past the longest rocker", {1, -1, 1, -1}}},
-     nullptr},
-    {"double crank",
-     true,
-     {{"the links turn past the longest crank", {-1, -1, 1, 1}},
-      {"the links turn past the longest coupler", {-1, 1, -1, 1}},
-      {"the links turn past the longest rocker", {-1, 1, 1, -1}}},
-     nullptr},
-    {"limited crank range", false, {}, &assembly_margin},
-}};
+std::vector<Family> families() {
+    return {
+        {"crank-rocker",
+         true,
+         {{"the crank turns past the longest ground link", {-1, -1, 1, 1}},
+          {"the crank turns past the longest coupler", {1, -1, -1, 1}},
+          {"the crank turns past the longest rocker", {1, -1, 1, -1}}},
+         {}},
+        {"double crank",
+         true,
+         {{"the links turn past the longest crank", {-1, -1, 1, 1}},
+          {"the links turn past the longest coupler", {-1, 1, -1, 1}},
+          {"the links turn past the longest rocker", {-1, 1, 1, -1}}},
+         {}},
+        {"limited crank range", false, {}, assembly_margin()},
+    };
+}
 
 FourBar<double> linkage_of(std::span<const double> d) { return {d[0], d[1], d[2], d[3]}; }
 
-Motion motion_of(std::span<const double> d, std::size_t assembly, const double* crank_range) {
+Motion motion_by_links(Form form, std::span<const double> d, const double* crank_range) {
     const FourBar<double> m = linkage_of(d);
     const Grashof grashof = classify(m);
     Motion motion;
-    motion.assembly = assembly;
+    motion.assembly = form.assembly;
     motion.family = grashof.kind == FourBarClass::crank_rocker   ? crank_rocker
                     : grashof.kind == FourBarClass::double_crank ? double_crank
                                                                  : limited_range;
@@ -175,7 +193,7 @@ Motion motion_of(std::span<const double> d, std::size_t assembly, const double* 
     return motion;
 }
 
-std::string describe(std::span<const double> d) {
+std::string describe(Form, std::span<const double> d) {
     const Grashof grashof = classify(linkage_of(d));
     std::string text = name_of(grashof.kind);
     if (grashof.parallelogram)
@@ -186,12 +204,16 @@ std::string describe(std::span<const double> d) {
     return text;
 }
 
-constexpr std::array<std::string_view, 10> motion_columns{
-    "crank-angle",      "coupler-angle",   "rocker-angle",         "transmission-angle",
-    "coupler-velocity", "rocker-velocity", "coupler-acceleration", "rocker-acceleration",
-    "point-x",          "point-y"};
-constexpr std::array<Unit, 10> motion_units{Unit::angle, Unit::angle, Unit::angle, Unit::angle,  Unit::none,
-                                            Unit::none,  Unit::none,  Unit::none,  Unit::length, Unit::length};
+std::vector<std::string> columns() {
+    return {"crank-angle",      "coupler-angle",   "rocker-angle",         "transmission-angle",
+            "coupler-velocity", "rocker-velocity", "coupler-acceleration", "rocker-acceleration",
+            "point-x",          "point-y"};
+}
+
+std::vector<Unit> units() {
+    return {Unit::angle, Unit::angle, Unit::angle, Unit::angle,  Unit::none,
+            Unit::none,  Unit::none,  Unit::none,  Unit::length, Unit::length};
+}
 
 bool motion_row(const Motion& motion, std::span<const double> d, double crank_angle, std::span<double> row) {
     const FourBar<double> m = linkage_of(d);
@@ -217,36 +239,32 @@ bool motion_row(const Motion& motion, std::span<const double> d, double crank_an
 
 }  // namespace
 
-const Mechanism& four_bar_mechanism() {
-    static const Mechanism mechanism{.name = "four-bar",
-                                     .meaning = "four links, four pins: crank, coupler, rocker on a ground link",
-                                     .dimensions = dimensions,
-                                     .assemblies = assemblies,
-                                     .quantities = quantities,
-                                     .families = families,
-                                     .motion = motion_of,
-                                     .describe = describe,
-                                     .check_motion = four_bar_check_motion,
-                                     .path_reads = CouplerPath::reads,
-                                     .path_roles = {4, 5, 6, 7, 8, 9, 14},
-                                     .path_miss = path_miss_by<CouplerPath>,
-                                     .pose_reads = CouplerPose::reads,
-                                     .pose_miss = pose_miss_by<CouplerPose>,
-                                     .path_screening = four_bar_screening,
-                                     .path_point = four_bar_path_point,
-                                     .draws_same_curve = are_cognates,
-                                     .input_margin = &input_margin,
-                                     .function_fit = fit_function,
-                                     .function_extremes = function_extremes_by<RockerAngle>,
-                                     .function_scales = input_start,
-                                     .loop_row = rocker_loop_row<Interval>,
-                                     .line = followed_shape<CouplerPath, LineShape, input_start, line_angle>(),
-                                     .arc = followed_shape<CouplerPath, ArcShape, input_start, arc_x>(),
-                                     .over_input = over_input,
-                                     .motion_columns = motion_columns,
-                                     .motion_units = motion_units,
-                                     .motion_row = motion_row};
+std::shared_ptr<const Mechanism> four_bar_mechanism() {
+    static const auto mechanism = std::make_shared<const Mechanism>(Mechanism{
+        .name = "four-bar",
+        .meaning = "four links, four pins: crank, coupler, rocker on a ground link",
+        .dimensions = dimensions(),
+        .assemblies = {"open", "crossed"},
+        .quantities = quantities(),
+        .families = families(),
+        .motion = motion_by_links,
+        .describe = describe,
+        .check_motion = four_bar_check_motion,
+        .table = {columns(), units(), motion_row},
+        .point = PointGuidance{.reads = CouplerPath::reads,
+                               .roles = {4, 5, 6, 7, 8, 9, 14},
+                               .miss = path_miss_by<CouplerPath>,
+                               .point = four_bar_path_point,
+                               .screening = four_bar_screening,
+                               .draws_same_curve = are_cognates},
+        .body = BodyGuidance{CouplerPose::reads, pose_miss_by<CouplerPose>},
+        .input = InputRange{input_start, input_margin_quantity<InputMargin>(), over_input()},
+        .function = FunctionGeneration{fit_function, function_extremes_by<RockerAngle>, rocker_loop_row<Interval>},
+        .line = followed_shape<CouplerPath, LineShape, input_start, line_angle>(),
+        .arc = followed_shape<CouplerPath, ArcShape, input_start, arc_x>()});
     return mechanism;
 }
+
+bool is_four_bar(const Mechanism& mechanism) { return mechanism.motion == motion_by_links; }
 
 }  // namespace mechwright

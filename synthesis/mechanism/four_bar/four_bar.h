@@ -6,6 +6,9 @@
 
 namespace mechwright {
 
-const Mechanism& four_bar_mechanism();
+std::shared_ptr<const Mechanism> four_bar_mechanism();
+
+/// Whether a mechanism is a four-bar.
+bool is_four_bar(const Mechanism& mechanism);
 
 }  // namespace mechwright

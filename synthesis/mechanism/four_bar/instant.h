@@ -53,7 +53,7 @@ Digits50 instant_rate_again(const Motion& motion, std::span<const Digits50> dime
 }
 
 template <OfLink link, Rate rate>
-Quantity instant_quantity(std::string_view name, std::string_view meaning) {
+Quantity instant_quantity(const char* name, const char* meaning) {
     using Formula = InstantRate<link, rate>;
     return {.name = name,
             .unit = Unit::none,

@@ -182,9 +182,8 @@ Digits50 grashof_margin_again(const Motion& motion, std::span<const Digits50> di
 
 namespace mechwright {
 
-Vector<Digits50> four_bar_path_point(std::size_t assembly, std::span<const Digits50> dimensions,
-                                     const Digits50& crank_angle) {
-    const auto m = four_bar::again::linkage(assembly, dimensions);
+Vector<Digits50> four_bar_path_point(Form form, std::span<const Digits50> dimensions, const Digits50& crank_angle) {
+    const auto m = four_bar::again::linkage(form.assembly, dimensions);
     const auto p = four_bar::again::pose(m, crank_angle);
     if (!p.assembled()) return {four_bar::nothing, four_bar::nothing};
     const Digits50 unit = four_bar::again::length_unit(dimensions);

@@ -50,7 +50,6 @@ std::vector<Check> four_bar_check_motion(const Motion& motion, std::span<const D
 
 /// The coupler point in the drawing at a crank angle (radians, counted from the ground link); NaN where the linkage
 /// does not assemble.
-Vector<Digits50> four_bar_path_point(std::size_t assembly, std::span<const Digits50> dimensions,
-                                     const Digits50& crank_angle);
+Vector<Digits50> four_bar_path_point(Form form, std::span<const Digits50> dimensions, const Digits50& crank_angle);
 
 }  // namespace mechwright

@@ -241,9 +241,8 @@ Digits50 RamAgain<Geometry>::total_length(const Motion&, Dimensions dimensions) 
     return sum;
 }
 
-Vector<Digits50> rod_path_point(std::size_t assembly, std::span<const Digits50> dimensions,
-                                const Digits50& crank_angle) {
-    const Rebuilt<SliderCrankGeometry> m(assembly, dimensions);
+Vector<Digits50> rod_path_point(Form form, std::span<const Digits50> dimensions, const Digits50& crank_angle) {
+    const Rebuilt<SliderCrankGeometry> m(form.assembly, dimensions);
     const auto s = m.at(crank_angle);
     if (!(s.right.c[0] >= 0 && s.left.c[0] >= 0)) return {nothing, nothing};
     const Vector<Digits50> along{s.run.c[0] / m.rod.rod, s.height.c[0] / m.rod.rod};

@@ -51,7 +51,6 @@ using DragLinkAgain = RamAgain<again::DragLinkGeometry>;
 
 /// The point of a slider-crank's rod in the drawing at a crank angle (radians, counted from the slide); NaN where the
 /// mechanism does not assemble.
-Vector<Digits50> rod_path_point(std::size_t assembly, std::span<const Digits50> dimensions,
-                                const Digits50& crank_angle);
+Vector<Digits50> rod_path_point(Form form, std::span<const Digits50> dimensions, const Digits50& crank_angle);
 
 }  // namespace mechwright::quick_return

@@ -12,31 +12,33 @@ namespace {
 
 using namespace quick_return;
 
-constexpr std::array<Dimension, 5> dimensions{{
-    {"centre-distance", DimensionKind::length, true, "crank pivot to lever pivot"},
-    {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin; shorter than the centre distance"},
-    {"lever", DimensionKind::length, true, "slotted lever, its pivot to the rod pin"},
-    {"rod", DimensionKind::length, true, "rod, rod pin to ram"},
-    {"ram-distance", DimensionKind::length, true,
-     "lever pivot to the ram line, which is square to the line of centres"},
-}};
-
-const Quantity assembly_margin = assembly_margin_quantity<CrankShaper>();
+std::vector<Dimension> dimensions() {
+    return {
+        {"centre-distance", DimensionKind::length, true, "crank pivot to lever pivot"},
+        {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin; shorter than the centre distance"},
+        {"lever", DimensionKind::length, true, "slotted lever, its pivot to the rod pin"},
+        {"rod", DimensionKind::length, true, "rod, rod pin to ram"},
+        {"ram-distance", DimensionKind::length, true,
+         "lever pivot to the ram line, which is square to the line of centres"},
+    };
+}
 
 // Coefficients of centre-distance, crank, lever, rod, ram-distance.
-const std::array<Family, 2> families{{
-    {"crank turns, lever swings",
-     true,
-     {{"the crank is shorter than the centre distance", {1, -1, 0, 0, 0}},
-      {"the rod reaches the ram line from the upright lever", {0, 0, -1, 1, 1}}},
-     &assembly_margin},
-    {"limited crank range",
-     false,
-     {{"the crank is shorter than the centre distance", {1, -1, 0, 0, 0}}},
-     &assembly_margin},
-}};
+std::vector<Family> families() {
+    return {
+        {"crank turns, lever swings",
+         true,
+         {{"the crank is shorter than the centre distance", {1, -1, 0, 0, 0}},
+          {"the rod reaches the ram line from the upright lever", {0, 0, -1, 1, 1}}},
+         assembly_margin_quantity<CrankShaper>()},
+        {"limited crank range",
+         false,
+         {{"the crank is shorter than the centre distance", {1, -1, 0, 0, 0}}},
+         assembly_margin_quantity<CrankShaper>()},
+    };
+}
 
-std::string describe(std::span<const double> d) {
+std::string describe(Form, std::span<const double> d) {
     const CrankShaper<double> m = drive_of<CrankShaper>(d, 0);
     if (m.crank > m.centre_distance) return "no crank shaper: the crank is longer than the centre distance";
     if (m.crank == m.centre_distance) return "no crank shaper: the crank is as long as the centre distance";
@@ -56,25 +58,26 @@ std::optional<Objection> objection(std::span<const double> least, std::span<cons
 
 }  // namespace
 
-const Mechanism& crank_shaper_mechanism() {
-    static const std::vector<Quantity> quantities = ram_quantities<CrankShaper, CrankShaperAgain>(
-        "centre distance, crank, lever and rod together",
-        "least angle at the ram over the motion: 90 deg less the angle from ram line to rod",
-        "greatest angle at the ram over the motion", "least angle at the ram over the motion");
-    static const Mechanism mechanism{.name = "crank-shaper",
-                                     .meaning = "a crank swings a slotted lever, which drives a ram through a rod",
-                                     .dimensions = dimensions,
-                                     .assemblies = {},
-                                     .quantities = quantities,
-                                     .families = families,
-                                     .settings = settings,
-                                     .objection = objection,
-                                     .motion = motion_of<CrankShaper>,
-                                     .describe = describe,
-                                     .check_motion = CrankShaperAgain::check_motion,
-                                     .motion_columns = slotted_columns,
-                                     .motion_units = slotted_units,
-                                     .motion_row = slotted_row<CrankShaper>};
+std::shared_ptr<const Mechanism> crank_shaper_mechanism() {
+    static const auto mechanism = [] {
+        const std::vector<Quantity> quantities = ram_quantities<CrankShaper, CrankShaperAgain>(
+            "centre distance, crank, lever and rod together",
+            "least angle at the ram over the motion: 90 deg less the angle from ram line to rod",
+            "greatest angle at the ram over the motion", "least angle at the ram over the motion");
+        return std::make_shared<const Mechanism>(
+            Mechanism{.name = "crank-shaper",
+                      .meaning = "a crank swings a slotted lever, which drives a ram through a rod",
+                      .dimensions = dimensions(),
+                      .assemblies = {},
+                      .quantities = quantities,
+                      .families = families(),
+                      .settings = settings(),
+                      .objection = objection,
+                      .motion = motion_by_drive<CrankShaper>,
+                      .describe = describe,
+                      .check_motion = CrankShaperAgain::check_motion,
+                      .table = {slotted_columns(), slotted_units(), slotted_row<CrankShaper>}});
+    }();
     return mechanism;
 }
 

@@ -11,37 +11,37 @@ namespace {
 
 using namespace quick_return;
 
-constexpr std::array<Dimension, 9> dimensions{{
-    {"ground", DimensionKind::length, true, "ground link, crank pivot to follower pivot"},
-    {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
-    {"coupler", DimensionKind::length, true, "coupler, crank pin to follower pin"},
-    {"follower", DimensionKind::length, true, "follower, its pivot to the follower pin"},
-    {"arm", DimensionKind::length, true, "arm on the follower, follower pivot to rod pin"},
-    {"arm-angle", DimensionKind::angle, true, "from follower to arm"},
-    {"rod", DimensionKind::length, true, "rod, rod pin to ram"},
-    {"slide-angle", DimensionKind::angle, true, "from the ground link to the slide line"},
-    {"slide-offset", DimensionKind::coordinate, true,
-     "distance of the slide line from the follower pivot, positive to its left"},
-}};
-
-constexpr std::array<std::string_view, 2> assemblies{"open", "crossed"};
-
-const Quantity assembly_margin = assembly_margin_quantity<DragLink>();
+std::vector<Dimension> dimensions() {
+    return {
+        {"ground", DimensionKind::length, true, "ground link, crank pivot to follower pivot"},
+        {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
+        {"coupler", DimensionKind::length, true, "coupler, crank pin to follower pin"},
+        {"follower", DimensionKind::length, true, "follower, its pivot to the follower pin"},
+        {"arm", DimensionKind::length, true, "arm on the follower, follower pivot to rod pin"},
+        {"arm-angle", DimensionKind::angle, true, "from follower to arm"},
+        {"rod", DimensionKind::length, true, "rod, rod pin to ram"},
+        {"slide-angle", DimensionKind::angle, true, "from the ground link to the slide line"},
+        {"slide-offset", DimensionKind::coordinate, true,
+         "distance of the slide line from the follower pivot, positive to its left"},
+    };
+}
 
 // Coefficients of ground, crank, coupler, follower, arm, arm-angle, rod, slide-angle, slide-offset.
-const std::array<Family, 2> families{{
-    {"crank and follower turn fully",
-     true,
-     {{"the links turn past the longest crank", {-1, -1, 1, 1}},
-      {"the links turn past the longest coupler", {-1, 1, -1, 1}},
-      {"the links turn past the longest follower", {-1, 1, 1, -1}},
-      {"the arm turns past the side away from the slide line", {0, 0, 0, 0, -1, 0, 1, 0, -1}},
-      {"the arm turns past the side of the slide line", {0, 0, 0, 0, -1, 0, 1, 0, 1}}},
-     nullptr},
-    {"limited crank range", false, {}, &assembly_margin},
-}};
+std::vector<Family> families() {
+    return {
+        {"crank and follower turn fully",
+         true,
+         {{"the links turn past the longest crank", {-1, -1, 1, 1}},
+          {"the links turn past the longest coupler", {-1, 1, -1, 1}},
+          {"the links turn past the longest follower", {-1, 1, 1, -1}},
+          {"the arm turns past the side away from the slide line", {0, 0, 0, 0, -1, 0, 1, 0, -1}},
+          {"the arm turns past the side of the slide line", {0, 0, 0, 0, -1, 0, 1, 0, 1}}},
+         {}},
+        {"limited crank range", false, {}, assembly_margin_quantity<DragLink>()},
+    };
+}
 
-std::string describe(std::span<const double> d) {
+std::string describe(Form, std::span<const double> d) {
     const DragLink<double> m = drive_of<DragLink>(d, 0);
     const Grashof grashof = classify(m.links);
     std::string text = grashof.kind == FourBarClass::double_crank
@@ -52,14 +52,17 @@ std::string describe(std::span<const double> d) {
     return text;
 }
 
-constexpr std::array<std::string_view, 13> motion_columns{
-    "crank-angle",        "follower-angle",   "rod-angle",         "coupler-transmission-angle",
-    "transmission-angle", "coupler-velocity", "follower-velocity", "follower-acceleration",
-    "rod-velocity",       "rod-acceleration", "ram-position",      "ram-velocity",
-    "ram-acceleration"};
-constexpr std::array<Unit, 13> motion_units{Unit::angle,  Unit::angle,  Unit::angle, Unit::angle, Unit::angle,
-                                            Unit::none,   Unit::none,   Unit::none,  Unit::none,  Unit::none,
-                                            Unit::length, Unit::length, Unit::length};
+std::vector<std::string> columns() {
+    return {"crank-angle",        "follower-angle",   "rod-angle",         "coupler-transmission-angle",
+            "transmission-angle", "coupler-velocity", "follower-velocity", "follower-acceleration",
+            "rod-velocity",       "rod-acceleration", "ram-position",      "ram-velocity",
+            "ram-acceleration"};
+}
+
+std::vector<Unit> units() {
+    return {Unit::angle, Unit::angle, Unit::angle, Unit::angle,  Unit::angle,  Unit::none,  Unit::none,
+            Unit::none,  Unit::none,  Unit::none,  Unit::length, Unit::length, Unit::length};
+}
 
 bool motion_row(const Motion& motion, std::span<const double> d, double crank_angle, std::span<double> row) {
     const DragLink<double> m = drive_of<DragLink>(d, motion.assembly);
@@ -86,27 +89,28 @@ bool motion_row(const Motion& motion, std::span<const double> d, double crank_an
 
 }  // namespace
 
-const Mechanism& drag_link_mechanism() {
-    static const std::vector<Quantity> quantities = ram_quantities<DragLink, DragLinkAgain>(
-        "ground link, crank, coupler, follower, arm and rod together",
-        "least of the angle between coupler and follower and that at the ram (90 deg less the angle from slide line to "
-        "rod) over the motion",
-        "greatest of the angle between coupler and follower and that at the ram over the motion",
-        "least of both angles and their supplements over the motion");
-    static const Mechanism mechanism{
-        .name = "drag-link",
-        .meaning = "a four-bar with two full cranks, whose follower drives a ram through a rod",
-        .dimensions = dimensions,
-        .assemblies = assemblies,
-        .quantities = quantities,
-        .families = families,
-        .settings = settings,
-        .motion = motion_of<DragLink>,
-        .describe = describe,
-        .check_motion = DragLinkAgain::check_motion,
-        .motion_columns = motion_columns,
-        .motion_units = motion_units,
-        .motion_row = motion_row};
+std::shared_ptr<const Mechanism> drag_link_mechanism() {
+    static const auto mechanism = [] {
+        const std::vector<Quantity> quantities = ram_quantities<DragLink, DragLinkAgain>(
+            "ground link, crank, coupler, follower, arm and rod together",
+            "least of the angle between coupler and follower and that at the ram (90 deg less the angle from slide "
+            "line to "
+            "rod) over the motion",
+            "greatest of the angle between coupler and follower and that at the ram over the motion",
+            "least of both angles and their supplements over the motion");
+        return std::make_shared<const Mechanism>(
+            Mechanism{.name = "drag-link",
+                      .meaning = "a four-bar with two full cranks, whose follower drives a ram through a rod",
+                      .dimensions = dimensions(),
+                      .assemblies = {"open", "crossed"},
+                      .quantities = quantities,
+                      .families = families(),
+                      .settings = settings(),
+                      .motion = motion_by_drive<DragLink>,
+                      .describe = describe,
+                      .check_motion = DragLinkAgain::check_motion,
+                      .table = {columns(), units(), motion_row}});
+    }();
     return mechanism;
 }
 

@@ -12,8 +12,10 @@
 
 namespace mechwright::quick_return {
 
-inline constexpr std::array<Setting, 1> settings{
-    {{"quick-return", "working-share", 0.6, 0, 1, "the middle part of the slow stroke over which cutting is judged"}}};
+inline std::vector<Setting> settings() {
+    return {{"quick-return", "working-share", 0.6, 0, 1,
+             "the middle part of the slow stroke over which cutting is judged"}};
+}
 
 template <template <class> class Drive>
 Drive<double> drive_of(std::span<const double> dimensions, std::size_t assembly) {
@@ -23,11 +25,11 @@ Drive<double> drive_of(std::span<const double> dimensions, std::size_t assembly)
 }
 
 template <template <class> class Drive>
-Motion motion_of(std::span<const double> dimensions, std::size_t assembly, const double* crank_range) {
-    const Drive<double> m = drive_of<Drive>(dimensions, assembly);
+Motion motion_by_drive(Form form, std::span<const double> dimensions, const double* crank_range) {
+    const Drive<double> m = drive_of<Drive>(dimensions, form.assembly);
     const CrankRange<double> range = assembled_range(m);
     Motion motion;
-    motion.assembly = assembly;
+    motion.assembly = form.assembly;
     motion.full_turn = range.full_turn && crank_range == nullptr;
     motion.family = motion.full_turn && makes_two_strokes(m) ? full_turn : limited_range;
     motion.from = crank_range ? crank_range[0] : range.from;
@@ -64,10 +66,10 @@ std::size_t assembly_margin_count(const Motion& motion) {
 /// The quantities that every ram-driving mechanism has. The texts say what total-length and the transmission
 /// angles mean for it; `Again` measures a second time.
 template <template <class> class Drive, class Again>
-std::vector<Quantity> ram_quantities(std::string_view total_length, std::string_view transmission_least,
-                                     std::string_view transmission_greatest, std::string_view transmission_worst) {
+std::vector<Quantity> ram_quantities(const char* total_length, const char* transmission_least,
+                                     const char* transmission_greatest, const char* transmission_worst) {
     constexpr std::size_t reads = Layout<Drive>::reads;
-    const auto quantity = [](std::string_view name, Unit unit, std::string_view meaning, Reduce reduce, auto defined,
+    const auto quantity = [](const char* name, Unit unit, const char* meaning, Reduce reduce, auto defined,
                              auto components, auto measure, auto again) {
         return Quantity{name, unit, meaning, reduce, reads, defined, components, measure, again};
     };

@@ -6,9 +6,9 @@
 
 namespace mechwright {
 
-const Mechanism& slider_crank_mechanism();
-const Mechanism& crank_shaper_mechanism();
-const Mechanism& whitworth_mechanism();
-const Mechanism& drag_link_mechanism();
+std::shared_ptr<const Mechanism> slider_crank_mechanism();
+std::shared_ptr<const Mechanism> crank_shaper_mechanism();
+std::shared_ptr<const Mechanism> whitworth_mechanism();
+std::shared_ptr<const Mechanism> drag_link_mechanism();
 
 }  // namespace mechwright

@@ -15,51 +15,55 @@ namespace {
 
 using namespace quick_return;
 
-constexpr std::array<Dimension, 19> dimensions{{
-    {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
-    {"rod", DimensionKind::length, true, "rod, crank pin to ram"},
-    {"offset", DimensionKind::coordinate, true,
-     "distance of the slide line from the crank pivot, positive to its left"},
-    {"point-along", DimensionKind::coordinate, false, "point of the rod along the line from crank pin to ram"},
-    {"point-across", DimensionKind::coordinate, false, "point of the rod to the left of that line"},
-    {"origin-x", DimensionKind::coordinate, false, "crank pivot in the drawing"},
-    {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
-    {"tilt", DimensionKind::angle, false, "direction of the slide in the drawing"},
-    {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
-    {"body-angle", DimensionKind::angle, false, "direction of a guided body, from that of the rod"},
-    {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's, line's or arc's range",
-     false, true},
-    {"input-range", DimensionKind::angle, false, "crank angle over the range of a function, line or arc", false, true},
-    {"output-start", DimensionKind::coordinate, false, "position of the ram at the start of a function's range", false,
-     true},
-    {"output-range", DimensionKind::coordinate, false, "way of the ram over the range of a function", false, true},
-    {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
-    {"line-offset", DimensionKind::coordinate, false, "distance of that line from the drawing's origin, to its left",
-     false, true},
-    {"arc-x", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
-    {"arc-y", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
-    {"arc-radius", DimensionKind::coordinate, false, "radius of that arc", false, true},
-}};
+std::vector<Dimension> dimensions() {
+    return {
+        {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
+        {"rod", DimensionKind::length, true, "rod, crank pin to ram"},
+        {"offset", DimensionKind::coordinate, true,
+         "distance of the slide line from the crank pivot, positive to its left"},
+        {"point-along", DimensionKind::coordinate, false, "point of the rod along the line from crank pin to ram"},
+        {"point-across", DimensionKind::coordinate, false, "point of the rod to the left of that line"},
+        {"origin-x", DimensionKind::coordinate, false, "crank pivot in the drawing"},
+        {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
+        {"tilt", DimensionKind::angle, false, "direction of the slide in the drawing"},
+        {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
+        {"body-angle", DimensionKind::angle, false, "direction of a guided body, from that of the rod"},
+        {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's, line's or arc's range",
+         false, true},
+        {"input-range", DimensionKind::angle, false, "crank angle over the range of a function, line or arc", false,
+         true},
+        {"output-start", DimensionKind::coordinate, false, "position of the ram at the start of a function's range",
+         false, true},
+        {"output-range", DimensionKind::coordinate, false, "way of the ram over the range of a function", false, true},
+        {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
+        {"line-offset", DimensionKind::coordinate, false,
+         "distance of that line from the drawing's origin, to its left", false, true},
+        {"arc-x", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
+        {"arc-y", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
+        {"arc-radius", DimensionKind::coordinate, false, "radius of that arc", false, true},
+    };
+}
 
-const Quantity assembly_margin = assembly_margin_quantity<SliderCrank>();
-const Quantity input_margin = input_margin_quantity<RamInputMargin>();
-const std::array<Quantity, 2> over_input{
-    {input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min"),
-     input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst")}};
+std::vector<Quantity> over_input() {
+    return {input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min"),
+            input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst")};
+}
 constexpr std::size_t line_angle = 14;
 constexpr std::size_t arc_x = 16;
 
 // Coefficients of crank, rod, offset.
-const std::array<Family, 2> families{{
-    {"crank turns fully",
-     true,
-     {{"the crank turns past the side away from the slide line", {-1, 1, -1}},
-      {"the crank turns past the side of the slide line", {-1, 1, 1}}},
-     nullptr},
-    {"limited crank range", false, {}, &assembly_margin},
-}};
+std::vector<Family> families() {
+    return {
+        {"crank turns fully",
+         true,
+         {{"the crank turns past the side away from the slide line", {-1, 1, -1}},
+          {"the crank turns past the side of the slide line", {-1, 1, 1}}},
+         {}},
+        {"limited crank range", false, {}, assembly_margin_quantity<SliderCrank>()},
+    };
+}
 
-std::string describe(std::span<const double> d) {
+std::string describe(Form, std::span<const double> d) {
     const SliderCrank<double> m = drive_of<SliderCrank>(d, 0);
     const RodMargins<double> margin = rod_margins(m);
     const double least = std::min(margin.crank_right, margin.crank_left);
@@ -69,11 +73,15 @@ std::string describe(std::span<const double> d) {
     return text;
 }
 
-constexpr std::array<std::string_view, 10> motion_columns{
-    "crank-angle",  "rod-angle",    "transmission-angle", "rod-velocity", "rod-acceleration",
-    "ram-position", "ram-velocity", "ram-acceleration",   "point-x",      "point-y"};
-constexpr std::array<Unit, 10> motion_units{Unit::angle,  Unit::angle,  Unit::angle,  Unit::none,   Unit::none,
-                                            Unit::length, Unit::length, Unit::length, Unit::length, Unit::length};
+std::vector<std::string> columns() {
+    return {"crank-angle",  "rod-angle",    "transmission-angle", "rod-velocity", "rod-acceleration",
+            "ram-position", "ram-velocity", "ram-acceleration",   "point-x",      "point-y"};
+}
+
+std::vector<Unit> units() {
+    return {Unit::angle,  Unit::angle,  Unit::angle,  Unit::none,   Unit::none,
+            Unit::length, Unit::length, Unit::length, Unit::length, Unit::length};
+}
 
 bool motion_row(const Motion&, std::span<const double> d, double crank_angle, std::span<double> row) {
     const SliderCrank<double> m = drive_of<SliderCrank>(d, 0);
@@ -101,9 +109,9 @@ std::vector<Quantity> all_quantities() {
         "crank and rod together",
         "least angle at the ram over the motion: 90 deg less the angle from slide line to rod",
         "greatest angle at the ram over the motion", "least angle at the ram over the motion");
-    for (const Quantity& q : path_quantities)
+    for (const Quantity& q : path_quantities())
         all.push_back(q);
-    for (const Quantity& q : pose_quantities)
+    for (const Quantity& q : pose_quantities())
         all.push_back(q);
     for (const Quantity& q : function_quantities<RamPosition, RamPositionAgain>(
              Unit::length, "greatest difference of the ram's position from the function",
@@ -118,35 +126,28 @@ std::vector<Quantity> all_quantities() {
 
 }  // namespace
 
-const Mechanism& slider_crank_mechanism() {
-    static const std::vector<Quantity> quantities = all_quantities();
-    static const Mechanism mechanism{.name = "slider-crank",
-                                     .meaning = "a crank drives a ram on a straight slide through a rod",
-                                     .dimensions = dimensions,
-                                     .assemblies = {},
-                                     .quantities = quantities,
-                                     .families = families,
-                                     .settings = settings,
-                                     .motion = motion_of<SliderCrank>,
-                                     .describe = describe,
-                                     .check_motion = SliderCrankAgain::check_motion,
-                                     .path_reads = RodPath::reads,
-                                     .path_roles = {3, 4, 5, 6, 7, 8, 9},
-                                     .path_miss = path_miss_by<RodPath>,
-                                     .pose_reads = RodPose::reads,
-                                     .pose_miss = pose_miss_by<RodPose>,
-                                     .path_point = rod_path_point,
-                                     .input_margin = &input_margin,
-                                     .function_fit = fit_ram_function,
-                                     .function_extremes = function_extremes_by<RamPosition>,
-                                     .function_scales = input_start,
-                                     .loop_row = ram_loop_row<Interval>,
-                                     .line = followed_shape<RodPath, LineShape, input_start, line_angle>(),
-                                     .arc = followed_shape<RodPath, ArcShape, input_start, arc_x>(),
-                                     .over_input = over_input,
-                                     .motion_columns = motion_columns,
-                                     .motion_units = motion_units,
-                                     .motion_row = motion_row};
+std::shared_ptr<const Mechanism> slider_crank_mechanism() {
+    static const auto mechanism = std::make_shared<const Mechanism>(Mechanism{
+        .name = "slider-crank",
+        .meaning = "a crank drives a ram on a straight slide through a rod",
+        .dimensions = dimensions(),
+        .assemblies = {},
+        .quantities = all_quantities(),
+        .families = families(),
+        .settings = settings(),
+        .motion = motion_by_drive<SliderCrank>,
+        .describe = describe,
+        .check_motion = SliderCrankAgain::check_motion,
+        .table = {columns(), units(), motion_row},
+        .point = PointGuidance{.reads = RodPath::reads,
+                               .roles = {3, 4, 5, 6, 7, 8, 9},
+                               .miss = path_miss_by<RodPath>,
+                               .point = rod_path_point},
+        .body = BodyGuidance{RodPose::reads, pose_miss_by<RodPose>},
+        .input = InputRange{input_start, input_margin_quantity<RamInputMargin>(), over_input()},
+        .function = FunctionGeneration{fit_ram_function, function_extremes_by<RamPosition>, ram_loop_row<Interval>},
+        .line = followed_shape<RodPath, LineShape, input_start, line_angle>(),
+        .arc = followed_shape<RodPath, ArcShape, input_start, arc_x>()});
     return mechanism;
 }
 

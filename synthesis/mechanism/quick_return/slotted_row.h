@@ -13,13 +13,16 @@ namespace mechwright::quick_return {
 
 /// The block's pressure angle is that seen from the crank, between crank pin velocity and push on the arm; arm angles
 /// are counted from the line of centres to the slot.
-inline constexpr std::array<std::string_view, 14> slotted_columns{
-    "crank-angle",  "arm-angle",        "rod-angle",      "transmission-angle", "block-pressure-angle",
-    "arm-velocity", "arm-acceleration", "block-position", "block-velocity",     "coriolis-acceleration",
-    "rod-velocity", "ram-position",     "ram-velocity",   "ram-acceleration"};
-inline constexpr std::array<Unit, 14> slotted_units{Unit::angle, Unit::angle,  Unit::angle,  Unit::angle,  Unit::angle,
-                                                    Unit::none,  Unit::none,   Unit::length, Unit::length, Unit::length,
-                                                    Unit::none,  Unit::length, Unit::length, Unit::length};
+inline std::vector<std::string> slotted_columns() {
+    return {"crank-angle",  "arm-angle",        "rod-angle",      "transmission-angle", "block-pressure-angle",
+            "arm-velocity", "arm-acceleration", "block-position", "block-velocity",     "coriolis-acceleration",
+            "rod-velocity", "ram-position",     "ram-velocity",   "ram-acceleration"};
+}
+
+inline std::vector<Unit> slotted_units() {
+    return {Unit::angle,  Unit::angle,  Unit::angle,  Unit::angle, Unit::angle,  Unit::none,   Unit::none,
+            Unit::length, Unit::length, Unit::length, Unit::none,  Unit::length, Unit::length, Unit::length};
+}
 
 template <template <class> class Drive>
 bool slotted_row(const Motion& motion, std::span<const double> dimensions, double crank_angle, std::span<double> row) {

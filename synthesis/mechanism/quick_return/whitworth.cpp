@@ -12,27 +12,33 @@ namespace {
 
 using namespace quick_return;
 
-constexpr std::array<Dimension, 5> dimensions{{
-    {"centre-distance", DimensionKind::length, true, "crank pivot to driven pivot"},
-    {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin; longer than the centre distance"},
-    {"arm", DimensionKind::length, true, "arm, driven pivot to rod pin, opposite the slot"},
-    {"rod", DimensionKind::length, true, "rod, rod pin to ram"},
-    {"slide-angle", DimensionKind::angle, true,
-     "from the line of centres (driven pivot to crank pivot) to the slide line through the driven pivot"},
-}};
-
-const Quantity assembly_margin = assembly_margin_quantity<Whitworth>();
+std::vector<Dimension> dimensions() {
+    return {
+        {"centre-distance", DimensionKind::length, true, "crank pivot to driven pivot"},
+        {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin; longer than the centre distance"},
+        {"arm", DimensionKind::length, true, "arm, driven pivot to rod pin, opposite the slot"},
+        {"rod", DimensionKind::length, true, "rod, rod pin to ram"},
+        {"slide-angle", DimensionKind::angle, true,
+         "from the line of centres (driven pivot to crank pivot) to the slide line through the driven pivot"},
+    };
+}
 
 // Coefficients of centre-distance, crank, arm, rod.
-const std::array<Family, 2> families{{
-    {"crank and slotted link turn fully",
-     true,
-     {{"the crank is longer than the centre distance", {-1, 1, 0, 0}}, {"the arm turns past the rod", {0, 0, -1, 1}}},
-     nullptr},
-    {"limited crank range", false, {{"the crank is longer than the centre distance", {-1, 1, 0, 0}}}, &assembly_margin},
-}};
+std::vector<Family> families() {
+    return {
+        {"crank and slotted link turn fully",
+         true,
+         {{"the crank is longer than the centre distance", {-1, 1, 0, 0}},
+          {"the arm turns past the rod", {0, 0, -1, 1}}},
+         {}},
+        {"limited crank range",
+         false,
+         {{"the crank is longer than the centre distance", {-1, 1, 0, 0}}},
+         assembly_margin_quantity<Whitworth>()},
+    };
+}
 
-std::string describe(std::span<const double> d) {
+std::string describe(Form, std::span<const double> d) {
     const Whitworth<double> m = drive_of<Whitworth>(d, 0);
     if (m.crank < m.centre_distance) return "no Whitworth drive: the crank is shorter than the centre distance";
     if (m.crank == m.centre_distance) return "no Whitworth drive: the crank is as long as the centre distance";
@@ -49,26 +55,26 @@ std::optional<Objection> objection(std::span<const double> least, std::span<cons
 
 }  // namespace
 
-const Mechanism& whitworth_mechanism() {
-    static const std::vector<Quantity> quantities = ram_quantities<Whitworth, WhitworthAgain>(
-        "centre distance, crank, arm and rod together",
-        "least angle at the ram over the motion: 90 deg less the angle from slide line to rod",
-        "greatest angle at the ram over the motion", "least angle at the ram over the motion");
-    static const Mechanism mechanism{
-        .name = "whitworth",
-        .meaning = "a crank turns a slotted link fully, whose arm drives a ram through a rod",
-        .dimensions = dimensions,
-        .assemblies = {},
-        .quantities = quantities,
-        .families = families,
-        .settings = settings,
-        .objection = objection,
-        .motion = motion_of<Whitworth>,
-        .describe = describe,
-        .check_motion = WhitworthAgain::check_motion,
-        .motion_columns = slotted_columns,
-        .motion_units = slotted_units,
-        .motion_row = slotted_row<Whitworth>};
+std::shared_ptr<const Mechanism> whitworth_mechanism() {
+    static const auto mechanism = [] {
+        const std::vector<Quantity> quantities = ram_quantities<Whitworth, WhitworthAgain>(
+            "centre distance, crank, arm and rod together",
+            "least angle at the ram over the motion: 90 deg less the angle from slide line to rod",
+            "greatest angle at the ram over the motion", "least angle at the ram over the motion");
+        return std::make_shared<const Mechanism>(
+            Mechanism{.name = "whitworth",
+                      .meaning = "a crank turns a slotted link fully, whose arm drives a ram through a rod",
+                      .dimensions = dimensions(),
+                      .assemblies = {},
+                      .quantities = quantities,
+                      .families = families(),
+                      .settings = settings(),
+                      .objection = objection,
+                      .motion = motion_by_drive<Whitworth>,
+                      .describe = describe,
+                      .check_motion = WhitworthAgain::check_motion,
+                      .table = {slotted_columns(), slotted_units(), slotted_row<Whitworth>}});
+    }();
     return mechanism;
 }
 

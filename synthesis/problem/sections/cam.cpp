@@ -39,7 +39,7 @@ struct SegmentReader {
 
     /// A positive number or range.
     std::optional<DimensionRange> read_positive(std::string_view key, DimensionKind kind) {
-        const Dimension as{key, kind, false, ""};
+        const Dimension as{std::string(key), kind, false, ""};
         const toml::node* node = find(section, key);
         if (node == nullptr) {
             add_error(messages, section.place, fmt::format("{} is missing", name_of(section, key)));
@@ -288,7 +288,7 @@ void require_closure(Problem& problem, std::string_view quantity, double value) 
 
 void check_turn(Problem& problem, Place place, Messages& messages) {
     Sum sum;
-    for (std::size_t i = 0; i < problem.program->segments.size(); ++i)
+    for (std::size_t i = 0; i < program_of(*problem.mechanism)->segments.size(); ++i)
         sum.add(problem.dimensions[cam_angle_dimension(*problem.mechanism, i)], 1);
     const double rounding = 1e-12 * full_turn;
     const char* unit = problem.units.degrees ? " deg" : " rad";
@@ -312,8 +312,8 @@ void check_lifts(Problem& problem, const std::vector<Place>& places, Messages& m
     };
     Sum sum;
     double highest = 0;
-    for (std::size_t i = 0; i < problem.program->segments.size(); ++i) {
-        const int sign = cam::lift_sign(problem.program->segments[i].kind);
+    for (std::size_t i = 0; i < program_of(*problem.mechanism)->segments.size(); ++i) {
+        const int sign = cam::lift_sign(program_of(*problem.mechanism)->segments[i].kind);
         if (sign != 0) sum.add(problem.dimensions[cam_lift_dimension(*problem.mechanism, i)], sign);
         highest = std::max(highest, sum.greatest);
         if (sum.greatest < -1e-12 * std::max(highest, -sum.greatest))
@@ -333,7 +333,7 @@ void check_lifts(Problem& problem, const std::vector<Place>& places, Messages& m
 
 void set_contour(Problem& problem, ContourKind contour) {
     if (problem.dimensions.empty()) return;
-    problem.program = contour_program(contour);
+    problem.mechanism = with_program(*problem.mechanism, contour_program(contour));
     problem.dimensions[cam_angle_dimension(*problem.mechanism, 0)] = {full_turn, full_turn, {}, true};
     problem.assemblies.clear();
     for (const std::size_t rotation : {std::size_t{0}, std::size_t{1}})
@@ -372,7 +372,7 @@ void read_cam(Section& file, Problem& problem, Messages& messages) {
     if (!known) return;
     const auto kind = static_cast<CamFollower>(*follower);
     if (!contour) {
-        problem.mechanism = &cam_mechanism(kind, motion.value_or(0) == 1);
+        problem.mechanism = cam_mechanism(kind, motion.value_or(0) == 1);
         return;
     }
     problem.mechanism = contour_cam_mechanism(kind, static_cast<ContourKind>(*contour + 1));
@@ -426,7 +426,7 @@ void read_segments(Section& file, Problem& problem, Messages& messages) {
         }
         program->segments.push_back(std::move(reader.plan));
     }
-    problem.program = program;
+    problem.mechanism = with_program(*problem.mechanism, program);
     if (!whole) return;
     check_turn(problem, places.front(), messages);
     check_lifts(problem, places, messages);

@@ -47,9 +47,9 @@ void read_shape(Section& file, std::string_view name, Followed followed, Problem
     if (!section || problem.mechanism == nullptr) return;
     const Mechanism& mechanism = *problem.mechanism;
     const FollowedTarget target{followed};
-    const FollowedShape& shape = followed_shape_of(mechanism, target);
+    const std::optional<FollowedShape>& shape = followed_shape_of(mechanism, target);
     const std::string title = section->title;
-    if (shape.extremes == nullptr)
+    if (!shape)
         return add_error(
             messages, section->place,
             fmt::format("a {} guides no point along a line or an arc: leave {} out", mechanism.name, title));
@@ -60,9 +60,9 @@ void read_shape(Section& file, std::string_view name, Followed followed, Problem
                                      : problem.followed ? "[line]"
                                                         : "[path] or [poses]"));
     section->title = name;
-    read_scale(*section, mechanism.function_scales, problem, messages);
+    read_scale(*section, mechanism.input->start, problem, messages);
     section->title = title;
-    read_place(*section, followed, shape.place, problem, messages);
+    read_place(*section, followed, shape->place, problem, messages);
     problem.followed = target;
     problem.followed->full_turn = read_bool(*section, "full_turn", messages).value_or(false);
     report_unknown_keys(*section, messages);

@@ -154,8 +154,8 @@ void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& m
 }
 
 void set_crank_range(Problem& problem) {
-    const DimensionRange& start = problem.dimensions[problem.mechanism->function_scales];
-    const DimensionRange& range = problem.dimensions[problem.mechanism->function_scales + 1];
+    const DimensionRange& start = problem.dimensions[problem.mechanism->input->start];
+    const DimensionRange& range = problem.dimensions[problem.mechanism->input->start + 1];
     if (!problem.crank_range && start.fixed() && range.fixed() && range.min != 0)
         problem.crank_range = {std::min(start.min, start.min + range.min), std::max(start.min, start.min + range.min)};
 }
@@ -164,7 +164,7 @@ void read_function(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> function = read_section(file, "function", messages);
     if (!function || problem.mechanism == nullptr) return;
     const Mechanism& mechanism = *problem.mechanism;
-    if (mechanism.function_fit == nullptr)
+    if (!mechanism.function)
         return add_error(messages, function->place,
                          fmt::format("a {} generates no functions here: leave [function] out", mechanism.name));
     auto target = std::make_shared<FunctionTarget>();
@@ -172,7 +172,7 @@ void read_function(Section& file, Problem& problem, Messages& messages) {
     for (const char* key : {"expression", "samples", "x"})
         find(*function, key);
     read_accuracy_points(*function, *target, messages);
-    const std::size_t scales = mechanism.function_scales;
+    const std::size_t scales = mechanism.input->start;
     read_scale_of(*function, "input", scales, problem, messages);
     read_scale_of(*function, "output", scales + 2, problem, messages);
     report_unknown_keys(*function, messages);

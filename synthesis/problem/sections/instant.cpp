@@ -90,7 +90,7 @@ void read_instant(Section& file, Problem& problem, Messages& messages) {
             "[instant]: for unit angular velocity of the crank the numbers are beyond all bounds; use another "
             "unit of time");
     problem.has_instant = true;
-    DimensionRange& start = problem.dimensions[problem.mechanism->path_roles.start];
+    DimensionRange& start = problem.dimensions[problem.mechanism->point->roles.start];
     if (!start.named) start = {.min = 0, .max = 2 * std::numbers::pi, .start = {}, .named = true};
     require_rates(velocity, acceleration, problem);
 }

@@ -31,7 +31,7 @@ double read_setting(Section& section, const Setting& setting, Messages& messages
 /// Sections that only other mechanisms have.
 void report_foreign_sections(Section& file, const Mechanism& mechanism, Messages& messages) {
     const auto own = sections_of(mechanism.settings);
-    for (const Mechanism* other : mechanisms())
+    for (const auto& other : mechanisms())
         for (const std::string_view section : sections_of(other->settings)) {
             if (std::find(own.begin(), own.end(), section) != own.end() || !has(file, section)) continue;
             if (std::find(file.reported.begin(), file.reported.end(), section) != file.reported.end()) continue;
@@ -45,12 +45,12 @@ void report_foreign_sections(Section& file, const Mechanism& mechanism, Messages
 
 void read_settings(Section& file, Problem& problem, Messages& messages) {
     if (problem.mechanism == nullptr) {
-        for (const Mechanism* any : mechanisms())
+        for (const auto& any : mechanisms())
             for (const std::string_view section : sections_of(any->settings))
                 find(file, section);
         return;
     }
-    const auto settings = problem.mechanism->settings;
+    const auto& settings = problem.mechanism->settings;
     for (std::size_t i = 0; i < settings.size(); ++i)
         problem.settings[i] = settings[i].preset;
     for (const std::string_view name : sections_of(settings)) {

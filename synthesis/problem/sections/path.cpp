@@ -98,7 +98,7 @@ void refuse_ties(const Section& section, const Problem& problem, Messages& messa
 void read_path(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> path = read_section(file, "path", messages);
     if (!path) return;
-    if (problem.mechanism != nullptr && problem.mechanism->path_reads == 0)
+    if (problem.mechanism != nullptr && !problem.mechanism->point)
         return add_error(messages, path->place,
                          fmt::format("a {} guides no point along a path: leave [path] out", problem.mechanism->name));
     refuse_ties(*path, problem, messages);
@@ -192,7 +192,7 @@ double read_body_length(Section& poses, const PointList& list, Messages& message
 void read_poses(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> poses = read_section(file, "poses", messages);
     if (!poses) return;
-    if (problem.mechanism != nullptr && problem.mechanism->pose_reads == 0)
+    if (problem.mechanism != nullptr && !problem.mechanism->body)
         return add_error(messages, poses->place,
                          fmt::format("a {} guides no body through poses: leave [poses] out", problem.mechanism->name));
     if (problem.path) return add_error(messages, poses->place, "a problem has a [path] or [poses], not both");

@@ -10,9 +10,9 @@ namespace {
 
 std::string header(const Mechanism& mechanism, const Units& units) {
     std::string line;
-    for (std::size_t c = 0; c < mechanism.motion_columns.size(); ++c) {
-        std::string name(mechanism.motion_columns[c]);
-        const std::string unit = unit_label(mechanism.motion_units[c], units);
+    for (std::size_t c = 0; c < mechanism.table.columns.size(); ++c) {
+        std::string name(mechanism.table.columns[c]);
+        const std::string unit = unit_label(mechanism.table.units[c], units);
         if (!unit.empty()) name += " [" + unit + "]";
         if (c > 0) line += ',';
         line += csv_field(name);

@@ -53,7 +53,6 @@ FinishedDesign finished_design(const Problem& problem, const Design& design) {
             .units = problem.units,
             .motion = motion_of(problem, design),
             .dimensions = design.dimensions,
-            .program = problem.program,
             .function = problem.function,
             .targets = targets_of(problem, design),
             .guides_body = problem.path && problem.path->guides_body()};

@@ -21,11 +21,10 @@ struct TargetPlace {
 
 /// Lengths in the problem's unit, angles in radians.
 struct FinishedDesign {
-    const Mechanism* mechanism = nullptr;
+    std::shared_ptr<const Mechanism> mechanism;
     Units units;
-    Motion motion;  ///< refers to program and function below
+    Motion motion;  ///< refers to mechanism and function
     std::vector<double> dimensions;
-    std::shared_ptr<const MotionProgram> program;
     std::shared_ptr<const FunctionTarget> function;
     std::vector<TargetPlace> targets;
     bool guides_body = false;

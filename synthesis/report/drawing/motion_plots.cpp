@@ -179,11 +179,11 @@ std::vector<std::string_view> quantities_with_levels() {
 
 MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_json& document, int steps) {
     const Mechanism& mechanism = *design.mechanism;
-    const std::size_t columns = mechanism.motion_columns.size(), rows = static_cast<std::size_t>(steps) + 1;
+    const std::size_t columns = mechanism.table.columns.size(), rows = static_cast<std::size_t>(steps) + 1;
     std::vector<std::vector<double>> table(columns,
                                            std::vector<double>(rows, std::numeric_limits<double>::quiet_NaN()));
     MotionPlots plots;
-    plots.angle_name = mechanism.motion_columns.front();
+    plots.angle_name = mechanism.table.columns.front();
     plots.angle_unit = unit_label(Unit::angle, design.units);
     for (const double angle : even_angles(design, steps)) {
         const std::size_t i = plots.angles.size();
@@ -194,12 +194,12 @@ MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_j
             table[c][i] = row.values()[c];
     }
     for (std::size_t c = 1; c < columns; ++c) {
-        const std::string_view title = plot_of(mechanism.motion_columns[c]);
+        const std::string_view title = plot_of(mechanism.table.columns[c]);
         if (title.empty()) continue;
-        const Unit unit = mechanism.motion_units[c];
+        const Unit unit = mechanism.table.units[c];
         MotionPlot& plot = plot_with(plots.plots, title, unit_of_plot(title, unit, design.units));
         const bool inverse = title == "curvature of the profile";
-        plot.curves.push_back({(inverse ? "1/" : "") + std::string(mechanism.motion_columns[c]),
+        plot.curves.push_back({(inverse ? "1/" : "") + std::string(mechanism.table.columns[c]),
                                in_units(std::move(table[c]), title, unit, design.units)});
     }
     add_error(design, steps, plots);

@@ -8,15 +8,15 @@ namespace mechwright {
 
 MotionRow::MotionRow(const FinishedDesign& design, double crank_angle)
     : design_(&design),
-      values_(design.mechanism->motion_columns.size()),
-      assembled_(design.mechanism->motion_row(design.motion, design.dimensions, crank_angle, values_)) {}
+      values_(design.mechanism->table.columns.size()),
+      assembled_(design.mechanism->table.row(design.motion, design.dimensions, crank_angle, values_)) {}
 
 double MotionRow::in_file_unit(std::size_t column) const {
-    return mechwright::in_file_unit(values_[column], design_->mechanism->motion_units[column], design_->units);
+    return mechwright::in_file_unit(values_[column], design_->mechanism->table.units[column], design_->units);
 }
 
 double MotionRow::operator[](std::string_view column) const {
-    const auto columns = design_->mechanism->motion_columns;
+    const auto columns = design_->mechanism->table.columns;
     return values_[static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin())];
 }
 

@@ -35,21 +35,21 @@ std::optional<double> number_in(const Json& json, const char* name) {
 
 /// The mechanism of a document: the one of its name that has every number of its dimensions. Cams of several kinds have
 /// one name, and the same word means a length of one and an angle of another. Null where there is none.
-const Mechanism* mechanism_of(const Json& document) {
+std::shared_ptr<const Mechanism> mechanism_of(const Json& document) {
     const std::string name = text_in(object_in(document, "problem"), "mechanism");
     const auto has_all = [&](const Mechanism& m, const Json& numbers) {
         for (const auto& [key, value] : numbers.items())
             if (value.is_number() && find_dimension(m, key) < 0) return false;
         return true;
     };
-    for (const Mechanism* m : mechanisms_named(name))
+    for (const auto& m : mechanisms_named(name))
         if (has_all(*m, object_in(document, "design")) && has_all(*m, object_in(document, "dimensions"))) return m;
     return nullptr;
 }
 
 /// Units of quantities and dimensions by their names.
 struct UnitsOf {
-    const Mechanism* mechanism;
+    std::shared_ptr<const Mechanism> mechanism;
     Units units;
 
     explicit UnitsOf(const Json& document) : mechanism(mechanism_of(document)) {

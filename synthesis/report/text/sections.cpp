@@ -7,6 +7,7 @@
 
 #include "synthesis/document/cam_document.h"
 #include "synthesis/document/document.h"
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
@@ -127,10 +128,10 @@ std::string design_section(const Problem& problem, const Design& design, bool co
                               unit_label(unit, problem.units),
                               remark_on(problem.dimensions[i], value, unit, problem.units)});
     }
-    std::string kind = mechanism.describe(design.dimensions);
+    std::string kind = mechanism.describe(mechanism.form(0), design.dimensions);
     if (!mechanism.assemblies.empty()) kind += fmt::format(", {} assembly", mechanism.assemblies[design.assembly]);
     std::string text = heading("Design: " + kind, colour) + to_text(table, 2);
-    if (problem.program) text += folded("  ", cam_choice_text(problem, design.assembly));
+    if (is_cam(*problem.mechanism)) text += folded("  ", cam_choice_text(problem, design.assembly));
     return text;
 }
 
