@@ -95,7 +95,8 @@ void read_design(Reader& in, const Json& document, Claim& claim) {
     if (!design) return in.fail("the document has no design");
     if (!in.object(design, "design")) return;
     for (const auto& [name, value] : design->items())
-        if (name != "assembly" && name != "kind" && !(is_cam(*claim.mechanism) && (name == "rotation" || name == "laws")) &&
+        if (name != "assembly" && name != "kind" &&
+            !(is_cam(*claim.mechanism) && (name == "rotation" || name == "laws")) &&
             find_dimension(mechanism, name) < 0)
             return in.fail(fmt::format("a {} does not have design.{}", mechanism.name, reading::quoted(name)));
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
@@ -124,7 +125,7 @@ void read_crank_range(Reader& in, const Json& document, Claim& claim) {
 }
 
 void read_settings(Reader& in, const Json& document, Claim& claim) {
-    const auto settings = claim.mechanism->settings;
+    const auto& settings = claim.mechanism->settings;
     for (std::size_t i = 0; i < settings.size(); ++i)
         claim.settings[i] = settings[i].preset;
     const Json* json = member(document, of_document("settings"));
@@ -270,8 +271,7 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
 void read_function(Reader& in, const Json& document, Claim& claim) {
     const Json* json = member(document, of_document("function"));
     if (!json || !in.object(json, "function")) return;
-    if (!claim.mechanism->function)
-        return in.fail(fmt::format("a {} generates no functions", claim.mechanism->name));
+    if (!claim.mechanism->function) return in.fail(fmt::format("a {} generates no functions", claim.mechanism->name));
     auto target = std::make_shared<FunctionTarget>();
     if (const Json* expression = member(*json, of_function("expression"))) {
         target->expression = in.text(expression, "function.expression");

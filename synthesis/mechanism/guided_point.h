@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Turns the formula of a guided point, written once as a template, into the path_miss of the registry; and the
+/// Turns the formula of a guided point, written once as a template, into the `miss` of a mechanism's guidance; and the
 /// quantities that every mechanism with such a point has.
 
 #include <algorithm>
@@ -63,7 +63,16 @@ void face_with_gradient(const Vector<double>& faces, const std::array<double, N>
     set(angle, by_crank_angle);
 }
 
-/// The path_miss of a formula with `static constexpr std::size_t reads` and
+/// What a formula is given of the form: all of it where it has a model, `using Model`, else the assembly alone.
+template <class Formula>
+auto given_to(Form form) {
+    if constexpr (requires { typename Formula::Model; })
+        return form;
+    else
+        return form.assembly;
+}
+
+/// The `miss` of PointGuidance by a formula with `static constexpr std::size_t reads` and
 /// `template <class T> static MissAndMargin<T> miss(std::size_t assembly, const std::array<T, reads + 1>& x,
 /// const Vector<double>& target)`, where x are the dimensions that are read and the crank angle. A formula can have a
 /// quicker way to its value, the same bits, and first derivatives: `static bool miss_and_gradient(assembly, x, target,
@@ -76,7 +85,7 @@ void path_miss_by(Form form, std::span<const double> dimensions, double crank_an
     std::copy_n(dimensions.begin(), Formula::reads, at.begin());
     at[Formula::reads] = crank_angle;
     const auto evaluate = [&]<class T>(const std::array<T, n>& x) {
-        const MissAndMargin<T> r = Formula::miss(form.assembly, x, target);
+        const MissAndMargin<T> r = Formula::miss(given_to<Formula>(form), x, target);
         out.miss = {value_of(r.miss.x), value_of(r.miss.y)};
         out.margin = r.margin;
         return r.miss;
@@ -88,8 +97,8 @@ void path_miss_by(Form form, std::span<const double> dimensions, double crank_an
         std::copy(miss.x.second.begin(), miss.x.second.end(), out.hessian_x.begin());
         std::copy(miss.y.second.begin(), miss.y.second.end(), out.hessian_y.begin());
     } else if (!out.gradient_x.empty()) {
-        if constexpr (requires { Formula::miss_and_gradient(form.assembly, at, target, out); })
-            if (Formula::miss_and_gradient(form.assembly, at, target, out)) return;
+        if constexpr (requires { Formula::miss_and_gradient(given_to<Formula>(form), at, target, out); })
+            if (Formula::miss_and_gradient(given_to<Formula>(form), at, target, out)) return;
         const auto miss = evaluate(seeded<Dual<double, n>, n>(at));
         std::copy(miss.x.partial.begin(), miss.x.partial.end(), out.gradient_x.begin());
         std::copy(miss.y.partial.begin(), miss.y.partial.end(), out.gradient_y.begin());
@@ -105,7 +114,7 @@ struct PoseMissAndMargin {
     Vector<T> turn;
 };
 
-/// The pose_miss of a formula with `reads` and `template <class T> static PoseMissAndMargin<T> miss(assembly, const
+/// The `miss` of BodyGuidance by a formula with `reads` and `template <class T> static PoseMissAndMargin<T> miss(assembly, const
 /// std::array<T, reads + 1>& x, const Vector<double>& target, const Vector<double>& facing)`; it too can have a
 /// miss_and_gradient.
 template <class Formula>
@@ -116,7 +125,7 @@ void pose_miss_by(Form form, std::span<const double> dimensions, double crank_an
     std::copy_n(dimensions.begin(), Formula::reads, at.begin());
     at[Formula::reads] = crank_angle;
     const auto evaluate = [&]<class T>(const std::array<T, n>& x) {
-        const PoseMissAndMargin<T> r = Formula::miss(form.assembly, x, target, facing);
+        const PoseMissAndMargin<T> r = Formula::miss(given_to<Formula>(form), x, target, facing);
         out.place.miss = {value_of(r.place.miss.x), value_of(r.place.miss.y)};
         out.turn.miss = {value_of(r.turn.x), value_of(r.turn.y)};
         out.place.margin = out.turn.margin = r.place.margin;
@@ -133,8 +142,8 @@ void pose_miss_by(Form form, std::span<const double> dimensions, double crank_an
         copy(r.place.miss, out.place);
         copy(r.turn, out.turn);
     } else if (!out.place.gradient_x.empty()) {
-        if constexpr (requires { Formula::miss_and_gradient(form.assembly, at, target, facing, out); })
-            if (Formula::miss_and_gradient(form.assembly, at, target, facing, out)) return;
+        if constexpr (requires { Formula::miss_and_gradient(given_to<Formula>(form), at, target, facing, out); })
+            if (Formula::miss_and_gradient(given_to<Formula>(form), at, target, facing, out)) return;
         const auto r = evaluate(seeded<Dual<double, n>, n>(at));
         const auto copy = [](const auto& v, PathMiss& to) {
             std::copy(v.x.partial.begin(), v.x.partial.end(), to.gradient_x.begin());

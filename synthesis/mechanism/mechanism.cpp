@@ -47,6 +47,8 @@ std::string why_not_whole(const Mechanism& m) {
         if (q.path == PathMeasure::none && !measured) return "its quantity " + q.name + " cannot be measured twice";
         if (q.reads > m.dimensions.size()) return "its quantity " + q.name + " reads more dimensions than there are";
     }
+    if (m.drawing && (!m.drawing->bodies || !m.drawing->place || !m.drawing->pivots || !m.drawing->limits))
+        return "its drawing lacks bodies, places, pivots or limits";
     if (m.point && (!m.point->miss || !m.point->point || m.point->reads > m.dimensions.size()))
         return "its guided point cannot be placed";
     if (m.body && (!m.point || !m.body->miss)) return "its guided body has no pose or no point";

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "analysis/geometry/vector.h"
+#include "synthesis/mechanism/drawing/body.h"
 #include "synthesis/mechanism/path_screening.h"
 
 namespace mechwright {
@@ -271,6 +272,22 @@ struct MotionTable {
     bool (*row)(const Motion&, std::span<const double> dimensions, double crank_angle, std::span<double> row) = nullptr;
 };
 
+struct MovingDesign;
+
+/// A mechanism that can be drawn. Its frame is that of the problem where the mechanism has a placement in it.
+struct Drawing {
+    /// The bodies that move, the driven one first. `symbol` is the size of what has no size of its own, such as a ram;
+    /// curves stay within `tolerance`.
+    std::vector<Body> (*bodies)(const MovingDesign&, double symbol, double tolerance) = nullptr;
+    /// Where they are at a crank angle, in an assembly; false where it does not assemble.
+    bool (*place)(const MovingDesign&, double crank_angle, std::size_t assembly, std::span<BodyPlace> places) = nullptr;
+    /// Pivots on the ground.
+    std::vector<Vector<double>> (*pivots)(const MovingDesign&) = nullptr;
+    /// Crank angles of the positions in which the output turns back, or which limit the motion; for cams the least and
+    /// the greatest lift.
+    std::vector<double> (*limits)(const MovingDesign&) = nullptr;
+};
+
 /// What has no value is what a mechanism cannot do; what has one is whole.
 struct Mechanism {
     std::string name;
@@ -294,6 +311,7 @@ struct Mechanism {
     std::vector<Check> (*check_motion)(const Motion&, std::span<const Digits50> dimensions) = nullptr;
 
     MotionTable table{};
+    std::optional<Drawing> drawing{};
 
     std::optional<PointGuidance> point{};
     std::optional<BodyGuidance> body{};

@@ -103,7 +103,7 @@ Solution evaluate_given(const Problem& problem, std::size_t assembly) {
     design.assembly = assembly;
     if (problem.path && problem.path->prescribed_timing)
         for (const double angle : problem.path->crank_angles)
-            design.path_angles.push_back(design.dimensions[problem.mechanism->path_roles.start] + angle);
+            design.path_angles.push_back(design.dimensions[problem.mechanism->point->roles.start] + angle);
     return assess(problem, std::move(design));
 }
 

@@ -36,8 +36,8 @@ constexpr double independent_beyond = 1e-7;
 /// only angles matter.
 int free_dimensions(const Problem& problem, const Design& design) {
     const Mechanism& mechanism = *problem.mechanism;
-    const Quantity& q =
-        deviation_from(mechanism, problem.followed ? followed_shape_of(mechanism, *problem.followed)->name : "function");
+    const Quantity& q = deviation_from(
+        mechanism, problem.followed ? followed_shape_of(mechanism, *problem.followed)->name : "function");
     const Motion motion = motion_of(problem, design);
     const auto count = static_cast<Eigen::Index>(q.components(motion)), reads = static_cast<Eigen::Index>(q.reads);
     std::vector<double> value(static_cast<std::size_t>(count));
@@ -70,7 +70,8 @@ ErrorExtremes error_extremes_of(const Problem& problem, const Design& design) {
     ErrorExtremes e;
     const Mechanism& mechanism = *problem.mechanism;
     e.all = problem.followed
-                ? followed_shape_of(mechanism, *problem.followed)->extremes(mechanism.form(design.assembly), design.dimensions)
+                ? followed_shape_of(mechanism, *problem.followed)
+                      ->extremes(mechanism.form(design.assembly), design.dimensions)
                 : mechanism.function->extremes(*problem.function, mechanism.form(design.assembly), design.dimensions);
     double greatest = 0;
     for (const auto& extreme : e.all)
@@ -89,7 +90,7 @@ ErrorExtremes error_extremes_of(const Problem& problem, const Design& design) {
 
 double place_of(const Problem& problem, const Design& design, double share) {
     if (problem.function) return problem.function->from + share * (problem.function->to - problem.function->from);
-    const std::size_t input = problem.mechanism->function_scales;
+    const std::size_t input = problem.mechanism->input->start;
     return in_file_unit(design.dimensions[input] + share * design.dimensions[input + 1], Unit::angle, problem.units);
 }
 

@@ -87,7 +87,7 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     if (target.guides_body()) {
         const double direction = target.faces(point) ? target.directions[point] : 0;
         mechanism.body->miss(mechanism.form(program.variant.assembly), dimensions, angle.angle, program.targets[point],
-                            {std::cos(direction), std::sin(direction)}, miss);
+                             {std::cos(direction), std::sin(direction)}, miss);
         t.count = 4;
         r[2].value = miss.turn.miss.x;
         r[3].value = miss.turn.miss.y;
@@ -95,7 +95,8 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
         scale(r[2], length, t.arguments, order);
         scale(r[3], length, t.arguments, order);
     } else {
-        mechanism.point->miss(mechanism.form(program.variant.assembly), dimensions, angle.angle, program.targets[point], miss.place);
+        mechanism.point->miss(mechanism.form(program.variant.assembly), dimensions, angle.angle, program.targets[point],
+                              miss.place);
         t.count = 2;
     }
     r[0].value = miss.place.miss.x;

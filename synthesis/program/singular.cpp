@@ -40,7 +40,8 @@ double least_component(const Quantity& quantity, const Motion& motion, const Des
                              components.begin() + static_cast<std::ptrdiff_t>(quantity.components(motion)));
 }
 
-void add_conditions(const Problem& problem, const Family& family, const Motion& motion, const Design& design, Margins& margins) {
+void add_conditions(const Problem& problem, const Family& family, const Motion& motion, const Design& design,
+                    Margins& margins) {
     for (const LinearCondition& condition : family.conditions) {
         double value = 0;
         for (std::size_t i = 0; i < condition.coefficients.size(); ++i)
@@ -48,8 +49,9 @@ void add_conditions(const Problem& problem, const Family& family, const Motion& 
         margins.add(std::string(condition.name), value);
     }
     if (family.assembly_margin)
-        margins.add(is_cam(*problem.mechanism) ? "the follower is held and the cam is not undercut" : "the mechanism assembles",
-                    least_component(*family.assembly_margin, motion, design));
+        margins.add(
+            is_cam(*problem.mechanism) ? "the follower is held and the cam is not undercut" : "the mechanism assembles",
+            least_component(*family.assembly_margin, motion, design));
 }
 
 void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
@@ -72,7 +74,8 @@ void add_points(const Problem& problem, const Design& design, Margins& margins) 
     std::size_t at = 0;
     for (std::size_t i = 0; i < angles.size(); ++i) {
         PathMiss miss{};
-        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions, angles[i], problem.path->points[i], miss);
+        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions, angles[i],
+                                       problem.path->points[i], miss);
         if (miss.margin >= least) continue;
         least = miss.margin;
         at = i;

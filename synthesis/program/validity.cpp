@@ -20,8 +20,8 @@ double margin_at_targets(const Problem& problem, const Design& design) {
     double least = without_limit;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
         PathMiss miss{};
-        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions, design.path_angles[i], problem.path->points[i],
-                                     miss);
+        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions,
+                                       design.path_angles[i], problem.path->points[i], miss);
         if (!(miss.margin >= least)) least = miss.margin;
     }
     return least;

@@ -8,13 +8,13 @@
 
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/document/document.h"
+#include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/left_open.h"
 #include "synthesis/python/arguments.h"
 #include "synthesis/python/calls.h"
 #include "synthesis/python/values.h"
-#include "synthesis/report/drawing/motion_row.h"
 #include "synthesis/solve/solve.h"
 
 namespace mechwright::python {
@@ -66,7 +66,7 @@ using Shape = std::vector<py::ssize_t>;
 
 /// Rows that the mechanism does not assemble for are NaN.
 py::dict motion_arrays(const FinishedDesign& design, const std::vector<double>& angles, const Shape& shape) {
-    const auto names = design.mechanism->table.columns;
+    const auto& names = design.mechanism->table.columns;
     std::vector<Column> columns;
     std::vector<double*> to;
     py::dict arrays;
@@ -80,7 +80,7 @@ py::dict motion_arrays(const FinishedDesign& design, const std::vector<double>& 
         const MotionRow row(design, angles[i]);
         const bool known = std::isfinite(angles[i]) && row.assembled();
         for (std::size_t c = 0; c < names.size(); ++c)
-            to[c][i] = known ? row.in_file_unit(c) : std::numeric_limits<double>::quiet_NaN();
+            to[c][i] = known ? in_file_unit(design, row, c) : std::numeric_limits<double>::quiet_NaN();
     }
     return arrays;
 }

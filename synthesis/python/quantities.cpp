@@ -10,7 +10,7 @@ py::object quantities(const std::string& name) {
     const std::vector<std::shared_ptr<const Mechanism>> found = mechanisms_named(name);
     if (found.empty()) throw py::value_error(unknown_mechanism(name));
     py::dict all;
-    for (const Mechanism* mechanism : found)
+    for (const auto& mechanism : found)
         for (const Quantity& quantity : mechanism->quantities) {
             py::dict one;
             one["unit"] = text_of(name_of(quantity.unit));

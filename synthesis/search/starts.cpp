@@ -85,7 +85,8 @@ void fit_placement(const Program& program, VectorXd& x) {
     const auto guided_point = [&](double along, double crank_angle, double& margin) {
         dimensions[roles.along] = along;
         PathMiss miss{};
-        program.problem->mechanism->point->miss(program.problem->mechanism->form(program.variant.assembly), dimensions, crank_angle, {0, 0}, miss);
+        program.problem->mechanism->point->miss(program.problem->mechanism->form(program.variant.assembly), dimensions,
+                                                crank_angle, {0, 0}, miss);
         margin = miss.margin;
         return -Complex(miss.miss.x, miss.miss.y);
     };

@@ -21,8 +21,8 @@ std::string defect_of(const std::vector<Check>& checks) {
 
 /// Which of the designs already taken (0: the best one) draws the curve of another.
 std::optional<std::size_t> cognate_of(const Problem& problem, const Result& result, const Solution& other) {
-    const auto draws_same_curve = problem.mechanism->draws_same_curve;
-    if (!problem.path || draws_same_curve == nullptr) return std::nullopt;
+    if (!problem.path || !problem.mechanism->point->draws_same_curve) return std::nullopt;
+    const auto draws_same_curve = problem.mechanism->point->draws_same_curve;
     const auto is_cognate = [&](const Solution& known) {
         return draws_same_curve(known.design.dimensions, other.design.dimensions);
     };

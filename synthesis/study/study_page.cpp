@@ -104,7 +104,8 @@ std::optional<Problem> problem_at(VariedProblem& varied, const Study& study, std
 bool fits(const Design& design, const Problem& problem) {
     return design.dimensions.size() == problem.mechanism->dimensions.size() &&
            std::all_of(design.dimensions.begin(), design.dimensions.end(), [](double d) { return std::isfinite(d); }) &&
-           (is_cam(*problem.mechanism) || design.assembly < std::max<std::size_t>(1, problem.mechanism->assemblies.size()));
+           (is_cam(*problem.mechanism) ||
+            design.assembly < std::max<std::size_t>(1, problem.mechanism->assemblies.size()));
 }
 
 /// The design of a point for the page; nothing where it cannot be shown.

@@ -63,7 +63,8 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, Pa
         if (measure == PathMeasure::greatest) factor = distance == values->greatest ? 1 / distance : 0;
         if (factor == 0) continue;
         PathMiss miss{{}, 0, x, y, {}, {}};
-        mechanism.point->miss(mechanism.form(design.assembly), design.dimensions, design.path_angles[i], problem.path->points[i], miss);
+        mechanism.point->miss(mechanism.form(design.assembly), design.dimensions, design.path_angles[i],
+                              problem.path->points[i], miss);
         for (std::size_t k = 0; k < reads; ++k)
             total[k] += factor * (miss.miss.x * x[k] + miss.miss.y * y[k]);
         if (problem.path->prescribed_timing)
@@ -121,7 +122,8 @@ Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_
     const std::optional<PathTarget>& path = design.problem.path;
     if (path && path->prescribed_timing)
         for (std::size_t i = 0; i < path->crank_angles.size(); ++i)
-            piece.path_angles[i] = piece.dimensions[design.problem.mechanism->point->roles.start] + path->crank_angles[i];
+            piece.path_angles[i] =
+                piece.dimensions[design.problem.mechanism->point->roles.start] + path->crank_angles[i];
     else if (path)
         meet_nearest_points(design.problem, piece);
     // The ranges of the dimensions are for design, not for pieces.

@@ -139,7 +139,9 @@ std::string cognate_defect(const Json& document, const Json& entry) {
     const ReadClaim one = read_claim(with_alternative(document, entry)), two = read_claim(other);
     if (!one.defect.empty() || !two.defect.empty()) return "one of the cognates is not understood";
     const auto& point = one.claim.mechanism->point;
-    if (point && point->draws_same_curve && point->draws_same_curve(rebuilt(one.claim).rounded, rebuilt(two.claim).rounded)) return {};
+    if (point && point->draws_same_curve &&
+        point->draws_same_curve(rebuilt(one.claim).rounded, rebuilt(two.claim).rounded))
+        return {};
     return "it is stated as a cognate, and is none";
 }
 

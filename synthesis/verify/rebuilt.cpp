@@ -60,8 +60,7 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
             const PathRoles& roles = claim.mechanism->point->roles;
             std::vector<Digits50> ahead = design.dimensions;
             ahead[roles.along] += 1;
-            const Vector<Digits50> link =
-                point(ahead, result.crank_angles.back()) - result.reached.back();
+            const Vector<Digits50> link = point(ahead, result.crank_angles.back()) - result.reached.back();
             const Digits50 faces = atan2(link.y, link.x) + design.dimensions[roles.body];
             if (path.directions[i]) {
                 const Digits50 asked = from_document(*path.directions[i], Unit::angle, claim.units);

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "synthesis/document/document.h"
-#include "synthesis/report/drawing/motion_row.h"
+#include "synthesis/mechanism/drawing/motion_row.h"
 #include "tests/drawing/designs.h"
 
 namespace mechwright::testing {
@@ -105,9 +105,8 @@ TEST(MotionPlots, DrawLimitsWhereTheyHold) {
 TEST(MotionPlots, DrawLimitsOfQuantitiesThatThereAre) {
     const auto all = mechanisms();
     for (const std::string_view name : quantities_with_levels())
-        EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& m) {
-            return find_quantity(*m, name) >= 0;
-        })) << name;
+        EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& m) { return find_quantity(*m, name) >= 0; }))
+            << name;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "synthesis/report/drawing/motion_row.h"
+#include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/report/drawing/svg.h"
 #include "tests/drawing/designs.h"
 
@@ -19,7 +19,7 @@ double distance(const Vector<double>& a, const Vector<double>& b) { return std::
 
 /// The bodies of a scene at a crank angle.
 struct Pose {
-    std::vector<Place> places;
+    std::vector<BodyPlace> places;
     const Scene& scene;
 
     Pose(const FinishedDesign& design, const Scene& of, double angle) : places(of.bodies.size()), scene(of) {
@@ -62,7 +62,7 @@ void expect_joined(const FinishedDesign& design, const std::vector<Joint>& joint
                     nearest = std::min(nearest, distance(in_drawing(pose.places[b], pin), pivot));
             EXPECT_LE(nearest, 1e-13 * scene.extent());
         }
-        for (const Place& place : pose.places)
+        for (const BodyPlace& place : pose.places)
             EXPECT_NEAR(std::hypot(place.turn.x, place.turn.y), 1, 1e-14);
     }
 }
@@ -114,7 +114,7 @@ TEST(Scene, SlidesTheBlockInTheSlot) {
         const Scene scene = scene_of(design, fineness);
         for (const double angle : even_angles(design, 12)) {
             const Pose pose(design, scene, angle);
-            const Place& arm = pose.places[pose.index("block") + 1];
+            const BodyPlace& arm = pose.places[pose.index("block") + 1];
             const Vector<double> reach = pose.pin("block", 0) - arm.at;
             EXPECT_NEAR(cross(arm.turn, reach), 0, 1e-12 * scene.extent());
             EXPECT_NEAR(dot(arm.turn, reach), MotionRow(design, angle)["block-position"], 1e-12 * scene.extent());

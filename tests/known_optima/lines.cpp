@@ -152,7 +152,8 @@ TEST(Arcs, MakeALinkDwell) {
     for (int i = 0; i <= 20000; ++i) {
         const double angle = s.dimension("input-start") + s.dimension("input-range") * i / 20000.0;
         PathMiss miss{};
-        mechanism.point->miss(mechanism.form(d.assembly), d.dimensions, angle, {s.dimension("arc-x"), s.dimension("arc-y")}, miss);
+        mechanism.point->miss(mechanism.form(d.assembly), d.dimensions, angle,
+                              {s.dimension("arc-x"), s.dimension("arc-y")}, miss);
         greatest = std::max(greatest, std::abs(std::hypot(miss.miss.x, miss.miss.y) - s.dimension("arc-radius")));
     }
     EXPECT_NEAR(greatest / s.result.best->objective, 1, 1e-6);

@@ -120,13 +120,13 @@ TEST(Paths, WithoutTimingCountByTheNearestPoints) {
         double nearest = 1e9;
         for (int k = 0; k < 3600; ++k) {
             PathMiss miss{};
-            s.problem.mechanism->point->miss(s.problem.mechanism->form(design.assembly), design.dimensions, k * 2 * std::numbers::pi / 3600,
-                                           s.problem.path->points[i], miss);
+            s.problem.mechanism->point->miss(s.problem.mechanism->form(design.assembly), design.dimensions,
+                                             k * 2 * std::numbers::pi / 3600, s.problem.path->points[i], miss);
             nearest = std::min(nearest, std::hypot(miss.miss.x, miss.miss.y));
         }
         PathMiss at{};
-        s.problem.mechanism->point->miss(s.problem.mechanism->form(design.assembly), design.dimensions, design.path_angles[i],
-                                       s.problem.path->points[i], at);
+        s.problem.mechanism->point->miss(s.problem.mechanism->form(design.assembly), design.dimensions,
+                                         design.path_angles[i], s.problem.path->points[i], at);
         EXPECT_LE(std::hypot(at.miss.x, at.miss.y), nearest * (1 + 1e-12));
         // A scan in steps of up to 0.2 can miss the nearest point by half of one.
         EXPECT_LE(nearest, std::hypot(std::hypot(at.miss.x, at.miss.y), 0.1));

@@ -50,8 +50,10 @@ TEST(Poses, HaveTheDistanceThatIsDefined) {
         std::vector<double> ahead = design.dimensions;
         ahead[4] += 1;
         PathMiss here{}, there{};
-        s.problem.mechanism->point->miss(s.problem.mechanism->form(design.assembly), design.dimensions, design.path_angles[i], {0, 0}, here);
-        s.problem.mechanism->point->miss(s.problem.mechanism->form(design.assembly), ahead, design.path_angles[i], {0, 0}, there);
+        s.problem.mechanism->point->miss(s.problem.mechanism->form(design.assembly), design.dimensions,
+                                         design.path_angles[i], {0, 0}, here);
+        s.problem.mechanism->point->miss(s.problem.mechanism->form(design.assembly), ahead, design.path_angles[i],
+                                         {0, 0}, there);
         const double coupler = std::atan2(here.miss.y - there.miss.y, here.miss.x - there.miss.x);
         const double off = coupler + body - path.directions[i];
         const Vector<double> place = path.points[i] + here.miss;

@@ -2,7 +2,6 @@
 
 #include "synthesis/mechanism/cam/cam.h"
 
-#include "synthesis/mechanism/cam/cam.h"
 #include "tests/problem/problem_text.h"
 
 namespace mechwright::test {

@@ -69,8 +69,7 @@ int run_export(const ExportOptions& options, Console& console) {
     ShownDesign shown;
     if (const int outcome = read_shown(options.file, options.alternative.value_or(0), console, shown)) return outcome;
     const FinishedDesign& design = shown.design;
-    std::array<Place, most_bodies> places;
-    if (!place_bodies(design, angle_of(options, design), design.motion.assembly, places)) {
+    if (!MotionRow(design, angle_of(options, design)).assembled()) {
         complain(console,
                  fmt::format("--at {}: the mechanism does not assemble at this crank angle; it does from {} to {}",
                              options.at.value_or(0), in_file_unit(design.motion.from, Unit::angle, design.units),

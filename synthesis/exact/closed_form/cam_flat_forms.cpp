@@ -90,7 +90,8 @@ struct SwingTask {
 };
 
 std::optional<SwingTask> swing_task(const Problem& problem) {
-    if (!program_of(*problem.mechanism) || !problem.objective || problem.objective->terms.size() != 1) return std::nullopt;
+    if (!program_of(*problem.mechanism) || !problem.objective || problem.objective->terms.size() != 1)
+        return std::nullopt;
     const ObjectiveTerm& term = problem.objective->terms.front();
     const auto asked = problem.mechanism->quantities[term.quantity].measure;
     const bool size =

@@ -79,7 +79,8 @@ std::vector<AngleLimit> angle_limits(const Problem& problem) {
 template <template <class> class F>
 bool covers(const Problem& problem) {
     constexpr std::size_t arm = 2, roller = Layout<F>::shape - 1;
-    if (!program_of(*problem.mechanism) || problem.mechanism->families[0].assembly_margin->measure != &ExistenceMargin<F>::measure)
+    if (!program_of(*problem.mechanism) ||
+        problem.mechanism->families[0].assembly_margin->measure != &ExistenceMargin<F>::measure)
         return false;
     if (!size_asked<F>(problem) || angle_limits<F>(problem).empty()) return false;
     for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {

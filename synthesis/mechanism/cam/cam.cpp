@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "synthesis/mechanism/cam/check_cam.h"
+#include "synthesis/mechanism/cam/drawing.h"
 
 namespace mechwright {
 
@@ -304,7 +305,8 @@ std::shared_ptr<const Mechanism> entry() {
                       .motion = whole_turn,
                       .describe = describe,
                       .check_motion = check_cam<F>,
-                      .table = {columns(), column_units(oscillating), motion_row<F>}});
+                      .table = {columns(), column_units(oscillating), motion_row<F>},
+                      .drawing = cam_drawing()});
     }();
     return mechanism;
 }

@@ -2,6 +2,7 @@
 
 #include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/quick_return/again.h"
+#include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/slotted_row.h"
@@ -76,7 +77,8 @@ std::shared_ptr<const Mechanism> crank_shaper_mechanism() {
                       .motion = motion_by_drive<CrankShaper>,
                       .describe = describe,
                       .check_motion = CrankShaperAgain::check_motion,
-                      .table = {slotted_columns(), slotted_units(), slotted_row<CrankShaper>}});
+                      .table = {slotted_columns(), slotted_units(), slotted_row<CrankShaper>},
+                      .drawing = crank_shaper_drawing()});
     }();
     return mechanism;
 }

@@ -2,6 +2,7 @@
 
 #include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/quick_return/again.h"
+#include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 
@@ -109,7 +110,8 @@ std::shared_ptr<const Mechanism> drag_link_mechanism() {
                       .motion = motion_by_drive<DragLink>,
                       .describe = describe,
                       .check_motion = DragLinkAgain::check_motion,
-                      .table = {columns(), units(), motion_row}});
+                      .table = {columns(), units(), motion_row},
+                      .drawing = drag_link_drawing()});
     }();
     return mechanism;
 }

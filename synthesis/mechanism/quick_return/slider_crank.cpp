@@ -4,6 +4,7 @@
 #include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/quick_return/again.h"
+#include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/ram_function.h"
@@ -139,6 +140,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism() {
         .describe = describe,
         .check_motion = SliderCrankAgain::check_motion,
         .table = {columns(), units(), motion_row},
+        .drawing = slider_crank_drawing(),
         .point = PointGuidance{.reads = RodPath::reads,
                                .roles = {3, 4, 5, 6, 7, 8, 9},
                                .miss = path_miss_by<RodPath>,

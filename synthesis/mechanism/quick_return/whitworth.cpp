@@ -2,6 +2,7 @@
 
 #include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/quick_return/again.h"
+#include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/slotted_row.h"
@@ -73,7 +74,8 @@ std::shared_ptr<const Mechanism> whitworth_mechanism() {
                       .motion = motion_by_drive<Whitworth>,
                       .describe = describe,
                       .check_motion = WhitworthAgain::check_motion,
-                      .table = {slotted_columns(), slotted_units(), slotted_row<Whitworth>}});
+                      .table = {slotted_columns(), slotted_units(), slotted_row<Whitworth>},
+                      .drawing = whitworth_drawing()});
     }();
     return mechanism;
 }

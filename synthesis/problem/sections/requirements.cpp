@@ -124,7 +124,7 @@ void compare_with_variables(const Problem& problem, const std::vector<Bounds>& b
 std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view what, const Section& file,
                                        const Problem& problem, Messages& messages) {
     if (problem.mechanism == nullptr) return {};
-    const auto quantities = problem.mechanism->quantities;
+    const auto& quantities = problem.mechanism->quantities;
     std::vector<std::string_view> names;
     for (const Quantity& quantity : quantities)
         names.push_back(quantity.name);

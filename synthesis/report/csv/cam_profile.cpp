@@ -7,10 +7,10 @@
 #include <limits>
 #include <numbers>
 
+#include "synthesis/mechanism/cam/curves.h"
+#include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/report/csv/csv_text.h"
-#include "synthesis/report/drawing/cam_curves.h"
 #include "synthesis/report/drawing/dxf.h"
-#include "synthesis/report/drawing/motion_row.h"
 
 namespace mechwright {
 

@@ -1,8 +1,8 @@
 #include "synthesis/report/csv/motion_table.h"
 
+#include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv/csv_text.h"
-#include "synthesis/report/drawing/motion_row.h"
 
 namespace mechwright {
 
@@ -35,7 +35,7 @@ std::string motion_table(const FinishedDesign& design, int steps) {
         if (!row.assembled()) continue;
         for (std::size_t c = 0; c < row.values().size(); ++c) {
             if (c > 0) text += ',';
-            text += csv_number(row.in_file_unit(c));
+            text += csv_number(in_file_unit(design, row, c));
         }
         text += '\n';
     }

@@ -42,7 +42,7 @@ std::string curve_text(const DxfCurve& curve) {
            point(11, curve.vertices[1].at);
 }
 
-DxfCurve placed(const Outline& outline, const Place& place, std::string layer) {
+DxfCurve placed(const Outline& outline, const BodyPlace& place, std::string layer) {
     DxfCurve curve{std::move(layer), outline.vertices, outline.closed};
     for (ArcVertex& v : curve.vertices)
         v.at = in_drawing(place, v.at);
@@ -71,7 +71,7 @@ std::string dxf_text(const std::vector<DxfCurve>& curves, const std::vector<DxfC
 }
 
 std::string dxf_of(const FinishedDesign& design, const Scene& scene, double crank_angle) {
-    std::vector<Place> places(scene.bodies.size());
+    std::vector<BodyPlace> places(scene.bodies.size());
     place_bodies(design, crank_angle, design.motion.assembly, places);
     std::vector<DxfCurve> curves;
     std::vector<DxfCircle> circles;

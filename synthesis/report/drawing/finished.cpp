@@ -2,6 +2,7 @@
 
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/document/document.h"
+#include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
 
@@ -35,11 +36,6 @@ void evaluate_again(nlohmann::ordered_json& document) {
 
 }  // namespace
 
-double FinishedDesign::operator[](std::string_view dimension) const {
-    const int index = find_dimension(*mechanism, dimension);
-    return index < 0 ? 0 : dimensions[static_cast<std::size_t>(index)];
-}
-
 FinishedOrNot finished_design(const nlohmann::ordered_json& document) {
     const ReadClaim read = read_claim(document);
     if (!read.defect.empty()) return {{}, read.defect};
@@ -49,13 +45,16 @@ FinishedOrNot finished_design(const nlohmann::ordered_json& document) {
 }
 
 FinishedDesign finished_design(const Problem& problem, const Design& design) {
-    return {.mechanism = problem.mechanism,
-            .units = problem.units,
-            .motion = motion_of(problem, design),
-            .dimensions = design.dimensions,
-            .function = problem.function,
-            .targets = targets_of(problem, design),
-            .guides_body = problem.path && problem.path->guides_body()};
+    FinishedDesign finished;
+    finished.mechanism = problem.mechanism;
+    finished.motion = motion_of(problem, design);
+    finished.dimensions = design.dimensions;
+    finished.guides_point = problem.path || problem.followed;
+    finished.guides_body = problem.path && problem.path->guides_body();
+    finished.units = problem.units;
+    finished.function = problem.function;
+    finished.targets = targets_of(problem, design);
+    return finished;
 }
 
 nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& other) {
@@ -75,6 +74,22 @@ nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document,
     }
     if (!other.contains("quantities")) evaluate_again(shown);
     return shown;
+}
+
+std::vector<double> even_angles(const FinishedDesign& design, int steps) {
+    const Motion& motion = design.motion;
+    if (!design.assembles()) return {};
+    const double from = in_file_unit(motion.from, Unit::angle, design.units);
+    const double to = in_file_unit(motion.to, Unit::angle, design.units);
+    std::vector<double> angles{motion.from};
+    for (int i = 1; i < steps; ++i)
+        angles.push_back(from_file_unit(from + (to - from) * i / steps, Unit::angle, design.units));
+    angles.push_back(motion.to);
+    return angles;
+}
+
+double in_file_unit(const FinishedDesign& design, const MotionRow& row, std::size_t column) {
+    return in_file_unit(row.values()[column], design.mechanism->table.units[column], design.units);
 }
 
 }  // namespace mechwright

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/program/result.h"
 
 namespace mechwright {
@@ -19,20 +20,11 @@ struct TargetPlace {
     std::optional<Vector<double>> reached;
 };
 
-/// Lengths in the problem's unit, angles in radians.
-struct FinishedDesign {
-    std::shared_ptr<const Mechanism> mechanism;
+/// A moving design with its units and targets.
+struct FinishedDesign : MovingDesign {
     Units units;
-    Motion motion;  ///< refers to mechanism and function
-    std::vector<double> dimensions;
-    std::shared_ptr<const FunctionTarget> function;
+    std::shared_ptr<const FunctionTarget> function;  ///< that the motion refers to
     std::vector<TargetPlace> targets;
-    bool guides_body = false;
-
-    /// The value of a dimension, 0 where the mechanism has none of this name.
-    double operator[](std::string_view dimension) const;
-    /// Whether it moves at all.
-    bool assembles() const { return motion.from <= motion.to; }
 };
 
 struct FinishedOrNot {
@@ -50,5 +42,12 @@ FinishedDesign finished_design(const Problem& problem, const Design& design);
 /// design in the place of its own, and with what is said of that. What is not stated is evaluated again. Precondition:
 /// `other` is an object with a design.
 nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& other);
+
+/// `steps` + 1 crank angles (radians) from one end of the motion to the other, even in the file's unit, so that whole
+/// degrees stay whole degrees; none where it does not assemble.
+std::vector<double> even_angles(const FinishedDesign& design, int steps);
+
+/// A value of a row of the motion table as files have it.
+double in_file_unit(const FinishedDesign& design, const MotionRow& row, std::size_t column);
 
 }  // namespace mechwright

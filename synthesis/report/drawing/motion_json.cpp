@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/report/drawing/motion_row.h"
 
 namespace mechwright {
 
@@ -57,7 +57,7 @@ Json motion_json(const FinishedDesign& design, const Scene& scene, int steps) {
     json["fixed"] = outline_list(scene.fixed);
     json["targets"] = targets(design);
     Json angles = Json::array(), frames = Json::array();
-    std::vector<Place> places(scene.bodies.size());
+    std::vector<BodyPlace> places(scene.bodies.size());
     for (const double angle : even_angles(design, steps)) {
         angles.push_back(in_file_unit(angle, Unit::angle, design.units));
         if (!place_bodies(design, angle, design.motion.assembly, places)) {
@@ -65,7 +65,7 @@ Json motion_json(const FinishedDesign& design, const Scene& scene, int steps) {
             continue;
         }
         Json frame = Json::array();
-        for (const Place& place : places)
+        for (const BodyPlace& place : places)
             frame.push_back({place.at.x, place.at.y,
                              in_file_unit(std::atan2(place.turn.y, place.turn.x), Unit::angle, design.units)});
         frames.push_back(std::move(frame));

@@ -8,10 +8,10 @@
 #include <limits>
 #include <numbers>
 
+#include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv/csv_text.h"
-#include "synthesis/report/drawing/motion_row.h"
 #include "synthesis/report/files/gnuplot.h"
 #include "synthesis/report/text/table.h"
 

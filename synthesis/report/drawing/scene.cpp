@@ -7,30 +7,18 @@
 #include <utility>
 
 #include "analysis/numbers/scalar.h"
-#include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/report/drawing/drawn.h"
-#include "synthesis/report/drawing/motion_row.h"
-#include "synthesis/report/drawing/outlines.h"
+#include "synthesis/mechanism/drawing/outlines.h"
 
 namespace mechwright {
 
 namespace {
 
-using drawing::Drawn;
-
 constexpr int samples = 360;
 
-const Drawn& drawn_of(const Mechanism& mechanism) {
-    constexpr std::array<std::pair<std::string_view, const Drawn& (*)()>, 5> linkages{
-        {{"four-bar", drawing::four_bar_drawn},
-         {"slider-crank", drawing::slider_crank_drawn},
-         {"crank-shaper", drawing::crank_shaper_drawn},
-         {"whitworth", drawing::whitworth_drawn},
-         {"drag-link", drawing::drag_link_drawn}}};
-    for (const auto& [name, drawn] : linkages)
-        if (name == mechanism.name) return drawn();
-    if (!is_cam(mechanism)) throw std::logic_error("nothing says how a " + std::string(mechanism.name) + " is drawn");
-    return drawing::cam_drawn();
+const Drawing& drawing_of(const FinishedDesign& design) {
+    const std::optional<Drawing>& drawing = design.mechanism->drawing;
+    if (!drawing) throw std::logic_error("nothing says how a " + design.mechanism->name + " is drawn");
+    return *drawing;
 }
 
 double longest_length(const FinishedDesign& design) {
@@ -57,10 +45,10 @@ double angle_at(const Motion& motion, int i) { return motion.from + (motion.to -
 /// Hands out the places of the bodies at crank angles spread over the motion.
 template <class Take>
 void over_motion(const FinishedDesign& design, std::size_t bodies, const Take& take) {
-    std::array<Place, most_bodies> places;
+    std::vector<BodyPlace> places(bodies);
     for (int i = 0; i <= samples; ++i)
         if (place_bodies(design, angle_at(design.motion, i), design.motion.assembly, places))
-            take(std::span<const Place>(places.data(), bodies));
+            take(std::span<const BodyPlace>(places));
 }
 
 /// What the bodies pass, with pivots and targets.
@@ -70,7 +58,7 @@ Box passed(const FinishedDesign& design, const std::vector<Body>& bodies, const 
         box.add(pivot);
     for (const TargetPlace& target : design.targets)
         box.add(target.at);
-    over_motion(design, bodies.size(), [&](std::span<const Place> places) {
+    over_motion(design, bodies.size(), [&](std::span<const BodyPlace> places) {
         for (std::size_t b = 0; b < bodies.size(); ++b) {
             for (const Vector<double>& pin : bodies[b].pins)
                 box.add(in_drawing(places[b], pin));
@@ -86,8 +74,8 @@ Box passed(const FinishedDesign& design, const std::vector<Body>& bodies, const 
 void add_slide(const FinishedDesign& design, Scene& scene) {
     if (scene.bodies.back().name != "ram") return;
     double from = std::numeric_limits<double>::infinity(), to = -from;
-    Place line;
-    over_motion(design, scene.bodies.size(), [&](std::span<const Place> places) {
+    BodyPlace line;
+    over_motion(design, scene.bodies.size(), [&](std::span<const BodyPlace> places) {
         line = places.back();
         const double along = dot(line.at, line.turn);
         from = std::min(from, along);
@@ -160,8 +148,6 @@ void add_followed(const FinishedDesign& design, Scene& scene) {
 
 }  // namespace
 
-std::vector<double> drawing::ends_of(const Motion& motion) { return {motion.from, motion.to}; }
-
 std::string_view name_of(Layer layer) {
     switch (layer) {
         case Layer::ground: return "ground";
@@ -176,16 +162,16 @@ std::string_view name_of(Layer layer) {
     return "";
 }
 
-bool place_bodies(const FinishedDesign& design, double crank_angle, std::size_t assembly, std::span<Place> places) {
-    return drawn_of(*design.mechanism).place(design, crank_angle, assembly, places);
+bool place_bodies(const FinishedDesign& design, double crank_angle, std::size_t assembly, std::span<BodyPlace> places) {
+    return drawing_of(design).place(design, crank_angle, assembly, places);
 }
 
-std::vector<double> limit_angles(const FinishedDesign& design) { return drawn_of(*design.mechanism).limits(design); }
+std::vector<double> limit_angles(const FinishedDesign& design) { return drawing_of(design).limits(design); }
 
 std::optional<Vector<double>> guided_point(const FinishedDesign& design, const Scene& scene, double crank_angle) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         if (scene.bodies[b].points.empty()) continue;
-        std::array<Place, most_bodies> places;
+        std::vector<BodyPlace> places(scene.bodies.size());
         place_bodies(design, crank_angle, design.motion.assembly, places);
         return in_drawing(places[b], scene.bodies[b].points.front());
     }
@@ -193,7 +179,7 @@ std::optional<Vector<double>> guided_point(const FinishedDesign& design, const S
 }
 
 Scene scene_of(const FinishedDesign& design, double fineness) {
-    const Drawn& drawn = drawn_of(*design.mechanism);
+    const Drawing& drawn = drawing_of(design);
     constexpr double symbol_share = 0.018, coarse = 1e-3;
     Scene scene;
     scene.pivots = drawn.pivots(design);

@@ -208,7 +208,7 @@ void add_link(SketchText& sketch, Joined& joined, const std::string& name, const
 }
 
 /// Lines and arcs one after the other, their ends joined.
-void add_curve(SketchText& sketch, const Outline& outline, const Place& place) {
+void add_curve(SketchText& sketch, const Outline& outline, const BodyPlace& place) {
     const std::vector<ArcVertex>& v = outline.vertices;
     std::optional<SketchPoint> first, last;
     for (std::size_t i = 0; i < v.size(); ++i) {
@@ -237,7 +237,7 @@ void add_curve(SketchText& sketch, const Outline& outline, const Place& place) {
 }  // namespace
 
 std::string sketch_of(const FinishedDesign& design, const Scene& scene, double crank_angle) {
-    std::vector<Place> places(scene.bodies.size());
+    std::vector<BodyPlace> places(scene.bodies.size());
     place_bodies(design, crank_angle, design.motion.assembly, places);
     const double tolerance = 1e-9 * scene.extent();
     SketchText sketch;
@@ -265,7 +265,7 @@ std::string sketch_of(const FinishedDesign& design, const Scene& scene, double c
         return std::nullopt;
     };
     if (const auto ram = pin_of("ram")) {
-        const Place& slide = places.back();
+        const BodyPlace& slide = places.back();
         const SketchLine line = sketch.line(slide.at - (0.2 * scene.extent()) * slide.turn,
                                             slide.at + (0.2 * scene.extent()) * slide.turn, true);
         sketch.hold(line.from);

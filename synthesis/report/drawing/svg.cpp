@@ -141,7 +141,7 @@ SvgView view_of(const Scene& scene, double width, double most_height) {
     return view;
 }
 
-std::string svg_matrix(const SvgView& view, const Place& place) {
+std::string svg_matrix(const SvgView& view, const BodyPlace& place) {
     const Vector<double> at = view.pixels(place.at);
     return fmt::format("matrix({0:.6g} {1:.6g} {2:.6g} {0:.6g} {3} {4})", place.turn.x, -place.turn.y, place.turn.y,
                        px(at.x), px(at.y));
@@ -161,7 +161,7 @@ std::string svg_fixed(const FinishedDesign& design, const Scene& scene, const Sv
 
 std::string svg_bodies(const FinishedDesign& design, const Scene& scene, const SvgView& view, double crank_angle,
                        std::size_t assembly) {
-    std::vector<Place> places(scene.bodies.size());
+    std::vector<BodyPlace> places(scene.bodies.size());
     place_bodies(design, crank_angle, assembly, places);
     std::string text;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)

@@ -27,7 +27,7 @@ struct SvgView {
 SvgView view_of(const Scene& scene, double width, double most_height);
 
 /// "matrix(...)": what brings a body's outlines, drawn in its own frame in pixels, to its place.
-std::string svg_matrix(const SvgView& view, const Place& place);
+std::string svg_matrix(const SvgView& view, const BodyPlace& place);
 
 /// What does not move: ground, paths, targets with their errors.
 std::string svg_fixed(const FinishedDesign& design, const Scene& scene, const SvgView& view);

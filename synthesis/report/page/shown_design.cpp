@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <cstring>
 
+#include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/drawing/motion_plots.h"
-#include "synthesis/report/drawing/motion_row.h"
 #include "synthesis/report/page/tables.h"
 
 namespace mechwright {
@@ -38,12 +38,12 @@ std::int16_t integer(double value) {
 /// Where the bodies are in an assembly, at every angle.
 Json places_of(const FinishedDesign& design, std::size_t bodies, const SvgView& view, std::size_t assembly,
                const std::vector<double>& angles) {
-    std::vector<Place> places(bodies);
+    std::vector<BodyPlace> places(bodies);
     std::vector<double> numbers;
     double farthest = 1;
     for (const double angle : angles) {
         const bool assembled = place_bodies(design, angle, assembly, places);
-        for (const Place& place : places) {
+        for (const BodyPlace& place : places) {
             const Vector<double> at = assembled ? view.pixels(place.at) : Vector<double>{};
             const Vector<double> turn = assembled ? place.turn : Vector<double>{};
             numbers.insert(numbers.end(), {at.x, at.y, turn.x, turn.y});

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/report/drawing/scene.h"
+#include "synthesis/mechanism/drawing/body.h"
 
 namespace mechwright::outlines {
 

@@ -1,16 +1,16 @@
-#include "synthesis/report/drawing/cam_curves.h"
+#include "synthesis/mechanism/cam/curves.h"
 
 #include <algorithm>
 #include <numbers>
 
 #include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/report/drawing/motion_row.h"
+#include "synthesis/mechanism/drawing/motion_row.h"
 
 namespace mechwright {
 
-double roller_radius(const FinishedDesign& cam) { return cam["roller-radius"]; }
+double roller_radius(const MovingDesign& cam) { return cam["roller-radius"]; }
 
-std::vector<double> cam_corners(const FinishedDesign& cam) {
+std::vector<double> cam_corners(const MovingDesign& cam) {
     constexpr double turn = 2 * std::numbers::pi;
     std::vector<double> angles{0};
     cam_corners(*cam.mechanism, cam.motion, cam.dimensions, angles);
@@ -24,7 +24,7 @@ std::vector<double> cam_corners(const FinishedDesign& cam) {
     return distinct;
 }
 
-std::vector<ArcVertex> cam_curve(const FinishedDesign& cam, double offset, double tolerance) {
+std::vector<ArcVertex> cam_curve(const MovingDesign& cam, double offset, double tolerance) {
     const auto curve = [&](double cam_angle) {
         const MotionRow row(cam, cam_angle);
         return row.vector("profile") + offset * row.vector("normal");

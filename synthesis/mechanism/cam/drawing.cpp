@@ -1,14 +1,16 @@
+#include "synthesis/mechanism/cam/drawing.h"
+
 #include <algorithm>
 #include <numbers>
 
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/cam/curves.h"
 #include "synthesis/mechanism/cam/motion_program.h"
-#include "synthesis/report/drawing/cam_curves.h"
-#include "synthesis/report/drawing/drawn.h"
-#include "synthesis/report/drawing/motion_row.h"
-#include "synthesis/report/drawing/outlines.h"
+#include "synthesis/mechanism/drawing/motion_row.h"
+#include "synthesis/mechanism/drawing/moving_design.h"
+#include "synthesis/mechanism/drawing/outlines.h"
 
-namespace mechwright::drawing {
+namespace mechwright {
 
 namespace {
 
@@ -17,7 +19,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr int steps = 720;
 
 /// How far the contact goes along a flat face, to both sides.
-Vector<double> face_reach(const FinishedDesign& design) {
+Vector<double> face_reach(const MovingDesign& design) {
     // The contact of a face that moves along a guide is counted along the turning of the cam.
     const double side = cam_kind(*design.mechanism).oscillating ? 1 : sense_of(design.motion.assembly);
     Vector<double> reach{0, 0};
@@ -29,12 +31,12 @@ Vector<double> face_reach(const FinishedDesign& design) {
 }
 
 /// The least distance of the roller centre, or of the face, from the cam centre.
-double least_radius(const FinishedDesign& design) {
+double least_radius(const MovingDesign& design) {
     const double prime = design["prime-radius"];
     return prime > 0 ? prime : design["base-radius"] + roller_radius(design);
 }
 
-Body cam_body(const FinishedDesign& design, double tolerance) {
+Body cam_body(const MovingDesign& design, double tolerance) {
     Body cam{"cam", {}, {{0, 0}}, {}};
     cam.outlines.push_back({Layer::cam, cam_curve(design, 0, tolerance), true});
     const double roller = roller_radius(design);
@@ -44,7 +46,7 @@ Body cam_body(const FinishedDesign& design, double tolerance) {
 }
 
 /// The follower in the frame of its guide, its end at the origin; an arm in that of its pivot.
-Body follower_body(const FinishedDesign& design, double symbol) {
+Body follower_body(const MovingDesign& design, double symbol) {
     const CamKind kind = cam_kind(*design.mechanism);
     const bool flat = kind.follower == CamFollower::flat;
     const double roller = roller_radius(design), length = design["arm-length"];
@@ -67,11 +69,11 @@ Body follower_body(const FinishedDesign& design, double symbol) {
     return body;
 }
 
-std::vector<Body> bodies(const FinishedDesign& design, double symbol, double tolerance) {
+std::vector<Body> bodies(const MovingDesign& design, double symbol, double tolerance) {
     return {cam_body(design, tolerance), follower_body(design, symbol)};
 }
 
-bool place(const FinishedDesign& design, double cam_angle, std::size_t, std::span<Place> places) {
+bool place(const MovingDesign& design, double cam_angle, std::size_t, std::span<BodyPlace> places) {
     const MotionRow row(design, cam_angle);
     const CamKind kind = cam_kind(*design.mechanism);
     const double turned_by = sense_of(design.motion.assembly) * cam_angle;
@@ -81,7 +83,7 @@ bool place(const FinishedDesign& design, double cam_angle, std::size_t, std::spa
     const Vector<double> centre = turned(row.vector("pitch"), with_cam), pivot{design["pivot-distance"], 0};
     if (kind.follower == CamFollower::flat) {
         const Vector<double> outward = turned(row.vector("normal"), with_cam);
-        places[1] = kind.oscillating ? Place{pivot, left_of(outward)} : Place{{0, centre.y}, {1, 0}};
+        places[1] = kind.oscillating ? BodyPlace{pivot, left_of(outward)} : BodyPlace{{0, centre.y}, {1, 0}};
     } else if (kind.oscillating) {
         const Vector<double> arm = centre - pivot;
         places[1] = {pivot, (1 / std::hypot(arm.x, arm.y)) * arm};
@@ -91,14 +93,14 @@ bool place(const FinishedDesign& design, double cam_angle, std::size_t, std::spa
     return row.assembled();
 }
 
-std::vector<Vector<double>> pivots(const FinishedDesign& design) {
+std::vector<Vector<double>> pivots(const MovingDesign& design) {
     std::vector<Vector<double>> all{{0, 0}};
     if (cam_kind(*design.mechanism).oscillating) all.push_back({design["pivot-distance"], 0});
     return all;
 }
 
 /// Where the lift is least and where it is greatest, of the ends of segments and of even steps.
-std::vector<double> limits(const FinishedDesign& design) {
+std::vector<double> limits(const MovingDesign& design) {
     std::vector<double> angles = cam_corners(design);
     for (int i = 0; i < steps; ++i)
         angles.push_back(full_turn * i / steps);
@@ -109,9 +111,6 @@ std::vector<double> limits(const FinishedDesign& design) {
 
 }  // namespace
 
-const Drawn& cam_drawn() {
-    static constexpr Drawn drawn{bodies, place, pivots, limits};
-    return drawn;
-}
+Drawing cam_drawing() { return {bodies, place, pivots, limits}; }
 
-}  // namespace mechwright::drawing
+}  // namespace mechwright

@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "analysis/geometry/arc_fit.h"
-#include "synthesis/report/drawing/finished.h"
+#include "synthesis/mechanism/drawing/moving_design.h"
 
 namespace mechwright {
 
 /// Radius of the roller, 0 of a knife edge or a flat face.
-double roller_radius(const FinishedDesign& cam);
+double roller_radius(const MovingDesign& cam);
 
 /// Cam angles at which curves may have corners of their curvature: 0, ends of segments and of their pieces, a turn.
-std::vector<double> cam_corners(const FinishedDesign& cam);
+std::vector<double> cam_corners(const MovingDesign& cam);
 
 /// The closed curve that lies so far outward from the profile, as arcs within a tolerance. At the roller's radius it is
 /// the pitch curve.
-std::vector<ArcVertex> cam_curve(const FinishedDesign& cam, double offset, double tolerance);
+std::vector<ArcVertex> cam_curve(const MovingDesign& cam, double offset, double tolerance);
 
 }  // namespace mechwright
