@@ -114,9 +114,9 @@ struct PoseMissAndMargin {
     Vector<T> turn;
 };
 
-/// The `miss` of BodyGuidance by a formula with `reads` and `template <class T> static PoseMissAndMargin<T> miss(assembly, const
-/// std::array<T, reads + 1>& x, const Vector<double>& target, const Vector<double>& facing)`; it too can have a
-/// miss_and_gradient.
+/// The `miss` of BodyGuidance by a formula with `reads` and `template <class T> static PoseMissAndMargin<T>
+/// miss(assembly, const std::array<T, reads + 1>& x, const Vector<double>& target, const Vector<double>& facing)`; it
+/// too can have a miss_and_gradient.
 template <class Formula>
 void pose_miss_by(Form form, std::span<const double> dimensions, double crank_angle, const Vector<double>& target,
                   const Vector<double>& facing, PoseMiss& out) {

@@ -264,6 +264,13 @@ struct FollowedShape {
     void (*fit)(Form, std::span<double> dimensions, const std::array<bool, 3>& free) = nullptr;
 };
 
+/// How a quantity of a mechanism follows from its dimensions, which have their names in problem files.
+struct QuantityFormula {
+    std::string quantity;
+    std::string text;
+    std::string source;  ///< book and equation, or how it is derived
+};
+
 /// The motion as a table: names and units of its columns, and one row at a crank angle.
 struct MotionTable {
     std::vector<std::string> columns;
@@ -311,6 +318,8 @@ struct Mechanism {
     std::vector<Check> (*check_motion)(const Motion&, std::span<const Digits50> dimensions) = nullptr;
 
     MotionTable table{};
+    /// Those that are not said of every mechanism alike (explanations.h).
+    std::vector<QuantityFormula> formulas{};
     std::optional<Drawing> drawing{};
 
     std::optional<PointGuidance> point{};

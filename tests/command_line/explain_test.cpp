@@ -23,8 +23,8 @@ TEST(Explanations, ThereIsAFormulaForEveryQuantityOfEveryMechanism) {
         for (const Quantity& quantity : mechanism->quantities) {
             const Explanation* explanation = find_explanation(quantity.name);
             ASSERT_NE(explanation, nullptr) << quantity.name;
-            const Formula* formula = formula_for(*explanation, *mechanism);
-            ASSERT_NE(formula, nullptr) << quantity.name << " of " << mechanism->meaning;
+            const auto formula = formula_for(*explanation, *mechanism);
+            ASSERT_TRUE(formula) << quantity.name << " of " << mechanism->meaning;
             EXPECT_FALSE(formula->text.empty() || formula->source.empty()) << quantity.name;
             EXPECT_FALSE(explanation->what.empty() || explanation->over.empty() || explanation->usual.empty())
                 << quantity.name;
@@ -33,13 +33,19 @@ TEST(Explanations, ThereIsAFormulaForEveryQuantityOfEveryMechanism) {
 
 TEST(Explanations, AreOfQuantitiesThatThereAreAndEachFormulaIsUsed) {
     for (const Explanation& explanation : explanations()) {
-        std::vector<const Formula*> used;
+        std::vector<FormulaText> used;
         for (const auto& mechanism : mechanisms())
-            if (find_quantity(*mechanism, explanation.name) >= 0) used.push_back(formula_for(explanation, *mechanism));
+            if (find_quantity(*mechanism, explanation.name) >= 0) used.push_back(*formula_for(explanation, *mechanism));
         EXPECT_FALSE(used.empty()) << explanation.name;
         for (const Formula& formula : explanation.formulas)
-            EXPECT_NE(std::find(used.begin(), used.end(), &formula), used.end()) << explanation.name << formula.of;
+            EXPECT_NE(std::find(used.begin(), used.end(), FormulaText{formula.text, formula.source}), used.end())
+                << explanation.name << formula.of;
     }
+    for (const auto& mechanism : mechanisms())
+        for (const QuantityFormula& own : mechanism->formulas) {
+            EXPECT_GE(find_quantity(*mechanism, own.quantity), 0) << own.quantity << " of " << mechanism->name;
+            EXPECT_NE(find_explanation(own.quantity), nullptr) << own.quantity;
+        }
 }
 
 TEST(Explanations, PointToNamesThatAreExplained) {

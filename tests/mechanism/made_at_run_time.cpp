@@ -1,5 +1,5 @@
-// A mechanism that is none of the fixed kinds, made while the program runs: an elliptic trammel, whose model is the angle
-// between its two slots. Everything that takes a problem file takes one of it.
+// A mechanism that is none of the fixed kinds, made while the program runs: an elliptic trammel, whose model is the
+// angle between its two slots. Everything that takes a problem file takes one of it.
 
 #include <gtest/gtest.h>
 
@@ -125,8 +125,7 @@ bool place(const MovingDesign& design, double direction, std::size_t, std::span<
     const Vector<double> tilt{std::cos(design["tilt"]), std::sin(design["tilt"])};
     const double first = slider(design["rod"], direction, slots_of(design.motion.model).cotangent);
     const BodyPlace slots{{design["origin-x"], design["origin-y"]}, tilt};
-    places[0] = {in_drawing(slots, {first, 0}),
-                 turned(Vector<double>{std::cos(direction), std::sin(direction)}, tilt)};
+    places[0] = {in_drawing(slots, {first, 0}), turned(Vector<double>{std::cos(direction), std::sin(direction)}, tilt)};
     return true;
 }
 
@@ -158,8 +157,7 @@ Mechanism trammel(const std::string& name, double cotangent) {
     m.table = {{"crank-angle", "slider-position", "point-x", "point-y"},
                {Unit::angle, Unit::length, Unit::length, Unit::length},
                row};
-    m.drawing = Drawing{bodies, place,
-                        [](const MovingDesign&) { return std::vector<Vector<double>>{}; },
+    m.drawing = Drawing{bodies, place, [](const MovingDesign&) { return std::vector<Vector<double>>{}; },
                         [](const MovingDesign& design) { return ends_of(design.motion); }};
     m.point = PointGuidance{
         .reads = RodPoint::reads, .roles = {1, 2, 3, 4, 5, 6}, .miss = path_miss_by<RodPoint>, .point = point_again};

@@ -50,21 +50,20 @@ std::string listed_mechanisms(const Mechanisms& some) {
 /// Each formula with the mechanisms for which it holds, where there are several.
 std::string formulas_of(const Explanation& explanation, const Mechanisms& some) {
     std::string text;
-    std::vector<const Formula*> used;
-    for (const Formula& formula : explanation.formulas)
-        if (std::any_of(some.begin(), some.end(),
-                        [&](const auto& m) { return formula_for(explanation, *m) == &formula; }))
-            used.push_back(&formula);
-    for (const Formula* formula : used) {
+    std::vector<FormulaText> used;
+    for (const auto& mechanism : some)
+        if (const auto formula = formula_for(explanation, *mechanism);
+            formula && std::find(used.begin(), used.end(), *formula) == used.end())
+            used.push_back(*formula);
+    for (const FormulaText& formula : used) {
         std::string of;
         if (used.size() > 1) {
-            Mechanisms holders;
-            std::copy_if(some.begin(), some.end(), std::back_inserter(holders),
-                         [&](const auto& m) { return formula_for(explanation, *m) == formula; });
+            Mechanisms holders = some;
+            std::erase_if(holders, [&](const auto& m) { return formula_for(explanation, *m) != formula; });
             of = listed_mechanisms(holders) + ": ";
         }
-        text += line(text.empty() ? "formula" : "", of + std::string(formula->text));
-        text += line("", "[" + std::string(formula->source) + "]");
+        text += line(text.empty() ? "formula" : "", of + std::string(formula.text));
+        text += line("", "[" + std::string(formula.source) + "]");
     }
     return text;
 }

@@ -4,15 +4,6 @@
 
 namespace mechwright {
 
-namespace {
-
-bool applies(const Formula& formula, const Mechanism& mechanism) {
-    return formula.of.empty() || formula.of == mechanism.name ||
-           (mechanism.name == "cam" && mechanism.meaning.find(formula.of) != std::string_view::npos);
-}
-
-}  // namespace
-
 std::span<const Explanation> explanations() {
     static const std::vector<Explanation> all = [] {
         std::vector<Explanation> joined;
@@ -29,10 +20,12 @@ const Explanation* find_explanation(std::string_view quantity) {
     return found == all.end() ? nullptr : &*found;
 }
 
-const Formula* formula_for(const Explanation& explanation, const Mechanism& mechanism) {
-    const auto found = std::find_if(explanation.formulas.begin(), explanation.formulas.end(),
-                                    [&](const Formula& formula) { return applies(formula, mechanism); });
-    return found == explanation.formulas.end() ? nullptr : &*found;
+std::optional<FormulaText> formula_for(const Explanation& explanation, const Mechanism& mechanism) {
+    for (const QuantityFormula& own : mechanism.formulas)
+        if (own.quantity == explanation.name) return FormulaText{own.text, own.source};
+    for (const Formula& formula : explanation.formulas)
+        if (mechanism.meaning.find(formula.of) != std::string::npos) return FormulaText{formula.text, formula.source};
+    return std::nullopt;
 }
 
 }  // namespace mechwright

@@ -11,9 +11,9 @@
 
 namespace mechwright {
 
-/// How a quantity follows from the dimensions.
+/// How a quantity follows from the dimensions of mechanisms that do not say it themselves (Mechanism::formulas).
 struct Formula {
-    std::string_view of;      ///< a mechanism's name, or a part of a cam's meaning ("flat-faced"); empty: of any
+    std::string_view of;      ///< a part of the mechanism's meaning ("flat-faced"); empty: of any
     std::string_view text;    ///< dimensions by their names in problem files
     std::string_view source;  ///< book and equation, or how it is derived
 };
@@ -36,8 +36,15 @@ std::span<const Explanation> explanations();
 /// The explanation of a quantity, or null.
 const Explanation* find_explanation(std::string_view quantity);
 
-/// The formula that holds for a mechanism, or null.
-const Formula* formula_for(const Explanation& explanation, const Mechanism& mechanism);
+struct FormulaText {
+    std::string_view text;
+    std::string_view source;
+
+    friend bool operator==(const FormulaText&, const FormulaText&) = default;
+};
+
+/// The formula that holds for a mechanism; nothing where none is known. It lives as long as the mechanism.
+std::optional<FormulaText> formula_for(const Explanation& explanation, const Mechanism& mechanism);
 
 /// The parts of the list, each in a file of its own.
 std::vector<Explanation> linkage_explanations();

@@ -11,24 +11,6 @@ std::vector<Explanation> linkage_explanations() {
                  "that goes back as it came, 2 one that returns in half the time. Which stroke is the slow one depends "
                  "on the direction in which the crank turns, so that the ratio never is below 1.",
          .over = "one full turn of the crank",
-         .formulas =
-             {{"four-bar",
-               "(180 deg + |f - e|) / (180 deg - |f - e|), where e and f are the angles from the ground link to the "
-               "line from crank pivot to rocker pin at the two limits of the rocker: cos e = (ground^2 + p^2 - "
-               "rocker^2) / (2 ground p) with p = coupler + crank, and cos f the same with p = coupler - crank",
-               "law of cosines in the triangles of the limit positions, crank and coupler in line"},
-              {"slider-crank",
-               "(180 deg + |a|) / (180 deg - |a|), a = asin(offset / (rod - crank)) - asin(offset / (rod + crank))",
-               "Theory of Machines, section 2.4"},
-              {"crank-shaper", "(360 deg - b) / b, b = 2 acos(crank / centre-distance)",
-               "Theory of Machines, section 2.5"},
-              {"whitworth", "(180 deg + b) / (180 deg - b), b = 2 asin(centre-distance |sin(slide-angle)| / crank)",
-               "Theory of Machines, section 2.5, extended to any slide angle"},
-              {"drag-link",
-               "(360 deg - b) / b, b the smaller of the two angles that the crank turns through between the limits of "
-               "the ram. There arm and rod are in line, which gives the follower's angles, and the four-bar seen from "
-               "its follower the crank's",
-               "limits of a slider-crank of arm, rod and slide-offset; law of cosines in the four-bar"}},
          .usual = "1 where both strokes work. Up to 1.3 or so a four-bar keeps good transmission angles at a useful "
                   "swing; shapers work with 1.5 to 2; more makes the return jerky.",
          .undefined = "for designs whose crank does not turn fully, or whose output does not make two strokes a turn "
@@ -40,8 +22,8 @@ std::vector<Explanation> linkage_explanations() {
          .what = "How far the rocker turns to and fro.",
          .over = "one full turn of the crank, between the two positions with crank and coupler in line",
          .formulas = {{"",
-                       "acos((ground^2 + rocker^2 - (coupler + crank)^2) / (2 ground rocker)) - acos((ground^2 + "
-                       "rocker^2 - (coupler - crank)^2) / (2 ground rocker))",
+                       "acos((ground^2 + rocker^2 - (coupler + crank)^2) / (2 ground rocker)) - "
+                       "acos((ground^2 + rocker^2 - (coupler - crank)^2) / (2 ground rocker))",
                        "law of cosines in the triangles of the limit positions"}},
          .usual = "30 to 90 deg; the best possible transmission angle falls as the swing grows "
                   "(problems/studies/transmission-chart.toml draws how).",
@@ -53,23 +35,6 @@ std::vector<Explanation> linkage_explanations() {
          .what = "The least angle at which a link pushes the driven one. At 90 deg all of the force turns it, at 0 "
                  "none does: the linkage jams.",
          .over = "the whole motion: the full turn, or the crank's range; extremes are found on the continuous motion",
-         .formulas = {{"four-bar",
-                       "acos((coupler^2 + rocker^2 - d^2) / (2 coupler rocker)), d the distance from crank pin to "
-                       "rocker pivot: |ground - crank| at the least over a full turn",
-                       "Theory of Machines, equation (2-1)"},
-                      {"slider-crank", "acos((crank + |offset|) / rod) over a full turn",
-                       "90 deg less the slope of the rod, which is steepest with the crank square to the slide"},
-                      {"crank-shaper",
-                       "acos(|ram-distance - lever cos(w)| / rod) at the worse of w = 0 and w = asin(crank / "
-                       "centre-distance), w the angle of the lever to the line of centres",
-                       "90 deg less the slope of the rod, which is extreme with the lever upright or at an end of its "
-                       "swing"},
-                      {"whitworth", "acos(arm / rod) over a full turn",
-                       "90 deg less the slope of the rod, with the arm square to the slide"},
-                      {"drag-link",
-                       "the lesser of acos((coupler^2 + follower^2 - (ground - crank)^2) / (2 coupler follower)) and, "
-                       "at the ram, acos((arm + |slide-offset|) / rod), over a full turn",
-                       "Theory of Machines, equation (2-1), and the slope of the rod"}},
          .usual = "at least 40 deg (Theory of Machines, section 2.3); 45 deg or more where forces are large or the "
                   "machine is fast. With transmission-angle-max it says the same as transmission-angle-worst.",
          .undefined = "for designs that assemble at no crank angle",
@@ -80,17 +45,9 @@ std::vector<Explanation> linkage_explanations() {
          .what = "The greatest angle at which a link pushes the driven one. Beyond 90 deg what counts is how far it "
                  "stays below 180 deg.",
          .over = "the whole motion: the full turn, or the crank's range",
-         .formulas = {{"four-bar",
-                       "acos((coupler^2 + rocker^2 - d^2) / (2 coupler rocker)), d the distance from crank pin to "
-                       "rocker pivot: ground + crank at the greatest over a full turn",
-                       "Theory of Machines, equation (2-1)"},
-                      {"drag-link",
-                       "the greater of acos((coupler^2 + follower^2 - (ground + crank)^2) / (2 coupler follower)) and "
-                       "the greatest angle at the ram, 90 deg where the rod comes to lie along the slide",
-                       "Theory of Machines, equation (2-1), and the slope of the rod"},
-                      {"",
-                       "90 deg where the rod comes to lie along the slide in the motion; else 90 deg less its least "
-                       "slope",
+         .formulas = {{"",
+                       "90 deg where the rod comes to lie along the slide in the motion; else 90 deg "
+                       "less its least slope",
                        "the angle at the ram is 90 deg less the slope of the rod"}},
          .usual = "at most 140 deg (Theory of Machines, section 2.3); 135 deg where forces are large.",
          .undefined = "for designs that assemble at no crank angle",
@@ -101,22 +58,6 @@ std::vector<Explanation> linkage_explanations() {
          .what = "How badly the driven link is pushed at the worst position: the transmission angle mu, or 180 deg - "
                  "mu where that is less. The one number to keep large.",
          .over = "the whole motion: the full turn, or the crank's range; with [function], [line] or [arc] their range",
-         .formulas =
-             {{"four-bar",
-               "least of mu and 180 deg - mu, cos mu = (coupler^2 + rocker^2 - d^2) / (2 coupler rocker), d^2 = "
-               "ground^2 + crank^2 - 2 ground crank cos(crank angle); over a full turn extreme at 0 and 180 deg",
-               "Theory of Machines, equation (2-1)"},
-              {"slider-crank", "acos((crank + |offset|) / rod) over a full turn",
-               "90 deg less the slope of the rod, which is steepest with the crank square to the slide"},
-              {"crank-shaper",
-               "acos(|ram-distance - lever cos(w)| / rod) at the worse of w = 0 and w = asin(crank / centre-distance)",
-               "90 deg less the slope of the rod; in the slot the block pushes square to the lever"},
-              {"whitworth", "acos(arm / rod) over a full turn",
-               "90 deg less the slope of the rod, with the arm square to the slide"},
-              {"drag-link",
-               "least of the angle between coupler and follower, its supplement, and the angle at the ram, acos((arm + "
-               "|slide-offset|) / rod) over a full turn",
-               "Theory of Machines, equation (2-1), and the slope of the rod"}},
          .usual = "at least 40 deg (Theory of Machines, section 2.3); 45 deg or more where forces are large or the "
                   "machine is fast. Short light swings get by with 30 deg.",
          .undefined = "for designs that assemble at no crank angle",
@@ -128,8 +69,8 @@ std::vector<Explanation> linkage_explanations() {
                  "where it turns against the crank.",
          .over = "the whole motion, at every place where the ratio is stationary",
          .formulas = {{"",
-                       "least of crank sin(t - c) / (rocker sin(r - c)), t, c, r the angles of crank, coupler and "
-                       "rocker from the ground link",
+                       "least of crank sin(t - c) / (rocker sin(r - c)), t, c, r the angles of crank, "
+                       "coupler and rocker from the ground link",
                        "Theory of Machines, equations (4-39) and (4-40)"}},
          .usual = "depends on the task: a double crank has positive ratios only, 1 on average over a turn.",
          .undefined = "for designs that assemble at no crank angle; beyond all bounds at a toggle",
@@ -140,8 +81,8 @@ std::vector<Explanation> linkage_explanations() {
          .what = "The fastest that the rocker turns, with the crank, for a crank of unit angular velocity.",
          .over = "the whole motion, at every place where the ratio is stationary",
          .formulas = {{"",
-                       "greatest of crank sin(t - c) / (rocker sin(r - c)), t, c, r the angles of crank, coupler and "
-                       "rocker from the ground link",
+                       "greatest of crank sin(t - c) / (rocker sin(r - c)), t, c, r the angles of "
+                       "crank, coupler and rocker from the ground link",
                        "Theory of Machines, equations (4-39) and (4-40)"}},
          .usual = "depends on the task; drag links for quick returns work with 2 to 3.",
          .undefined = "for designs that assemble at no crank angle; beyond all bounds at a toggle",
@@ -152,12 +93,6 @@ std::vector<Explanation> linkage_explanations() {
          .what = "How uneven the links are. Long links beside short ones are hard to build, and magnify errors of the "
                  "short ones.",
          .over = "none: it depends on the lengths alone",
-         .formulas = {{"four-bar", "longest over shortest of ground, crank, coupler, rocker", "definition"},
-                      {"slider-crank", "longer over shorter of crank and rod", "definition"},
-                      {"crank-shaper", "longest over shortest of centre-distance, crank, lever, rod", "definition"},
-                      {"whitworth", "longest over shortest of centre-distance, crank, arm, rod", "definition"},
-                      {"drag-link", "longest over shortest of ground, crank, coupler, follower, arm, rod",
-                       "definition"}},
          .usual = "up to 4 or 5 is easy to build. As an upper limit it keeps an optimiser from very long links.",
          .undefined = "",
          .require = "max = 4",
@@ -166,11 +101,6 @@ std::vector<Explanation> linkage_explanations() {
         {.name = "total-length",
          .what = "The size of a linkage in one number.",
          .over = "none: it depends on the lengths alone",
-         .formulas = {{"four-bar", "ground + crank + coupler + rocker", "definition"},
-                      {"slider-crank", "crank + rod", "definition"},
-                      {"crank-shaper", "centre-distance + crank + lever + rod", "definition"},
-                      {"whitworth", "centre-distance + crank + arm + rod", "definition"},
-                      {"drag-link", "ground + crank + coupler + follower + arm + rod", "definition"}},
          .usual = "as small as the other requirements let it be.",
          .undefined = "",
          .require = "max = 500",

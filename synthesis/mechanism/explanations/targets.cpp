@@ -17,7 +17,9 @@ std::vector<Explanation> of_paths_and_poses() {
              "How far a coupler point misses its target points, as the literature on path synthesis gives it: a sum "
              "of squares.",
          .over = crank_angles,
-         .formulas = {{"", "sum of w d^2, d the distance of a target point from the guided point, w its weight",
+         .formulas = {{"",
+                       "sum of w d^2, d the distance of a target point from the guided point, w its "
+                       "weight",
                        "definition"}},
          .usual = "compare it only for the same points: it grows with their number and with the square of their "
                   "spread. path-rms is easier to read.",
@@ -29,8 +31,8 @@ std::vector<Explanation> of_paths_and_poses() {
          .what = "How far a coupler point misses its target points, typically.",
          .over = crank_angles,
          .formulas = {{"",
-                       "sqrt(sum of w d^2 / sum of w), d the distance of a target point from the guided point, w its "
-                       "weight",
+                       "sqrt(sum of w d^2 / sum of w), d the distance of a target point from the guided "
+                       "point, w its weight",
                        "definition"}},
          .usual = "one percent of the size of the curve is good for a dozen points or more; five points can be met "
                   "exactly in many ways, nine in finitely many.",
@@ -41,7 +43,9 @@ std::vector<Explanation> of_paths_and_poses() {
         {.name = "path-max",
          .what = "How far a coupler point misses the target point that it misses most.",
          .over = crank_angles,
-         .formulas = {{"", "greatest d, the distance of a target point from the guided point; weights do not count",
+         .formulas = {{"",
+                       "greatest d, the distance of a target point from the guided point; weights do "
+                       "not count",
                        "definition"}},
          .usual = "the tolerance of the task.",
          .undefined = "in problems without [path]",
@@ -52,8 +56,8 @@ std::vector<Explanation> of_paths_and_poses() {
          .what = "How far a guided body misses its target poses, typically, turning weighed against distance.",
          .over = "all target poses, in their order, at prescribed crank angles or the best ones",
          .formulas = {{"",
-                       "sqrt(sum of w d^2 / sum of w), d^2 = dx^2 + dy^2 + (2 length sin(turn / 2))^2, length that of "
-                       "[poses], turn the angle between body and target, w the weight",
+                       "sqrt(sum of w d^2 / sum of w), d^2 = dx^2 + dy^2 + (2 length sin(turn / 2))^2, "
+                       "length that of [poses], turn the angle between body and target, w the weight",
                        "distance of a point of the body at that length; definition"}},
          .usual = "0 can be reached for up to five poses (Burmester) if the linkage may be anything; choose length as "
                   "about half the size of the body.",
@@ -65,8 +69,8 @@ std::vector<Explanation> of_paths_and_poses() {
          .what = "How far a guided body misses the target pose that it misses most.",
          .over = "all target poses, in their order, at prescribed crank angles or the best ones",
          .formulas = {{"",
-                       "greatest d, d^2 = dx^2 + dy^2 + (2 length sin(turn / 2))^2, length that of [poses], turn the "
-                       "angle between body and target",
+                       "greatest d, d^2 = dx^2 + dy^2 + (2 length sin(turn / 2))^2, length that of "
+                       "[poses], turn the angle between body and target",
                        "distance of a point of the body at that length; definition"}},
          .usual = "the tolerance of the task.",
          .undefined = "in problems without [poses]",
@@ -82,15 +86,10 @@ std::vector<Explanation> of_functions() {
          .what = "The greatest structural error of a function generator. At the least possible it is reached with "
                  "alternating signs, once more than there are free dimensions.",
          .over = whole_range,
-         .formulas =
-             {{"four-bar",
-               "greatest |r - r*|, r the rocker angle, r* = output-start + output-range (f(x) - f(x1)) / (f(x2) "
-               "- f(x1)), x going evenly from x1 to x2 with the crank",
-               "definition; extremes where the error is stationary, and at the ends"},
-              {"",
-               "greatest |s - s*|, s the position of the ram, s* = output-start + output-range (f(x) - f(x1)) / "
-               "(f(x2) - f(x1)), x going evenly from x1 to x2 with the crank",
-               "definition; extremes where the error is stationary, and at the ends"}},
+         .formulas = {{"",
+                       "greatest |s - s*|, s the position of the ram, s* = output-start + output-range "
+                       "(f(x) - f(x1)) / (f(x2) - f(x1)), x going evenly from x1 to x2 with the crank",
+                       "definition; extremes where the error is stationary, and at the ends"}},
          .usual =
              "a tenth of a degree to one degree for three free links over 60 to 90 deg; each free start of a scale "
              "gains about a digit.",
@@ -101,11 +100,10 @@ std::vector<Explanation> of_functions() {
         {.name = "function-rms",
          .what = "The typical structural error of a function generator.",
          .over = whole_range,
-         .formulas =
-             {{"",
-               "square root of the mean of e^2 over the range, e the error that function-max takes the greatest "
-               "of; an integral, or the mean over the samples",
-               "definition"}},
+         .formulas = {{"",
+                       "square root of the mean of e^2 over the range, e the error that function-max "
+                       "takes the greatest of; an integral, or the mean over the samples",
+                       "definition"}},
          .usual = "about 0.7 of the greatest error at its optimum.",
          .undefined = "in problems without [function], and where the linkage does not close over the whole range",
          .require = "max = 0.3",
@@ -121,7 +119,9 @@ std::vector<Explanation> of_shapes() {
          .what = "How straight a stretch of a guided point's path is: half the width of the narrowest band that holds "
                  "it, if the line is free.",
          .over = range,
-         .formulas = {{"", "greatest |y cos a - x sin a - line-offset|, (x, y) the guided point, a = line-angle",
+         .formulas = {{"",
+                       "greatest |y cos a - x sin a - line-offset|, (x, y) the guided point, a = "
+                       "line-angle",
                        "distance of a point from a line"}},
          .usual = "1e-4 of the crank over 120 deg, 2e-3 over 180 deg, for a lambda linkage "
                   "(problems/line/lambda-120.toml).",
@@ -133,8 +133,8 @@ std::vector<Explanation> of_shapes() {
          .what = "How long the straight stretch is.",
          .over = range,
          .formulas = {{"",
-                       "|(x2 - x1) cos a + (y2 - y1) sin a|, from the first point of the stretch to the last, a = "
-                       "line-angle",
+                       "|(x2 - x1) cos a + (y2 - y1) sin a|, from the first point of the stretch to the "
+                       "last, a = line-angle",
                        "way along a line"}},
          .usual = "the task says it; about four cranks for a lambda linkage over half a turn.",
          .undefined = "in problems without [line], and where the mechanism does not close over the whole stretch",
@@ -156,8 +156,8 @@ std::vector<Explanation> of_shapes() {
          .what = "How much of the circle the stretch covers. Require some, or the point may hardly move.",
          .over = range,
          .formulas = {{"",
-                       "angle between the first and the last point of the stretch, seen from (arc-x, arc-y), 0 to "
-                       "180 deg",
+                       "angle between the first and the last point of the stretch, seen from (arc-x, "
+                       "arc-y), 0 to 180 deg",
                        "angle between two directions"}},
          .usual = "20 deg or more for a dwell.",
          .undefined = "in problems without [arc], and where the mechanism does not close over the whole stretch",
@@ -177,8 +177,8 @@ std::vector<Explanation> of_instants() {
          .what = "The angular velocity of the coupler at one crank angle, over that of the crank.",
          .over = at,
          .formulas = {{"",
-                       "crank sin(t - r) / (coupler sin(r - c)), t, c, r the angles of crank, coupler and rocker from "
-                       "the ground link",
+                       "crank sin(t - r) / (coupler sin(r - c)), t, c, r the angles of crank, coupler "
+                       "and rocker from the ground link",
                        "Theory of Machines, equation (4-39)"}},
          .usual = usual,
          .undefined = undefined,
@@ -189,8 +189,8 @@ std::vector<Explanation> of_instants() {
          .what = "The angular velocity of the rocker at one crank angle, over that of the crank.",
          .over = at,
          .formulas = {{"",
-                       "crank sin(t - c) / (rocker sin(r - c)), t, c, r the angles of crank, coupler and rocker from "
-                       "the ground link",
+                       "crank sin(t - c) / (rocker sin(r - c)), t, c, r the angles of crank, coupler "
+                       "and rocker from the ground link",
                        "Theory of Machines, equation (4-40)"}},
          .usual = usual,
          .undefined = undefined,
@@ -202,8 +202,9 @@ std::vector<Explanation> of_instants() {
                  "angular velocity.",
          .over = at,
          .formulas = {{"",
-                       "(crank cos(t - r) + coupler u^2 cos(r - c) - rocker v^2) / (coupler sin(r - c)), u and v the "
-                       "velocities of coupler and rocker, t, c, r the angles of crank, coupler and rocker",
+                       "(crank cos(t - r) + coupler u^2 cos(r - c) - rocker v^2) / (coupler sin(r - "
+                       "c)), u and v the velocities of coupler and rocker, t, c, r the angles of crank, "
+                       "coupler and rocker",
                        "Theory of Machines, equation (4-45)"}},
          .usual = usual,
          .undefined = undefined,
@@ -215,8 +216,9 @@ std::vector<Explanation> of_instants() {
                  "angular velocity.",
          .over = at,
          .formulas = {{"",
-                       "(crank cos(t - c) + coupler u^2 - rocker v^2 cos(r - c)) / (rocker sin(r - c)), u and v the "
-                       "velocities of coupler and rocker, t, c, r the angles of crank, coupler and rocker",
+                       "(crank cos(t - c) + coupler u^2 - rocker v^2 cos(r - c)) / (rocker sin(r - c)), "
+                       "u and v the velocities of coupler and rocker, t, c, r the angles of crank, "
+                       "coupler and rocker",
                        "Theory of Machines, equation (4-44)"}},
          .usual = usual,
          .undefined = undefined,

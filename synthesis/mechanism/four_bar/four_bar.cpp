@@ -9,6 +9,7 @@
 #include "synthesis/mechanism/four_bar/cognates.h"
 #include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/drawing.h"
+#include "synthesis/mechanism/four_bar/explained.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/mechanism/four_bar/function.h"
 #include "synthesis/mechanism/four_bar/instant.h"
@@ -252,6 +253,7 @@ std::shared_ptr<const Mechanism> four_bar_mechanism() {
         .describe = describe,
         .check_motion = four_bar_check_motion,
         .table = {columns(), units(), motion_row},
+        .formulas = four_bar_formulas(),
         .drawing = four_bar_drawing(),
         .point = PointGuidance{.reads = CouplerPath::reads,
                                .roles = {4, 5, 6, 7, 8, 9, 14},

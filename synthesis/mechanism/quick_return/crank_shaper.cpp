@@ -4,6 +4,7 @@
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
+#include "synthesis/mechanism/quick_return/explained.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/slotted_row.h"
 
@@ -78,6 +79,7 @@ std::shared_ptr<const Mechanism> crank_shaper_mechanism() {
                       .describe = describe,
                       .check_motion = CrankShaperAgain::check_motion,
                       .table = {slotted_columns(), slotted_units(), slotted_row<CrankShaper>},
+                      .formulas = crank_shaper_formulas(),
                       .drawing = crank_shaper_drawing()});
     }();
     return mechanism;

@@ -4,6 +4,7 @@
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
+#include "synthesis/mechanism/quick_return/explained.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 
 namespace mechwright {
@@ -111,6 +112,7 @@ std::shared_ptr<const Mechanism> drag_link_mechanism() {
                       .describe = describe,
                       .check_motion = DragLinkAgain::check_motion,
                       .table = {columns(), units(), motion_row},
+                      .formulas = drag_link_formulas(),
                       .drawing = drag_link_drawing()});
     }();
     return mechanism;

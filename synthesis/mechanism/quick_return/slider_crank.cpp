@@ -6,6 +6,7 @@
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
+#include "synthesis/mechanism/quick_return/explained.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/ram_function.h"
 #include "synthesis/mechanism/quick_return/rod_path.h"
@@ -140,6 +141,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism() {
         .describe = describe,
         .check_motion = SliderCrankAgain::check_motion,
         .table = {columns(), units(), motion_row},
+        .formulas = slider_crank_formulas(),
         .drawing = slider_crank_drawing(),
         .point = PointGuidance{.reads = RodPath::reads,
                                .roles = {3, 4, 5, 6, 7, 8, 9},

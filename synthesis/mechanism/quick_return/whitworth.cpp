@@ -4,6 +4,7 @@
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
+#include "synthesis/mechanism/quick_return/explained.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/slotted_row.h"
 
@@ -75,6 +76,7 @@ std::shared_ptr<const Mechanism> whitworth_mechanism() {
                       .describe = describe,
                       .check_motion = WhitworthAgain::check_motion,
                       .table = {slotted_columns(), slotted_units(), slotted_row<Whitworth>},
+                      .formulas = whitworth_formulas(),
                       .drawing = whitworth_drawing()});
     }();
     return mechanism;

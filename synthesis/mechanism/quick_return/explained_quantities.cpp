@@ -11,16 +11,6 @@ std::vector<Explanation> ram_explanations() {
         {.name = "stroke",
          .what = "How far the ram moves.",
          .over = "the whole motion, between the extreme positions of the ram",
-         .formulas = {{"slider-crank",
-                       "sqrt((rod + crank)^2 - offset^2) - sqrt((rod - crank)^2 - offset^2) over a full turn",
-                       "Theory of Machines, section 2.4"},
-                      {"crank-shaper", "2 lever crank / centre-distance over a full turn",
-                       "both ends of the lever's swing lie at the same distance from the ram line"},
-                      {"whitworth", "2 arm over a full turn", "the slide line passes through the driven pivot"},
-                      {"drag-link",
-                       "sqrt((rod + arm)^2 - slide-offset^2) - sqrt((rod - arm)^2 - slide-offset^2) over a full "
-                       "turn",
-                       "limits of a slider-crank of arm, rod and slide-offset"}},
          .usual = "the task says it.",
          .undefined = "for designs that assemble at no crank angle",
          .require = "equal = 200",
@@ -29,13 +19,9 @@ std::vector<Explanation> ram_explanations() {
         {.name = "ram-speed-max",
          .what = "The greatest speed of the ram, of either stroke, for a crank of unit angular velocity.",
          .over = "the whole motion, at every place where the velocity is stationary",
-         .formulas = {{"slider-crank",
-                       "greatest of crank |sin(t - b)| / cos b, t the crank angle, b the slope of the rod: sin b = "
-                       "(offset - crank sin t) / rod",
-                       "Theory of Machines, section 4-4-2, derived anew"},
-                      {"",
-                       "greatest |dx/dt|, x the position of the ram, t the crank angle: the driven arm's angular "
-                       "velocity times that of a slider-crank whose crank is the arm",
+         .formulas = {{"",
+                       "greatest |dx/dt|, x the position of the ram, t the crank angle: the driven "
+                       "arm's angular velocity times that of a slider-crank whose crank is the arm",
                        "derivative of the position"}},
          .usual = per_crank,
          .undefined = "for designs that assemble at no crank angle",
@@ -46,7 +32,8 @@ std::vector<Explanation> ram_explanations() {
          .what = "The least speed of the ram while it works, for a crank of unit angular velocity.",
          .over = "the middle [quick-return] working-share (0.6 unless given) of the slow stroke, by the way of the ram",
          .formulas = {{"", "least |dx/dt| there, x the position of the ram, t the crank angle",
-                       "derivative of the position, at the ends of the working part and where it is stationary"}},
+                       "derivative of the position, at the ends of the working part and where it is "
+                       "stationary"}},
          .usual = per_crank,
          .undefined = "for designs that do not make two strokes in each turn of the crank",
          .require = "min = 40",
@@ -56,8 +43,8 @@ std::vector<Explanation> ram_explanations() {
          .what = "How uneven the speed is while the ram works: 0 would be a constant cutting speed.",
          .over = "the middle [quick-return] working-share (0.6 unless given) of the slow stroke, by the way of the ram",
          .formulas = {{"",
-                       "(v_max - v_min) / v_mean there, v_mean = working-share stroke / (crank angle that the working "
-                       "part takes)",
+                       "(v_max - v_min) / v_mean there, v_mean = working-share stroke / (crank angle "
+                       "that the working part takes)",
                        "definition; the mean is one in time"}},
          .usual = "0.16 is the best that slotted drives reach at time ratio 2 over 60 percent of the stroke, a drag "
                   "link reaches half of that (problems/quick-return/uniform-speed-*.toml).",
@@ -70,7 +57,8 @@ std::vector<Explanation> ram_explanations() {
                  "the square of the angular velocity, the force of inertia.",
          .over = "the whole motion, at every place where the acceleration is stationary",
          .formulas = {{"", "greatest |d2x/dt2|, x the position of the ram, t the crank angle",
-                       "second derivative of the position; Theory of Machines, section 4-4-2 for the slider-crank"}},
+                       "second derivative of the position; Theory of Machines, section 4-4-2 for the "
+                       "slider-crank"}},
          .usual = "stroke / 2 would be that of a harmonic motion; slider-cranks of short rod come to twice as much. It "
                   "is a length per radian squared.",
          .undefined = "for designs that assemble at no crank angle",
