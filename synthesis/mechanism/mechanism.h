@@ -18,6 +18,7 @@
 #include "analysis/geometry/vector.h"
 #include "synthesis/mechanism/drawing/body.h"
 #include "synthesis/mechanism/path_screening.h"
+#include "synthesis/mechanism/task.h"
 
 namespace mechwright {
 
@@ -320,6 +321,7 @@ struct Mechanism {
     MotionTable table{};
     /// Those that are not said of every mechanism alike (explanations.h).
     std::vector<QuantityFormula> formulas{};
+    std::vector<Task> tasks{};
     std::optional<Drawing> drawing{};
 
     std::optional<PointGuidance> point{};

@@ -57,10 +57,10 @@ TEST(New, EveryTaskIsSolvedAndVerifiedWithItsPresets) {
 }
 
 TEST(New, ThereIsATaskForEveryMechanism) {
+    const std::vector<Task> all = tasks();
     for (const char* mechanism : {"four-bar", "slider-crank", "crank-shaper", "whitworth", "drag-link", "cam"})
-        EXPECT_TRUE(std::any_of(tasks().begin(), tasks().end(), [&](const Task& t) {
-            return t.mechanism == mechanism;
-        })) << mechanism;
+        EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Task& t) { return t.mechanism == mechanism; }))
+            << mechanism;
 }
 
 /// A line of a made file is code, a comment, or code with a comment, and none is left with a place for an answer.

@@ -95,14 +95,15 @@ std::string chosen(std::string_view what, const std::string& given, const std::v
     return given;
 }
 
-const Task& task_of(const NewOptions& options, const Source& source) {
+Task task_of(const NewOptions& options, const Source& source) {
     const std::string mechanism = chosen("Mechanism", options.mechanism, known_mechanisms(), source);
     if (source.terminal && options.task.empty())
         for (const Task& task : tasks())
             if (task.mechanism == mechanism)
                 source.prompts << folded(fmt::format("  {:<18}  ", task.name), task.meaning);
     const std::string name = chosen("Task", options.task, known_tasks(mechanism), source);
-    return *std::find_if(tasks().begin(), tasks().end(),
+    const std::vector<Task> all = tasks();
+    return *std::find_if(all.begin(), all.end(),
                          [&](const Task& task) { return task.mechanism == mechanism && task.name == name; });
 }
 
@@ -151,7 +152,7 @@ std::string asked_for(const Task& task, const Source& source) {
 }
 
 std::string composed(const NewOptions& options, const Source& source) {
-    const Task& task = task_of(options, source);
+    const Task task = task_of(options, source);
     if (options.asks()) return asked_for(task, source);
     std::string text = problem_file(task, answers_given(task, options.set));
     if (const std::string fault = fault_of_file(text); !fault.empty()) throw Refusal{fault};

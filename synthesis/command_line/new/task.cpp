@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "synthesis/mechanism/mechanism.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/text/table.h"
 
@@ -152,13 +153,10 @@ std::string with_comments_aligned(const std::string& text) {
 
 }  // namespace
 
-std::span<const Task> tasks() {
-    static const std::vector<Task> all = [] {
-        std::vector<Task> joined;
-        for (const auto& part : {four_bar_tasks(), quick_return_tasks(), cam_tasks()})
-            joined.insert(joined.end(), part.begin(), part.end());
-        return joined;
-    }();
+std::vector<Task> tasks() {
+    std::vector<Task> all;
+    for (const auto& mechanism : mechanisms())
+        all.insert(all.end(), mechanism->tasks.begin(), mechanism->tasks.end());
     return all;
 }
 

@@ -4,6 +4,7 @@
 
 #include "synthesis/mechanism/cam/check_cam.h"
 #include "synthesis/mechanism/cam/drawing.h"
+#include "synthesis/mechanism/cam/tasks.h"
 
 namespace mechwright {
 
@@ -306,6 +307,7 @@ std::shared_ptr<const Mechanism> entry() {
                       .describe = describe,
                       .check_motion = check_cam<F>,
                       .table = {columns(), column_units(oscillating), motion_row<F>},
+                      .tasks = cam_tasks(kind),
                       .drawing = cam_drawing()});
     }();
     return mechanism;

@@ -15,6 +15,7 @@
 #include "synthesis/mechanism/four_bar/instant.h"
 #include "synthesis/mechanism/four_bar/measure_again.h"
 #include "synthesis/mechanism/four_bar/screening.h"
+#include "synthesis/mechanism/four_bar/tasks.h"
 #include "synthesis/mechanism/measure_by.h"
 
 namespace mechwright {
@@ -254,6 +255,7 @@ std::shared_ptr<const Mechanism> four_bar_mechanism() {
         .check_motion = four_bar_check_motion,
         .table = {columns(), units(), motion_row},
         .formulas = four_bar_formulas(),
+        .tasks = four_bar_tasks(),
         .drawing = four_bar_drawing(),
         .point = PointGuidance{.reads = CouplerPath::reads,
                                .roles = {4, 5, 6, 7, 8, 9, 14},

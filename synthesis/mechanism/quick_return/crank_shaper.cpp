@@ -7,6 +7,7 @@
 #include "synthesis/mechanism/quick_return/explained.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/slotted_row.h"
+#include "synthesis/mechanism/quick_return/tasks.h"
 
 namespace mechwright {
 
@@ -80,6 +81,7 @@ std::shared_ptr<const Mechanism> crank_shaper_mechanism() {
                       .check_motion = CrankShaperAgain::check_motion,
                       .table = {slotted_columns(), slotted_units(), slotted_row<CrankShaper>},
                       .formulas = crank_shaper_formulas(),
+                      .tasks = crank_shaper_tasks(),
                       .drawing = crank_shaper_drawing()});
     }();
     return mechanism;

@@ -6,6 +6,7 @@
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/quick_return/explained.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
+#include "synthesis/mechanism/quick_return/tasks.h"
 
 namespace mechwright {
 
@@ -113,6 +114,7 @@ std::shared_ptr<const Mechanism> drag_link_mechanism() {
                       .check_motion = DragLinkAgain::check_motion,
                       .table = {columns(), units(), motion_row},
                       .formulas = drag_link_formulas(),
+                      .tasks = drag_link_tasks(),
                       .drawing = drag_link_drawing()});
     }();
     return mechanism;

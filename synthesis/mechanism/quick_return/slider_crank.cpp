@@ -10,6 +10,7 @@
 #include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/ram_function.h"
 #include "synthesis/mechanism/quick_return/rod_path.h"
+#include "synthesis/mechanism/quick_return/tasks.h"
 
 namespace mechwright {
 
@@ -142,6 +143,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism() {
         .check_motion = SliderCrankAgain::check_motion,
         .table = {columns(), units(), motion_row},
         .formulas = slider_crank_formulas(),
+        .tasks = slider_crank_tasks(),
         .drawing = slider_crank_drawing(),
         .point = PointGuidance{.reads = RodPath::reads,
                                .roles = {3, 4, 5, 6, 7, 8, 9},

@@ -7,6 +7,7 @@
 #include "synthesis/mechanism/quick_return/explained.h"
 #include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/slotted_row.h"
+#include "synthesis/mechanism/quick_return/tasks.h"
 
 namespace mechwright {
 
@@ -77,6 +78,7 @@ std::shared_ptr<const Mechanism> whitworth_mechanism() {
                       .check_motion = WhitworthAgain::check_motion,
                       .table = {slotted_columns(), slotted_units(), slotted_row<Whitworth>},
                       .formulas = whitworth_formulas(),
+                      .tasks = whitworth_tasks(),
                       .drawing = whitworth_drawing()});
     }();
     return mechanism;
