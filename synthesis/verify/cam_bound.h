@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/program/proof.h"
 

@@ -102,7 +102,7 @@ ExtremeCase over_range() {
 
 double sampled_deviation(const GivenDesign& design, std::size_t, int samples) {
     const FourBar<double> m = links_of(design.dimensions);
-    const auto& line = design.problem->mechanism->line;
+    const auto& line = *design.problem->mechanism->line;
     const double along = design.dimensions[design.problem->mechanism->point->roles.along];
     const Vector<double> direction{std::cos(design.dimensions[line.place]), std::sin(design.dimensions[line.place])};
     const double offset = design.dimensions[line.place + 1];
@@ -128,8 +128,8 @@ ExtremeCase straightness() {
         dimensions[2] = dimensions[3] = 2.5 + 0.3 * drawn(k, 1);
         dimensions[problem->mechanism->point->roles.along] = 2 * dimensions[2];
         dimensions[problem->mechanism->input->start] += 0.3 * drawn(k, 2);
-        problem->mechanism->line.fit(0, dimensions, {true, true, false});
-        dimensions[problem->mechanism->line.place + 1] += 0.004 * (drawn(k, 3) - 0.5);
+        problem->mechanism->line->fit(problem->mechanism->form(0), dimensions, {true, true, false});
+        dimensions[problem->mechanism->line->place + 1] += 0.004 * (drawn(k, 3) - 0.5);
         designs.emplace_back(problem, std::move(dimensions));
     }
     return case_of("deviation from a line", std::move(designs), "line-deviation", sampled_deviation);

@@ -187,7 +187,9 @@ std::string as_mechanism(std::string_view name, const Mechanisms& of, bool colou
                      [](const Dimension& d) { return !d.of_segment && !d.name.empty(); });
         if (!text.empty()) text += "\n";
         text += folded(emphasised(name, Emphasis::strong, colour) + ": ", mechanism->meaning) + "\n" +
-                line("dimensions", names_of(own)) + line("assemblies", reading::listed(mechanism->assemblies)) +
+                line("dimensions", names_of(own)) +
+                line("assemblies", reading::listed(std::vector<std::string_view>(mechanism->assemblies.begin(),
+                                                                                 mechanism->assemblies.end()))) +
                 line("quantities", names_of(mechanism->quantities)) + line("settings", names_of(mechanism->settings));
     }
     return text.empty()
