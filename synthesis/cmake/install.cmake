@@ -4,7 +4,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mechwright)
 set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/mechwright)
 
 file(GLOB_RECURSE analysis_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analysis/*.h)
-set(synthesis_headers mechanism/drawing/body.h mechanism/mechanism.h mechanism/path_screening.h mechanism/task.h problem/problem.h problem/reader.h program/quantity_value.h
+set(synthesis_headers mechanism/drawing/body.h mechanism/mechanism.h mechanism/path_screening.h mechanism/task.h problem/by_name.h problem/problem.h problem/reader.h program/quantity_value.h
     program/result.h program/run_options.h program/assess.h document/document.h solve/solve.h verify/verify.h)
 list(TRANSFORM synthesis_headers PREPEND ${PROJECT_SOURCE_DIR}/synthesis/)
 

@@ -34,7 +34,8 @@ Listed& listed() {
     return list;
 }
 
-/// What a mechanism lacks or has too much of; empty if it is whole.
+}  // namespace
+
 std::string why_not_whole(const Mechanism& m) {
     if (m.name.empty() || m.meaning.empty()) return "it has no name or no meaning";
     if (m.dimensions.empty() || m.families.empty()) return "it has no dimensions or no families of motion";
@@ -45,14 +46,20 @@ std::string why_not_whole(const Mechanism& m) {
     for (const Quantity& q : m.quantities) {
         const bool measured = q.defined && q.components && q.measure && q.measure_again;
         if (q.path == PathMeasure::none && !measured) return "its quantity " + q.name + " cannot be measured twice";
-        if (q.reads > m.dimensions.size()) return "its quantity " + q.name + " reads more dimensions than there are";
+        if (q.reads > std::min(m.dimensions.size(), Quantity::most_reads))
+            return "its quantity " + q.name + " reads too many dimensions";
     }
     if (m.drawing && (!m.drawing->bodies || !m.drawing->place || !m.drawing->pivots || !m.drawing->limits))
         return "its drawing lacks bodies, places, pivots or limits";
-    if (m.point && (!m.point->miss || !m.point->point || m.point->reads > m.dimensions.size()))
+    if (m.point && (!m.point->miss || !m.point->point ||
+                    m.point->reads > std::min(m.dimensions.size(), PointGuidance::most_reads)))
         return "its guided point cannot be placed";
-    if (m.body && (!m.point || !m.body->miss)) return "its guided body has no pose or no point";
-    if (m.input && !m.input->margin.measure) return "its input range has no margin of assembly";
+    if (m.body &&
+        (!m.point || !m.body->miss || m.body->reads > std::min(m.dimensions.size(), PointGuidance::most_reads)))
+        return "its guided body has no pose or no point";
+    if (m.input && (!m.input->margin.measure || m.input->margin.reads > PointGuidance::most_reads + 1 ||
+                    m.input->margin.reads < m.input->start + 2))
+        return "its input range has no margin of assembly";
     if ((m.function || m.line || m.arc) && !m.input) return "it generates or follows without an input range";
     if (m.function && (!m.function->fit || !m.function->extremes || !m.function->loop_row))
         return "its function cannot be fitted, judged or bounded";
@@ -60,8 +67,6 @@ std::string why_not_whole(const Mechanism& m) {
         if (*shape && (!m.point || !(*shape)->extremes || !(*shape)->fit)) return "what it follows cannot be judged";
     return {};
 }
-
-}  // namespace
 
 std::vector<Shared> mechanisms() {
     Listed& list = listed();

@@ -153,6 +153,7 @@ struct Quantity {
     std::string section{};  ///< it has a value only in problems with this section
 
     static constexpr std::size_t most_components = 32;
+    static constexpr std::size_t most_reads = 64;
 };
 
 /// A linear condition on the dimensions: sum of coefficient[i] dimension[i] >= 0.
@@ -215,7 +216,7 @@ struct Check {
 
 /// A mechanism that guides a point of one of its links.
 struct PointGuidance {
-    std::size_t reads = 0;  ///< how many of the first dimensions the point depends on
+    std::size_t reads = 0;  ///< how many of the first dimensions the point depends on; at most `most_reads`
     PathRoles roles{};
     void (*miss)(Form, std::span<const double> dimensions, double crank_angle, const Vector<double>& target,
                  PathMiss& out) = nullptr;
@@ -226,6 +227,8 @@ struct PointGuidance {
     /// Whether the guided points of two designs draw one curve though the designs are different: cognates. Null where
     /// there are none.
     bool (*draws_same_curve)(std::span<const double> a, std::span<const double> b) = nullptr;
+
+    static constexpr std::size_t most_reads = 31;  ///< of a guided body, too
 };
 
 /// A mechanism that guides a body on the link of its guided point.
@@ -238,9 +241,11 @@ struct BodyGuidance {
 /// A mechanism whose input can turn over a range with ends among its dimensions: for functions, lines and arcs.
 struct InputRange {
     std::size_t start = 0;  ///< the dimension with the crank angle at its start; the next one is the range
-    Quantity margin;        ///< components that must be >= 0 for a design to assemble over the range
+    Quantity margin;        ///< components, `most_margins` at most, >= 0 where a design assembles over the range
     /// Quantities of the same names as some of the mechanism's that know that the ends of the motion move.
     std::vector<Quantity> quantities{};
+
+    static constexpr std::size_t most_margins = 8;
 };
 
 /// A mechanism that generates functions: after start and range of the input stand those of the output.
@@ -340,6 +345,9 @@ Motion motion_of(const Mechanism& mechanism, std::span<const double> dimensions,
 
 /// Every mechanism there is, in the order in which they are listed: the fixed kinds, then those added.
 std::vector<std::shared_ptr<const Mechanism>> mechanisms();
+
+/// What a mechanism lacks or has too much of; empty if it is whole.
+std::string why_not_whole(const Mechanism& mechanism);
 
 /// Adds a mechanism to the list for as long as the program runs, so that problem files and documents can name it; its
 /// name must be new. Throws std::invalid_argument, saying what is missing, where it is not whole. Safe while other

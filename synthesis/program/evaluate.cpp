@@ -15,13 +15,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t most_reads = 64;  ///< dimensions a quantity can depend on
-constexpr std::size_t most_pairs = most_reads * (most_reads + 1) / 2;
 void evaluate_block(const Program& program, const QuantityBlock& block, bool derivatives, Outputs& out) {
     const std::size_t reads = block.quantity->reads;
-    assert(reads <= most_reads);
+    assert(reads <= Quantity::most_reads);
     std::array<double, Quantity::most_components> value;
-    std::array<double, Quantity::most_components * most_reads> gradient;
+    std::array<double, Quantity::most_components * Quantity::most_reads> gradient;
     Measurement measurement{value, {}, {}};
     if (derivatives) measurement.gradient = gradient;
     block.quantity->measure(block.motion, out.dimensions, measurement);
@@ -149,10 +147,12 @@ namespace {
 void add_block_hessian(const Program& program, const QuantityBlock& block, LagrangianHessian& out) {
     const std::size_t reads = block.quantity->reads;
     const std::size_t pairs = reads * (reads + 1) / 2;
-    std::array<double, Quantity::most_components> value;
-    std::array<double, Quantity::most_components * most_reads> gradient;
-    std::array<double, Quantity::most_components * most_pairs> second;
-    block.quantity->measure(block.motion, out.dimensions, {value, gradient, second});
+    const std::size_t count = block.count;
+    out.components.resize(count * (1 + reads + pairs));
+    const std::span<double> all = out.components;
+    const std::span<double> second = all.subspan(count * (1 + reads));
+    block.quantity->measure(block.motion, out.dimensions,
+                            {all.first(count), all.subspan(count, count * reads), second});
     for (std::size_t k = 0; k < block.count; ++k) {
         const double w = out.weights[static_cast<Index>(block.first + k)];
         if (w == 0) continue;

@@ -12,7 +12,7 @@ namespace {
 
 /// Samples of the curve; a coupler curve is of degree six and has few local minima of distance, far apart.
 constexpr int steps = 360;
-constexpr std::size_t most_arguments = 16;
+constexpr std::size_t most_arguments = PointGuidance::most_reads + 1;
 
 struct Sample {
     double angle;

@@ -12,23 +12,23 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr std::size_t most_path_reads = 16;  ///< dimensions a path can depend on
-constexpr std::size_t most_path_pairs = most_path_reads * (most_path_reads + 1) / 2;
+constexpr std::size_t most_arguments = PointGuidance::most_reads + 1;  ///< dimensions, then the crank angle
+constexpr std::size_t most_pairs = most_arguments * (most_arguments + 1) / 2;
 
 /// One residual of a point, of which there are two, for a guided body four: what is missed in x and y, and in the
 /// direction that the body faces.
 struct Residual {
     double value;
-    std::array<double, most_path_reads> gradient;
-    std::array<double, most_path_pairs> hessian;
+    std::array<double, most_arguments> gradient;
+    std::array<double, most_pairs> hessian;
 };
 
 /// Squared distance at one point with what its derivatives need.
 struct PointTerms {
     std::array<Residual, 4> residuals;
-    std::size_t count;                                     ///< of them
-    std::size_t arguments;                                 ///< dimensions and crank angle
-    std::array<std::ptrdiff_t, most_path_reads> variable;  ///< of each of the arguments
+    std::size_t count;                                    ///< of them
+    std::size_t arguments;                                ///< dimensions and crank angle
+    std::array<std::ptrdiff_t, most_arguments> variable;  ///< of each of the arguments
     double margin;
     double square;
 
@@ -108,7 +108,7 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     if (order == 0) return;
     std::copy_n(program.variable_of.begin(), reads, t.variable.begin());
     t.variable[reads] = angle.variable;
-    std::array<double, most_path_reads> times;
+    std::array<double, most_arguments> times;
     std::copy_n(program.times.begin(), reads, times.begin());
     times[reads] = program.untimed_path() ? 1 : program.times[program.problem->mechanism->point->roles.start];
     if (std::all_of(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(t.arguments),
@@ -231,7 +231,7 @@ void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessi
         const double on_q = on_sum * w + on_square + (rms > 0 ? on_rms * w / (2 * total * rms) : 0) +
                             (distance > 0 ? on_distance / (2 * distance) : 0);
         const double on_gradient_square = distance > 0 ? on_distance / (4 * t.square * distance) : 0;
-        std::array<double, most_path_reads> g;
+        std::array<double, most_arguments> g;
         for (std::size_t k = 0; k < t.arguments; ++k) {
             g[k] = t.slope(k);
             if (t.variable[k] >= 0) sum_gradient[t.variable[k]] += w * g[k];

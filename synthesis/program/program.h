@@ -180,8 +180,9 @@ bool evaluate_beside_path(const Program& program, std::span<const std::size_t> r
 struct LagrangianHessian {
     Eigen::MatrixXd value;  ///< [variable][variable], full symmetric
     std::vector<double> dimensions;
-    Eigen::VectorXd weights;        ///< [output]
-    Eigen::VectorXd path_gradient;  ///< of the weighted sum of squared distances
+    Eigen::VectorXd weights;         ///< [output]
+    Eigen::VectorXd path_gradient;   ///< of the weighted sum of squared distances
+    std::vector<double> components;  ///< of one quantity: values, gradients, Hessians
 };
 
 /// The Hessian of weight f(x) + sum multipliers[i] c_i(x). Allocates as `evaluate` does.

@@ -135,6 +135,13 @@ MissedPoint missed_point(const Problem& problem, const Design& design, std::size
 
 }  // namespace
 
+std::optional<double> value_named(const Problem& problem, const Design& design, std::string_view name) {
+    if (const int i = find_dimension(*problem.mechanism, name); i >= 0)
+        return design.dimensions[static_cast<std::size_t>(i)];
+    const int i = find_quantity(*problem.mechanism, name);
+    return i >= 0 ? quantity_value(problem, static_cast<std::size_t>(i), design) : std::nullopt;
+}
+
 std::optional<PathValues> path_values(const Problem& problem, const Design& design) {
     const std::optional<PathTarget>& target = problem.path;
     if (!target || target->points.empty() || design.path_angles.size() != target->points.size()) return std::nullopt;

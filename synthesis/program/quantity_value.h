@@ -28,6 +28,9 @@ bool assembles_over_range(const Problem& problem, const Design& design);
 /// design does not assemble over its motion.
 std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design);
 
+/// The value of a dimension or a quantity of a finished design by its name, or nothing where it has none.
+std::optional<double> value_named(const Problem& problem, const Design& design, std::string_view name);
+
 /// Where a design comes to lie at each target point, and where a guided body faces there. The distance of a body is
 /// sqrt(d^2 + (2 length sin(turn / 2))^2), with d that of its place and turn that of its direction. With weights w and
 /// distances d: sum w d^2, sqrt(sum w d^2 / sum w), and the greatest plain distance.

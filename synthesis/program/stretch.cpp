@@ -14,9 +14,9 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Of a margin's arguments, and of its components.
-constexpr std::size_t most_reads = 16;
+constexpr std::size_t most_reads = PointGuidance::most_reads + 1;
 constexpr std::size_t most_pairs = most_reads * (most_reads + 1) / 2;
-constexpr std::size_t most_components = 8;
+constexpr std::size_t most_components = InputRange::most_margins;
 
 const Quantity& margin_of(const Problem& problem) { return problem.mechanism->input->margin; }
 
@@ -87,6 +87,7 @@ double least_margin_along(const Problem& problem, const Design& design) {
     std::array<double, most_components> value;
     Motion motion;
     motion.assembly = design.assembly;
+    motion.model = problem.mechanism->model.data();
     margin.measure(motion, arguments, {value, {}, {}});
     return *std::min_element(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(margin.components(motion)));
 }

@@ -45,11 +45,15 @@ ScreenedStarts::ScreenedStarts(const Program& program, std::uint64_t seed)
               1000) {
     const Mechanism& mechanism = *program.problem->mechanism;
     const PathRoles& roles = mechanism.point->roles;
-    can_screen_ = mechanism.point->screening && is_free(program, roles.along) && is_free(program, roles.across);
+    const auto& dimensions = mechanism.dimensions;
+    const auto links = std::find_if(dimensions.begin(), dimensions.end(),
+                                    [](const Dimension& d) { return d.kind != DimensionKind::length; });
+    lengths_ = static_cast<std::size_t>(links - dimensions.begin());
+    can_screen_ = mechanism.point->screening && lengths_ <= most_lengths && is_free(program, roles.along) &&
+                  is_free(program, roles.across);
     if (!can_screen_) return;
     free_.size = true;
-    for (; mechanism.dimensions[lengths_].kind == DimensionKind::length; ++lengths_) {
-        const std::size_t i = lengths_;
+    for (std::size_t i = 0; i < lengths_; ++i) {
         const bool free = is_free(program, i);
         free_.size = free_.size && free;
         const auto v = static_cast<std::size_t>(program.variable_of[i]);

@@ -269,6 +269,11 @@ TEST(MadeAtRunTime, IsStudied) {
         EXPECT_EQ(row["status"], "solved") << row.dump();
 }
 
+TEST(Mechanisms, AreWhole) {
+    for (const auto& mechanism : mechanisms())
+        EXPECT_EQ(why_not_whole(*mechanism), "") << mechanism->meaning;
+}
+
 TEST(MadeAtRunTime, IsRefusedWhereItIsNotWhole) {
     make_trammels();
     EXPECT_THROW(add_mechanism(trammel("trammel", 0)), std::invalid_argument) << "the name is taken";

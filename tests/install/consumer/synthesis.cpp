@@ -1,39 +1,30 @@
-// Solves a problem and prints the result document; fails unless the design is solved and verified.
-#include <iostream>
+// Designs a crank-rocker of 60 deg swing and time ratio 1.2, prints its links, and fails unless it is solved and
+// verified.
+#include <cstdio>
+#include <numbers>
 
-#include "synthesis/document/document.h"
-#include "synthesis/problem/reader.h"
+#include "synthesis/problem/by_name.h"
+#include "synthesis/program/quantity_value.h"
 #include "synthesis/solve/solve.h"
 
-constexpr const char* problem_text = R"(
-schema    = 1
-title     = "Crank-rocker with 60 deg swing and time ratio 1.2"
-mechanism = "four-bar"
-
-[dimensions]
-ground  = 100
-crank   = { min = 5, max = 60 }
-coupler = { min = 20, max = 300 }
-rocker  = { min = 20, max = 300 }
-
-[[require]]
-quantity = "time-ratio"
-equal    = 1.2
-
-[[require]]
-quantity = "swing"
-equal    = 60
-
-[objective]
-maximize = "transmission-angle-worst"
-)";
-
 int main() {
-    const auto read = mechwright::parse_problem(problem_text, "crank-rocker.toml");
-    for (const auto& message : read.messages)
-        std::cerr << mechwright::to_string(message) << '\n';
-    if (!read.ok()) return 1;
-    const auto result = mechwright::solve(read.problem, {});
-    std::cout << mechwright::document(read.problem, result).dump(2) << '\n';
-    return result.status == mechwright::Status::solved && result.verified() ? 0 : 1;
+    constexpr double degree = std::numbers::pi / 180;
+    mechwright::Problem problem = mechwright::problem_of("four-bar");
+    fix(problem, "ground", 100);
+    design_within(problem, "crank", 5, 60);
+    design_within(problem, "coupler", 20, 300);
+    design_within(problem, "rocker", 20, 300);
+    require_equal(problem, "time-ratio", 1.2);
+    require_equal(problem, "swing", 60 * degree);
+    maximize(problem, "transmission-angle-worst");
+    if (!why_not_whole(problem).empty()) return 1;
+
+    const mechwright::Result result = solve(problem, {});
+    if (result.status != mechwright::Status::solved || !result.verified()) return 1;
+    const mechwright::Design& design = result.best->design;
+    for (const char* name : {"crank", "coupler", "rocker"})
+        std::printf("%-8s %.4f\n", name, *value_named(problem, design, name));
+    std::printf("worst transmission angle %.4f deg\n",
+                *value_named(problem, design, "transmission-angle-worst") / degree);
+    return 0;
 }
