@@ -30,7 +30,7 @@ struct Kinds {
 
 std::vector<Kinds> all_kinds() {
     std::vector<Kinds> all;
-    for (const Mechanism* mechanism : mechanisms()) {
+    for (const auto& mechanism : mechanisms()) {
         if (all.empty() || all.back().name != mechanism->name) all.push_back({mechanism->name});
         for (const Dimension& dimension : mechanism->dimensions)
             add_name(all.back().dimensions, dimension.name);

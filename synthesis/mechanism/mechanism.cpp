@@ -40,7 +40,8 @@ std::string why_not_whole(const Mechanism& m) {
     if (m.name.empty() || m.meaning.empty()) return "it has no name or no meaning";
     if (m.dimensions.empty() || m.families.empty()) return "it has no dimensions or no families of motion";
     if (m.settings.size() > Setting::most) return "it has too many settings";
-    if (!m.motion || !m.describe || !m.check_motion) return "its motion cannot be told, described or checked";
+    if (!m.motion || !m.motion_again || !m.describe || !m.check_motion)
+        return "its motion cannot be told twice, described or checked";
     if (!m.table.row || m.table.columns.empty() || m.table.columns.size() != m.table.units.size())
         return "its motion has no table";
     for (const Quantity& q : m.quantities) {

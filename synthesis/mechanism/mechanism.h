@@ -318,6 +318,9 @@ struct Mechanism {
     /// assembled range. A design that does not assemble anywhere has from > to. Model and settings are left to
     /// `motion_of`.
     Motion (*motion)(Form, std::span<const double> dimensions, const double* crank_range) = nullptr;
+    /// The same derived again for verification, by another way: the range where one is given. The lengths are > 0.
+    Motion (*motion_again)(Form, std::span<const Digits50> dimensions,
+                           const std::optional<Vector<Digits50>>& crank_range) = nullptr;
     /// In one phrase what kind of linkage the dimensions make ("crank-rocker", change points named).
     std::string (*describe)(Form, std::span<const double> dimensions) = nullptr;
     /// Checks of assembly, circuit and branch over the whole motion, in extended precision.

@@ -33,8 +33,8 @@ struct Error {
 
     Unit unit() const {
         const Mechanism& m = *claim.mechanism;
-        return claim.function && m.dimensions[m.function_scales + 2].kind == DimensionKind::angle ? Unit::angle
-                                                                                                  : Unit::length;
+        return claim.function && m.dimensions[m.input->start + 2].kind == DimensionKind::angle ? Unit::angle
+                                                                                               : Unit::length;
     }
     /// What an error is off by rounding of the dimensions.
     Digits50 rounding() const {
@@ -43,7 +43,7 @@ struct Error {
     /// The place as a document has it: x of a function, else the crank angle.
     double place(double share) const {
         if (claim.function) return claim.function->from + share * (claim.function->to - claim.function->from);
-        const std::size_t input = claim.mechanism->function_scales;
+        const std::size_t input = claim.mechanism->input->start;
         const Digits50 angle = design.dimensions[input] + design.dimensions[input + 1] * share;
         return in_document(angle, Unit::angle, claim.units).convert_to<double>();
     }

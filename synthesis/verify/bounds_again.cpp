@@ -32,9 +32,9 @@ ScaleRanges scale_ranges(const ProofContext& c) {
     const Mechanism& mechanism = *c.problem.mechanism;
     ScaleRanges ranges{{}, true};
     for (std::size_t k = 0; k < scales; ++k) {
-        DigitsRange& range = ranges.range[k] = range_again(c, mechanism.function_scales + k, Limits::exact);
+        DigitsRange& range = ranges.range[k] = range_again(c, mechanism.input->start + k, Limits::exact);
         // A start that may be anywhere is taken once round.
-        const bool angle = mechanism.dimensions[mechanism.function_scales + k].kind == DimensionKind::angle;
+        const bool angle = mechanism.dimensions[mechanism.input->start + k].kind == DimensionKind::angle;
         const Digits50& turn = boost::math::constants::two_pi<Digits50>();
         if (angle && k % 2 == 0) range.greatest = std::min<Digits50>(range.greatest, range.least + turn);
         ranges.given = ranges.given && range.least == range.greatest;
@@ -90,7 +90,7 @@ Finding check_function(const ProofContext& c, const Digits50& bound) {
     const LoopKind kind = name == "four-bar" ? LoopKind::four_bar : LoopKind::slider_crank;
     const ErrorAgain error(c.design);
     const std::vector<double> shares = shares_of(c, error);
-    const std::size_t first = c.problem.mechanism->function_scales;
+    const std::size_t first = c.problem.mechanism->input->start;
     Scales own;
     for (std::size_t k = 0; k < scales; ++k)
         own[k] = c.design.dimensions[first + k];

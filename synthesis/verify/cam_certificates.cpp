@@ -26,7 +26,7 @@ constexpr double pi = std::numbers::pi;
 
 /// The program of the cam with all the laws that its segments may have, which the claim of a design leaves out.
 MotionProgram whole_program(const ProofContext& c) {
-    MotionProgram program = *c.problem.program;
+    MotionProgram program = *program_of(*c.problem.mechanism);
     const Json* cam = member(c.document, "cam");
     const Json* segments = cam && cam->is_object() ? member(*cam, "segments") : nullptr;
     for (std::size_t i = 0; segments && segments->is_array() && i < segments->size(); ++i) {
@@ -49,8 +49,8 @@ Digits50 loosened(const ProofContext& c, const Digits50& limit) {
 /// Whether a limit on the pressure angle in a segment is one that the problem has, loosened or not.
 bool is_asked(const ProofContext& c, std::size_t segment, double limit) {
     constexpr double rounding = 1e-14;
-    if (segment >= c.problem.program->segments.size()) return false;
-    const cam::SegmentKind kind = c.problem.program->segments[segment].kind;
+    if (segment >= program_of(*c.problem.mechanism)->segments.size()) return false;
+    const cam::SegmentKind kind = program_of(*c.problem.mechanism)->segments[segment].kind;
     const double slack = c.infeasible ? c.problem.solver.tolerance : 0;
     return std::any_of(c.problem.requirements.begin(), c.problem.requirements.end(), [&](const Requirement& r) {
         const std::string_view name = c.problem.mechanism->quantities[r.quantity].name;
@@ -126,7 +126,7 @@ CamLimits cam_limits(const ProofContext& c) {
 template <class CertificateKind>
 Finding check_cam(const ProofContext& c) {
     constexpr double rounding = 1e-9;
-    if (!is_cam(*c.problem.mechanism) || !c.problem.program) return fails("it is about cams");
+    if (!is_cam(*c.problem.mechanism) || !program_of(*c.problem.mechanism)) return fails("it is about cams");
     const MotionProgram program = whole_program(c);
     Reader in;
     const int index = find_dimension(*c.problem.mechanism,

@@ -20,7 +20,7 @@ ErrorAgain::ErrorAgain(const Rebuilt& design) : design_(&design), function_(desi
     // The registry measures sizes alone: asked for a little less, the output errs by so much more, and the size of that
     // tells the sign.
     const Mechanism& mechanism = *design.claim->mechanism;
-    const bool angle = mechanism.dimensions[mechanism.function_scales + 2].kind == DimensionKind::angle;
+    const bool angle = mechanism.dimensions[mechanism.input->start + 2].kind == DimensionKind::angle;
     shift_ = angle ? Digits50(1) : design.longest;
 }
 
@@ -35,7 +35,7 @@ double ErrorAgain::part(double share) const {
 
 Digits50 ErrorAgain::of_function(double share, std::vector<Digits50> d) const {
     const Mechanism& mechanism = *design_->claim->mechanism;
-    const std::size_t scale = mechanism.function_scales;
+    const std::size_t scale = mechanism.input->start;
     d[scale] += d[scale + 1] * share;
     d[scale + 2] += d[scale + 3] * part(share);
     FunctionTarget here;
@@ -51,9 +51,9 @@ Digits50 ErrorAgain::of_function(double share, std::vector<Digits50> d) const {
 
 Digits50 ErrorAgain::of_shape(double share, std::span<const Digits50> d) const {
     const Claim& claim = *design_->claim;
-    const std::size_t input = claim.mechanism->function_scales;
+    const std::size_t input = claim.mechanism->input->start;
     const Digits50 crank_angle = d[input] + d[input + 1] * share;
-    const Vector<Digits50> p = claim.mechanism->path_point(claim.assembly, d, crank_angle);
+    const Vector<Digits50> p = claim.mechanism->point->point(claim.mechanism->form(claim.assembly), d, crank_angle);
     const bool line = claim.followed->shape == Followed::line;
     const std::size_t place = (line ? claim.mechanism->line : claim.mechanism->arc).place;
     if (line) return cos(d[place]) * p.y - sin(d[place]) * p.x - d[place + 1];

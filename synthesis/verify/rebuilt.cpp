@@ -31,7 +31,7 @@ std::optional<Vector<Digits50>> range_of(const Claim& claim, std::span<const Dig
         return Vector<Digits50>{from_document(claim.crank_range->x, Unit::angle, claim.units),
                                 from_document(claim.crank_range->y, Unit::angle, claim.units)};
     if (!claim.function && !claim.followed) return std::nullopt;
-    const std::size_t input = claim.mechanism->function_scales;
+    const std::size_t input = claim.mechanism->input->start;
     const Digits50 start = dimensions[input], end = start + dimensions[input + 1];
     return Vector<Digits50>{std::min(start, end), std::max(start, end)};
 }

@@ -41,7 +41,7 @@ struct TimedPath {
 
     /// The least sum for ground, coupler and rocker in cranks and a start.
     double sum_at(const Place& place) const {
-        const PathRoles& roles = claim.mechanism->path_roles;
+        const PathRoles& roles = claim.mechanism->point->roles;
         constexpr double widest = 3;  // of the logarithms of ratios
         std::array<double, 3> link{};
         for (std::size_t k = 0; k < link.size(); ++k)

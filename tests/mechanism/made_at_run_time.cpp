@@ -12,6 +12,7 @@
 #include "synthesis/mechanism/drawing/outlines.h"
 #include "synthesis/mechanism/guided_point.h"
 #include "synthesis/mechanism/measured.h"
+#include "synthesis/mechanism/over_range.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/report/drawing/finished.h"
 #include "synthesis/report/drawing/svg.h"
@@ -86,6 +87,13 @@ Motion full_turn(Form form, std::span<const double>, const double* crank_range) 
     return motion;
 }
 
+Motion full_turn_again(Form form, std::span<const Digits50>, const std::optional<Vector<Digits50>>& range) {
+    Motion motion;
+    motion.assembly = form.assembly;
+    motion.to = 2 * std::numbers::pi;
+    return range ? over_range(motion, *range) : motion;
+}
+
 std::string describe(Form form, std::span<const double>) {
     return slots_of(form.model).cotangent == 0 ? "trammel with square slots" : "trammel with skew slots";
 }
@@ -152,6 +160,7 @@ Mechanism trammel(const std::string& name, double cotangent) {
     m.families = {{"the rod turns fully", true, {}, {}}};
     m.model = Model(Slots{cotangent});
     m.motion = full_turn;
+    m.motion_again = full_turn_again;
     m.describe = describe;
     m.check_motion = check_motion;
     m.table = {{"crank-angle", "slider-position", "point-x", "point-y"},

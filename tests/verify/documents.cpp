@@ -101,13 +101,13 @@ Json document(const DocumentOf& parts) {
     }
     const auto dimensions = dimensions_of(json);
     design["assembly"] = parts.assembly;
-    design["kind"] = four_bar().describe(dimensions);
+    design["kind"] = four_bar().describe({}, dimensions);
 
     const std::array<double, 2> range = parts.crank_range.empty()
                                             ? std::array<double, 2>{}
                                             : std::array{parts.crank_range[0] * degree, parts.crank_range[1] * degree};
-    const Motion motion = four_bar().motion(dimensions, parts.assembly == "open" ? 0 : 1,
-                                            parts.crank_range.empty() ? nullptr : range.data());
+    const Motion motion = motion_of(four_bar(), dimensions, parts.assembly == "open" ? 0 : 1,
+                                    parts.crank_range.empty() ? nullptr : range.data());
     const auto value = [&](const std::string& name) {
         const auto index = static_cast<std::size_t>(find_quantity(four_bar(), name));
         return value_of_quantity(four_bar().quantities[index], motion, dimensions);

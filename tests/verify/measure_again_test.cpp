@@ -179,14 +179,14 @@ TEST(PathPointAgain, AgreesWithTheAnalysis) {
         const auto p = pose(fine, crank_angle, assembly_of(assembly));
         const auto expected = placed(position(fine, CouplerPoint<Digits50>{dimensions[4], dimensions[5]}, p),
                                      {{dimensions[6], dimensions[7]}, dimensions[8]});
-        const auto again = four_bar_path_point(assembly, dimensions, crank_angle);
+        const auto again = four_bar_path_point({nullptr, assembly}, dimensions, crank_angle);
         EXPECT_TRUE(agree(again.x, expected.x, thirty_digits)) << describe(m);
         EXPECT_TRUE(agree(again.y, expected.y, thirty_digits)) << describe(m);
     }
 }
 
 TEST(PathPointAgain, IsNotANumberWhereTheLinkageDoesNotAssemble) {
-    const auto point = four_bar_path_point(0, dimensions_of({4, 3, 2, 2.5}), pi<Digits50>());
+    const auto point = four_bar_path_point({}, dimensions_of({4, 3, 2, 2.5}), pi<Digits50>());
     EXPECT_TRUE(isnan(point.x));
     EXPECT_TRUE(isnan(point.y));
 }

@@ -41,7 +41,7 @@ struct Both {
 
 Both both_of(const Mechanism& mechanism, const std::vector<double>& d, std::size_t assembly) {
     const std::vector<Digits50> digits(d.begin(), d.end());
-    Both both{d, assembly, mechanism.motion(d, assembly, nullptr),
+    Both both{d, assembly, motion_of(mechanism, d, assembly, nullptr),
               motion_again(mechanism, assembly, digits, std::nullopt)};
     for (std::size_t i = 0; i < mechanism.settings.size(); ++i)
         both.analysis.settings[i] = mechanism.settings[i].preset;

@@ -84,7 +84,7 @@ RC_GTEST_PROP(RamAgain, MeasuresOverAFullTurnWhatTheAnalysisMeasures, ()) {
     for_some_drive([&](const auto& m) {
         const Mechanism& mechanism = *find_mechanism(name_of(m));
         const auto dimensions = dimensions_of(m);
-        Motion motion = mechanism.motion(dimensions, assembly_of(m), nullptr);
+        Motion motion = motion_of(mechanism, dimensions, assembly_of(m), nullptr);
         motion.settings[working_share] = share;
         RC_ASSERT(motion.family == quick_return::full_turn);
         expect_measured_alike(mechanism, motion, dimensions, 1e-9);
@@ -101,7 +101,7 @@ RC_GTEST_PROP(RamAgain, MeasuresOverALimitedMotionWhatTheAnalysisMeasures, ()) {
     for_some_drive([&](const auto& m) {
         const Mechanism& mechanism = *find_mechanism(name_of(m));
         const auto dimensions = dimensions_of(m);
-        const Motion motion = mechanism.motion(dimensions, assembly_of(m), crank_range.data());
+        const Motion motion = motion_of(mechanism, dimensions, assembly_of(m), crank_range.data());
         RC_ASSERT(motion.family == limited_range);
         expect_measured_alike(mechanism, motion, dimensions, 1e-9);
         for (const Check& check : mechanism.check_motion(motion, precise_of(dimensions)))
@@ -185,7 +185,7 @@ TEST(RamAgain, FindsExtremesThatADenseScanConfirms) {
 
 std::vector<Check> checks(std::string_view mechanism, const std::vector<double>& dimensions) {
     const Mechanism& m = *find_mechanism(mechanism);
-    return m.check_motion(m.motion(dimensions, 0, nullptr), precise_of(dimensions));
+    return m.check_motion(motion_of(m, dimensions, 0, nullptr), precise_of(dimensions));
 }
 
 bool fails(const std::vector<Check>& checks, std::string_view name) {
@@ -221,7 +221,7 @@ TEST(RamAgain, PlacesThePointOfTheRod) {
     // deg.
     const Digits50 right_angle = boost::math::constants::half_pi<Digits50>();
     const std::vector<Digits50> d{3, 5, 0, Digits50(2.5), 0, 10, 20, right_angle, 0};
-    const auto p = rod_path_point(0, d, right_angle);
+    const auto p = rod_path_point({}, d, right_angle);
     EXPECT_LE(abs(p.x - Digits50(8.5)), far_below_double);
     EXPECT_LE(abs(p.y - Digits50(22)), far_below_double);
 }

@@ -136,6 +136,11 @@ Motion whole_turn(Form form, std::span<const double>, const double*) {
     return motion;
 }
 
+/// There is nothing to derive: a cam turns.
+Motion whole_turn_again(Form form, std::span<const Digits50>, const std::optional<Vector<Digits50>>&) {
+    return whole_turn(form, {}, nullptr);
+}
+
 /// Where a cam angle lies in the motion program; past the end the last segment's end.
 struct At {
     std::size_t segment, piece;
@@ -304,6 +309,7 @@ std::shared_ptr<const Mechanism> entry() {
                       .model = Model(CamModel{kind}),
                       .objection = objection<F, knife, contour>,
                       .motion = whole_turn,
+                      .motion_again = whole_turn_again,
                       .describe = describe,
                       .check_motion = check_cam<F>,
                       .table = {columns(), column_units(oscillating), motion_row<F>},

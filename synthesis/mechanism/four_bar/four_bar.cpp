@@ -251,6 +251,7 @@ std::shared_ptr<const Mechanism> four_bar_mechanism() {
         .quantities = quantities(),
         .families = families(),
         .motion = motion_by_links,
+        .motion_again = four_bar_motion_again,
         .describe = describe,
         .check_motion = four_bar_check_motion,
         .table = {columns(), units(), motion_row},

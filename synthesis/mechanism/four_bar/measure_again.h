@@ -48,6 +48,10 @@ namespace mechwright {
 /// the first fails the others are left out. Over a limited motion the two ends, and only they, may be toggle positions.
 std::vector<Check> four_bar_check_motion(const Motion& motion, std::span<const Digits50> dimensions);
 
+/// The family of a design and the crank angles over which it is judged (Mechanism::motion_again).
+Motion four_bar_motion_again(Form form, std::span<const Digits50> dimensions,
+                             const std::optional<Vector<Digits50>>& crank_range);
+
 /// The coupler point in the drawing at a crank angle (radians, counted from the ground link); NaN where the linkage
 /// does not assemble.
 Vector<Digits50> four_bar_path_point(Form form, std::span<const Digits50> dimensions, const Digits50& crank_angle);

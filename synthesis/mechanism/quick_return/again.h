@@ -35,7 +35,7 @@ struct RamAgain {
     /// The motion of a design, rebuilt as everything here: family 0 where the ram makes two strokes in each full turn
     /// as its mechanism's name says; the full turn or the widest range in which it assembles, of equally wide ones the
     /// first from crank angle 0 on; from > to where there is none.
-    static Motion motion(std::size_t assembly, Dimensions dimensions);
+    static Motion motion(Form form, Dimensions dimensions, const std::optional<Vector<Digits50>>& crank_range);
 
     /// In this order: the dimensions are positive and finite; for slotted arms, crank and centre distance are those of
     /// the mechanism; for a drag link the checks of its four-bar; the rod reaches the slide over the whole motion; it

@@ -77,6 +77,7 @@ std::shared_ptr<const Mechanism> crank_shaper_mechanism() {
                       .settings = settings(),
                       .objection = objection,
                       .motion = motion_by_drive<CrankShaper>,
+                      .motion_again = CrankShaperAgain::motion,
                       .describe = describe,
                       .check_motion = CrankShaperAgain::check_motion,
                       .table = {slotted_columns(), slotted_units(), slotted_row<CrankShaper>},

@@ -110,6 +110,7 @@ std::shared_ptr<const Mechanism> drag_link_mechanism() {
                       .families = families(),
                       .settings = settings(),
                       .motion = motion_by_drive<DragLink>,
+                      .motion_again = DragLinkAgain::motion,
                       .describe = describe,
                       .check_motion = DragLinkAgain::check_motion,
                       .table = {columns(), units(), motion_row},

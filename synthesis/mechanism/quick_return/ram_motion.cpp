@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "synthesis/mechanism/over_range.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/ram_places.h"
 
@@ -72,12 +73,15 @@ bool works(std::span<const Digits50> d) {
 }  // namespace
 
 template <class Geometry>
-Motion RamAgain<Geometry>::motion(std::size_t assembly, Dimensions dimensions) {
+Motion RamAgain<Geometry>::motion(Form form, Dimensions dimensions,
+                                  const std::optional<Vector<Digits50>>& crank_range) {
     Motion motion;
-    motion.assembly = assembly;
+    motion.assembly = form.assembly;
     motion.family = limited;
     motion.to = turn;
-    const Margins<Geometry> margins{Rebuilt<Geometry>(assembly, dimensions)};
+    // Over a range a ram makes no strokes.
+    if (crank_range) return over_range(motion, *crank_range);
+    const Margins<Geometry> margins{Rebuilt<Geometry>(form.assembly, dimensions)};
     const std::vector<Digits50> ends = margins.zeros();
     const Digits50& whole = boost::math::constants::two_pi<Digits50>();
     const auto end = [&](std::size_t i) { return i < ends.size() ? ends[i] : Digits50(ends[i - ends.size()] + whole); };
@@ -109,9 +113,9 @@ Motion RamAgain<Geometry>::motion(std::size_t assembly, Dimensions dimensions) {
     return motion;
 }
 
-template Motion RamAgain<SliderCrankGeometry>::motion(std::size_t, Dimensions);
-template Motion RamAgain<CrankShaperGeometry>::motion(std::size_t, Dimensions);
-template Motion RamAgain<WhitworthGeometry>::motion(std::size_t, Dimensions);
-template Motion RamAgain<DragLinkGeometry>::motion(std::size_t, Dimensions);
+template Motion RamAgain<SliderCrankGeometry>::motion(Form, Dimensions, const std::optional<Vector<Digits50>>&);
+template Motion RamAgain<CrankShaperGeometry>::motion(Form, Dimensions, const std::optional<Vector<Digits50>>&);
+template Motion RamAgain<WhitworthGeometry>::motion(Form, Dimensions, const std::optional<Vector<Digits50>>&);
+template Motion RamAgain<DragLinkGeometry>::motion(Form, Dimensions, const std::optional<Vector<Digits50>>&);
 
 }  // namespace mechwright::quick_return

@@ -139,6 +139,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism() {
         .families = families(),
         .settings = settings(),
         .motion = motion_by_drive<SliderCrank>,
+        .motion_again = SliderCrankAgain::motion,
         .describe = describe,
         .check_motion = SliderCrankAgain::check_motion,
         .table = {columns(), units(), motion_row},

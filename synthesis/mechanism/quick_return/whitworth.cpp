@@ -74,6 +74,7 @@ std::shared_ptr<const Mechanism> whitworth_mechanism() {
                       .settings = settings(),
                       .objection = objection,
                       .motion = motion_by_drive<Whitworth>,
+                      .motion_again = WhitworthAgain::motion,
                       .describe = describe,
                       .check_motion = WhitworthAgain::check_motion,
                       .table = {slotted_columns(), slotted_units(), slotted_row<Whitworth>},

@@ -15,7 +15,7 @@ struct FileKeys {
     std::deque<std::vector<Key>> settings;  ///< of the sections after those
 
     FileKeys() {
-        for (const Mechanism* mechanism : mechanisms())
+        for (const auto& mechanism : mechanisms())
             for (const Setting& setting : mechanism->settings)
                 add(setting);
         for (std::size_t i = 0; i < settings.size(); ++i)

@@ -110,15 +110,15 @@ Names foreign_sections(const Mechanism& mechanism) {
     Names own, foreign;
     for (const Setting& setting : mechanism.settings)
         add_name(own, setting.section);
-    for (const Mechanism* other : mechanisms())
+    for (const auto& other : mechanisms())
         for (const Setting& setting : other->settings)
             if (std::find(own.begin(), own.end(), setting.section) == own.end()) add_name(foreign, setting.section);
     if (!is_cam(mechanism)) foreign.insert(foreign.end(), {"cam", "segment"});
-    if (mechanism.path_reads == 0) foreign.push_back("path");
-    if (mechanism.pose_reads == 0) foreign.push_back("poses");
-    if (mechanism.function_fit == nullptr) foreign.push_back("function");
-    if (mechanism.line.extremes == nullptr) foreign.push_back("line");
-    if (mechanism.arc.extremes == nullptr) foreign.push_back("arc");
+    if (!mechanism.point) foreign.push_back("path");
+    if (!mechanism.body) foreign.push_back("poses");
+    if (!mechanism.function) foreign.push_back("function");
+    if (!mechanism.line) foreign.push_back("line");
+    if (!mechanism.arc) foreign.push_back("arc");
     if (find_quantity(mechanism, "instant-rocker-velocity") < 0) foreign.push_back("instant");
     return foreign;
 }
@@ -166,9 +166,9 @@ void add_cams(Json& all) {
         const auto kind = static_cast<CamFollower>(follower);
         for (std::size_t motion = 0; motion < cam_motion_names.size(); ++motion)
             all.push_back(
-                of_mechanism(cam_mechanism(kind, motion == 1), is_cam_of(cam_follower_names[follower], motion, {})));
+                of_mechanism(*cam_mechanism(kind, motion == 1), is_cam_of(cam_follower_names[follower], motion, {})));
         for (std::size_t contour = 0; contour < cam_contour_names.size(); ++contour)
-            if (const Mechanism* mechanism = contour_cam_mechanism(kind, static_cast<cam::ContourKind>(contour + 1)))
+            if (const auto mechanism = contour_cam_mechanism(kind, static_cast<cam::ContourKind>(contour + 1)))
                 all.push_back(
                     of_mechanism(*mechanism, is_cam_of(cam_follower_names[follower], 0, cam_contour_names[contour])));
     }
@@ -177,7 +177,7 @@ void add_cams(Json& all) {
 /// Names of all mechanisms' dimensions with what they are, for editors that look no further.
 Json all_dimensions() {
     Json properties = Json::object();
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         for (const Dimension& dimension : mechanism->dimensions)
             if (const std::string name(dimension.name); stands_in_dimensions(dimension) && !properties.contains(name))
                 properties[name] = {{"description", dimension.meaning}};
@@ -271,7 +271,7 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     Json schema = table_of(keys::of_file());
     Json& properties = schema["properties"];
     Names names;
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         add_name(names, mechanism->name);
     const auto key = [](std::string_view name) -> const Key& { return *find_key(keys::file, name); };
     properties["mechanism"].update(one_of(names));
@@ -283,7 +283,7 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     properties["solver"]["properties"]["method"].update(one_of(methods));
     properties["study"] = study_of(key("study"), by_path["pattern"]);
     Json by_mechanism = Json::array();
-    for (const Mechanism* mechanism : mechanisms())
+    for (const auto& mechanism : mechanisms())
         if (!is_cam(*mechanism)) by_mechanism.push_back(of_mechanism(*mechanism, is_named(mechanism->name)));
     add_cams(by_mechanism);
     schema["allOf"] = std::move(by_mechanism);
