@@ -11,7 +11,7 @@
 #include "synthesis/mechanism/drawing/moving_design.h"
 #include "synthesis/mechanism/drawing/outlines.h"
 #include "synthesis/mechanism/guided_point.h"
-#include "synthesis/mechanism/measured.h"
+#include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/over_range.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/report/drawing/finished.h"

@@ -224,9 +224,10 @@ struct Rebuilt {
                                                              program_of(m).segments[i],
                                                              geometry_of<Follower, Digits50>(dimensions)));
             motion.start_lifts.push_back(p.start_lift);
-            motion.plain_segments.push_back(with_contour<Follower>(
-                segment_of(program_of(m), m.assembly, i, parameters_of<double>(program_of(m), slots<Follower>, rounded, i)),
-                program_of(m).segments[i], geometry_of<Follower, double>(rounded)));
+            motion.plain_segments.push_back(
+                with_contour<Follower>(segment_of(program_of(m), m.assembly, i,
+                                                  parameters_of<double>(program_of(m), slots<Follower>, rounded, i)),
+                                       program_of(m).segments[i], geometry_of<Follower, double>(rounded)));
         }
     }
 };
