@@ -32,7 +32,7 @@ ScaleRanges scale_ranges(const ProofContext& c) {
     const Mechanism& mechanism = *c.problem.mechanism;
     ScaleRanges ranges{{}, true};
     for (std::size_t k = 0; k < scales; ++k) {
-        DigitsRange& range = ranges.range[k] = range_again(c, mechanism.input->start + k, Limits::exact);
+        DigitsRange& range = ranges.range[k] = range_again(c, mechanism.input->start + k, Strictness::exact);
         // A start that may be anywhere is taken once round.
         const bool angle = mechanism.dimensions[mechanism.input->start + k].kind == DimensionKind::angle;
         const Digits50& turn = boost::math::constants::two_pi<Digits50>();

@@ -113,8 +113,8 @@ CamLimits cam_limits(const ProofContext& c) {
     const Digits50 room = offset.fixed() ? Digits50(0) : loosened(c, size);
     limits.least_offset = offset.min - room;
     limits.greatest_offset = offset.max + room;
-    const DigitsRange radius = asked_again(c, "profile-radius-min", Limits::exact);
-    const DigitsRange start = asked_again(c, "start-angle", Limits::exact);
+    const DigitsRange radius = asked_again(c, "profile-radius-min", Strictness::exact);
+    const DigitsRange start = asked_again(c, "start-angle", Strictness::exact);
     if (radius.least > 0) limits.radius = radius.least - loosened(c, radius.least);
     if (isfinite(start.least)) limits.start_angle = start.least;
     const int distance = find_dimension(*c.problem.mechanism, "pivot-distance");
@@ -158,7 +158,7 @@ Finding check_cam(const ProofContext& c) {
     const std::string_view name = c.problem.mechanism->dimensions[dimension].name;
     const DimensionRange& range = c.problem.dimensions[dimension];
     if (c.infeasible) {
-        const Digits50 most = std::min<Digits50>(range.max, asked_again(c, name, Limits::exact).greatest);
+        const Digits50 most = std::min<Digits50>(range.max, asked_again(c, name, Strictness::exact).greatest);
         if (!(least > most + loosened(c, most) / 2))
             return fails(fmt::format("a {} of {:.12g} is not excluded, and {:.12g} is allowed", name,
                                      least.convert_to<double>(), most.convert_to<double>()));

@@ -99,7 +99,7 @@ Digits50 best_slider_crank(const Digits50& time_ratio) {
 /// The rod of a crank shaper rises to lever - line with the lever upright and to line - lever cos(swing / 2) at its
 /// ends. The greater of the two is least over lever and line where the two are as great, on the edge of their ranges,
 /// or at a corner.
-Digits50 best_shaper(const ProofContext& c, const Digits50& time_ratio, const Digits50& stroke, Limits limits) {
+Digits50 best_shaper(const ProofContext& c, const Digits50& time_ratio, const Digits50& stroke, Strictness limits) {
     constexpr std::size_t lever = 2, rod = 3, line = 4;
     const Digits50 sine = cos(pi() / (1 + time_ratio)), cosine = sin(pi() / (1 + time_ratio));
     DigitsRange levers = range_again(c, lever, limits);
@@ -120,14 +120,14 @@ Digits50 best_shaper(const ProofContext& c, const Digits50& time_ratio, const Di
 }
 
 /// What a document asks of a quantity: one of its ends, or where it asks nothing of it 0.
-Digits50 asked_end(const ProofContext& c, std::string_view quantity, Limits limits, bool least) {
+Digits50 asked_end(const ProofContext& c, std::string_view quantity, Strictness limits, bool least) {
     const DigitsRange asked = asked_again(c, quantity, limits);
     const Digits50 end = least ? asked.least : asked.greatest;
     return isfinite(end) ? end : Digits50(0);
 }
 
 /// The rod's greatest slope has at least the sine of half a stroke over the rod.
-Digits50 sloped_by_stroke(const ProofContext& c, std::size_t rod, const Digits50& stroke, Limits limits) {
+Digits50 sloped_by_stroke(const ProofContext& c, std::size_t rod, const Digits50& stroke, Strictness limits) {
     return angle_of_cosine(stroke / 2 / range_again(c, rod, limits).greatest);
 }
 
@@ -144,7 +144,7 @@ Digits50 greatest_at_ends(const Function& of, const DigitsRange& a, const Digits
 
 /// A limit that this place knows: no design that meets the other requirements has a greater value of the quantity.
 std::optional<Digits50> greatest_again(const ProofContext& c, std::string_view limit, std::string_view quantity,
-                                       Limits limits) {
+                                       Strictness limits) {
     const auto least = [&](std::string_view name) { return asked_end(c, name, limits, true); };
     const bool worst = quantity == "transmission-angle-worst";
     const bool transmission = worst || quantity == "transmission-angle-min";
@@ -182,7 +182,7 @@ std::optional<Digits50> greatest_again(const ProofContext& c, std::string_view l
 }
 
 /// Where a quantity cannot go by its meaning, and where a limit of this name keeps it: NaN at an end that is not known.
-DigitsRange limit_again(const ProofContext& c, std::string_view limit, const Quantity& quantity, Limits limits) {
+DigitsRange limit_again(const ProofContext& c, std::string_view limit, const Quantity& quantity, Strictness limits) {
     const Digits50 unknown = std::numeric_limits<Digits50>::quiet_NaN();
     if (limit == "possible-values") {
         // Angles in radians are halves and wholes of a turn's half: in fifty digits.
@@ -211,15 +211,15 @@ Finding check_limit_again(const ProofContext& c) {
     const Quantity& quantity = c.problem.mechanism->quantities[static_cast<std::size_t>(index)];
     const Digits50 value = from_document(stated, quantity.unit, c.problem.units);
     const Digits50 room = rounding * std::max<Digits50>(1, abs(value));
-    const DigitsRange exact = limit_again(c, name, quantity, Limits::exact);
-    const bool above = !c.infeasible || asked_again(c, quantity.name, Limits::exact).least > value;
+    const DigitsRange exact = limit_again(c, name, quantity, Strictness::exact);
+    const bool above = !c.infeasible || asked_again(c, quantity.name, Strictness::exact).least > value;
     const auto in_words = [&](const Digits50& number) { return shown(number, quantity.unit, c.problem.units); };
     if (!(above ? exact.greatest <= value + room : exact.least >= value - room))
         return fails(fmt::format("the limit '{}' is {}, and {} is stated", name,
                                  in_words(above ? exact.greatest : exact.least), in_words(value)));
     if (c.infeasible) {
-        const DigitsRange asked = asked_again(c, quantity.name, Limits::loosened);
-        const DigitsRange limit = limit_again(c, name, quantity, Limits::loosened);
+        const DigitsRange asked = asked_again(c, quantity.name, Strictness::loosened);
+        const DigitsRange limit = limit_again(c, name, quantity, Strictness::loosened);
         if (!(above ? asked.least > limit.greatest : asked.greatest < limit.least))
             return fails("what is asked for is within the limit");
         return holds(fmt::format("'{}' never is {} than {}", quantity.name, above ? "greater" : "less",

@@ -14,7 +14,7 @@ Digits50 longest_of_all(const ProofContext& c) {
     Digits50 longest = 0;
     for (std::size_t i = 0; i < c.problem.dimensions.size(); ++i)
         if (c.problem.mechanism->dimensions[i].kind == DimensionKind::length)
-            longest = std::max(longest, range_again(c, i, Limits::exact).greatest);
+            longest = std::max(longest, range_again(c, i, Strictness::exact).greatest);
     return longest;
 }
 
@@ -34,13 +34,13 @@ const Quantity* single_objective(const ProofContext& c, bool maximize) {
     return &c.problem.mechanism->quantities[objective->terms.front().quantity];
 }
 
-DigitsRange asked_again(const ProofContext& c, std::string_view quantity, Limits limits) {
+DigitsRange asked_again(const ProofContext& c, std::string_view quantity, Strictness limits) {
     const Digits50 any = std::numeric_limits<Digits50>::infinity();
     DigitsRange asked{-any, any};
     for (const ClaimedRequirement& r : c.design.claim->requirements) {
         const Quantity& q = c.problem.mechanism->quantities[r.quantity];
         if (q.name != quantity) continue;
-        const Digits50 room = limits == Limits::loosened ? room_of(c, q.unit, r) : Digits50(0);
+        const Digits50 room = limits == Strictness::loosened ? room_of(c, q.unit, r) : Digits50(0);
         for (const auto& least : {r.equal, r.min})
             if (least)
                 asked.least = std::max<Digits50>(asked.least, from_document(*least, q.unit, c.problem.units) - room);
@@ -52,7 +52,7 @@ DigitsRange asked_again(const ProofContext& c, std::string_view quantity, Limits
     return asked;
 }
 
-DigitsRange range_again(const ProofContext& c, std::size_t dimension, Limits limits) {
+DigitsRange range_again(const ProofContext& c, std::size_t dimension, Strictness limits) {
     const Claim& claim = *c.design.claim;
     const auto& given = claim.given[dimension];
     if (!given) return {0, 0};
@@ -66,7 +66,7 @@ DigitsRange range_again(const ProofContext& c, std::size_t dimension, Limits lim
     const Unit unit = unit_of(claim.mechanism->dimensions[dimension].kind);
     const Digits50 least = from_document(given->min, unit, claim.units);
     const Digits50 greatest = from_document(given->max, unit, claim.units);
-    if (limits == Limits::exact || least == greatest) return {least, greatest};
+    if (limits == Strictness::exact || least == greatest) return {least, greatest};
     const Digits50 room = claim.tolerance * std::max<Digits50>(abs(least), abs(greatest));
     return {least - room, greatest + room};
 }

@@ -39,12 +39,12 @@ struct DigitsRange {
 };
 
 /// Whether limits count as they stand, or with what the tolerance of the document lets pass.
-enum class Limits { exact, loosened };
+enum class Strictness { exact, loosened };
 
 /// What all requirements together ask of a quantity; infinite where they ask nothing.
-DigitsRange asked_again(const ProofContext& c, std::string_view quantity, Limits limits);
+DigitsRange asked_again(const ProofContext& c, std::string_view quantity, Strictness limits);
 
 /// Where a dimension may lie, ties resolved; of one that was not given 0.
-DigitsRange range_again(const ProofContext& c, std::size_t dimension, Limits limits);
+DigitsRange range_again(const ProofContext& c, std::size_t dimension, Strictness limits);
 
 }  // namespace mechwright

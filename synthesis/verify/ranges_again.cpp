@@ -125,7 +125,7 @@ Digits50 greatest(const ProofContext& c, const AtLeast& condition) {
     Digits50 sum = 0;
     for (std::size_t i = 0; i < coefficient.size(); ++i) {
         if (coefficient[i] == 0) continue;
-        const DigitsRange range = range_again(c, i, Limits::loosened);
+        const DigitsRange range = range_again(c, i, Strictness::loosened);
         sum += coefficient[i] * (coefficient[i] > 0 ? range.greatest : range.least);
     }
     return sum;

@@ -255,7 +255,7 @@ TEST(MadeAtRunTime, IsDrawnFromItsDocument) {
     ASSERT_TRUE(result.best);
     const FinishedOrNot finished = finished_design(document(read.problem, result));
     ASSERT_EQ(finished.defect, "");
-    const std::string picture = svg_picture(finished.design, {.title = "A trammel"});
+    const std::string picture = svg_picture(finished.design, {"A trammel", 640, "", 0});
     EXPECT_NE(picture.find("A trammel"), std::string::npos);
     EXPECT_NE(picture.find("rod"), std::string::npos);
     const Scene scene = scene_of(finished.design, 1e-4);

@@ -29,9 +29,9 @@ inline std::vector<Digits50> dimensions_of(const FourBar<double>& m) {
 }
 
 inline Motion full_turn(std::size_t family, std::size_t assembly = 0) {
-    return {assembly, family, true, 0, 2 * std::numbers::pi};
+    return {assembly, family, nullptr, true, 0, 2 * std::numbers::pi};
 }
 
-inline Motion limited(double from, double to, std::size_t assembly = 0) { return {assembly, 2, false, from, to}; }
+inline Motion limited(double from, double to, std::size_t assembly = 0) { return {assembly, 2, nullptr, false, from, to}; }
 
 }  // namespace mechwright::test
