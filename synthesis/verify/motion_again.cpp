@@ -1,13 +1,17 @@
 #include "synthesis/verify/motion_again.h"
 
+#include <algorithm>
+
 namespace mechwright {
 
 Motion motion_again(const Mechanism& mechanism, std::size_t assembly, std::span<const Digits50> dimensions,
                     const std::optional<Vector<Digits50>>& range) {
-    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
-        if (mechanism.dimensions[i].kind == DimensionKind::length && !(dimensions[i] > 0))
-            return {.assembly = assembly, .full_turn = false, .from = 1, .to = 0};
-    Motion motion = mechanism.motion_again(mechanism.form(assembly), dimensions, range);
+    const auto& all = mechanism.dimensions;
+    const bool possible = std::equal(all.begin(), all.end(), dimensions.begin(), [](const Dimension& d, const Digits50& x) {
+        return d.kind != DimensionKind::length || x > 0;
+    });
+    Motion motion{.assembly = assembly, .full_turn = false, .from = 1, .to = 0};
+    if (possible) motion = mechanism.motion_again(mechanism.form(assembly), dimensions, range);
     motion.model = mechanism.model.data();
     return motion;
 }

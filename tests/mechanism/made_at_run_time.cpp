@@ -220,9 +220,10 @@ TEST(MadeAtRunTime, DrawsTheEllipseThatItIsAskedFor) {
     EXPECT_TRUE(result.verified());
     const std::vector<double>& d = result.best->design.dimensions;
     EXPECT_NEAR(d[0], 150, 1e-6);
-    EXPECT_NEAR(d[2], 0, 1e-3);
-    // The ellipse's semi-axes are the distances of the point from both ends of the rod.
-    EXPECT_NEAR(std::min(std::abs(d[1]), std::abs(d[0] - d[1])), 50, 1e-3);
+    // The point is (along - rod, -across; across, along) times (cos, sin) of the rod's direction: the product and the
+    // sum of squares of the ellipse's semi-axes are the determinant and the sum of squares of this matrix.
+    EXPECT_NEAR(std::abs((d[1] - d[0]) * d[1] + d[2] * d[2]), 100.0 * 50, 1e-3);
+    EXPECT_NEAR((d[1] - d[0]) * (d[1] - d[0]) + d[1] * d[1] + 2 * d[2] * d[2], 100.0 * 100 + 50 * 50, 1e-3);
     EXPECT_LT(result.best->objective, 1e-5);
 
     const nlohmann::ordered_json json = document(read.problem, result);

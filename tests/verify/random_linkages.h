@@ -32,6 +32,8 @@ inline Motion full_turn(std::size_t family, std::size_t assembly = 0) {
     return {assembly, family, nullptr, true, 0, 2 * std::numbers::pi};
 }
 
-inline Motion limited(double from, double to, std::size_t assembly = 0) { return {assembly, 2, nullptr, false, from, to}; }
+inline Motion limited(double from, double to, std::size_t assembly = 0) {
+    return {assembly, 2, nullptr, false, from, to};
+}
 
 }  // namespace mechwright::test

@@ -19,15 +19,15 @@ struct Formula {
 };
 
 struct Explanation {
-    std::string_view name;          ///< of the quantity
-    std::string_view what;          ///< what it tells a designer
-    std::string_view over;          ///< over which part of the motion it is taken
+    std::string_view name;            ///< of the quantity
+    std::string_view what;            ///< what it tells a designer
+    std::string_view over;            ///< over which part of the motion it is taken
     std::vector<Formula> formulas{};  ///< where its mechanisms do not say them, the first that applies
-    std::string_view usual;         ///< good values in practice, and who says so
-    std::string_view undefined;     ///< where it has no value; empty: it always has one
-    std::string_view require;       ///< the limit of an example: "min = 40"
-    std::string_view objective;     ///< "minimize" or "maximize"; empty: neither makes sense alone
-    std::string_view related;       ///< names, with commas between
+    std::string_view usual;           ///< good values in practice, and who says so
+    std::string_view undefined;       ///< where it has no value; empty: it always has one
+    std::string_view require;         ///< the limit of an example: "min = 40"
+    std::string_view objective;       ///< "minimize" or "maximize"; empty: neither makes sense alone
+    std::string_view related;         ///< names, with commas between
 };
 
 /// Those of every mechanism, in the order in which they are shown.
