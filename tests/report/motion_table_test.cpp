@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <locale>
 #include <sstream>
 
@@ -54,6 +57,31 @@ TEST(MotionTable, NumbersReadBackAsTheSame) {
         double number = 0;
         std::from_chars(fields[c].data(), fields[c].data() + fields[c].size(), number);
         EXPECT_EQ(number, row[c]) << problem.mechanism->table.columns[c];
+    }
+}
+
+// With the crank on the line of ground coupler and rocker turn alike: crank / (ground + crank), or -crank / (ground -
+// crank). Next to a change point the rounding of 180 and 360 deg to radians would cost half of the digits.
+TEST(MotionTable, KeepsItsDigitsNextToAChangePoint) {
+    constexpr std::size_t coupler_velocity = 4, rocker_velocity = 5;
+    const Mechanism& mechanism = *find_mechanism("four-bar");
+    std::vector<double> dimensions(mechanism.dimensions.size(), 0.0), row(mechanism.table.columns.size());
+    for (const double more : {1e-6, 1e-10, 1e-15}) {
+        std::copy_n(std::array{3.0, 1.0, 3.0, 1 + more}.begin(), 4, dimensions.begin());
+        for (const auto& [angle, velocity] : {std::pair{180.0, 0.25}, {360.0, -0.5}, {540.0, 0.25}, {-180.0, 0.25}}) {
+            ASSERT_TRUE(mechanism.table.row(Motion{}, dimensions, angle * 3.141592653589793 / 180, row));
+            EXPECT_NEAR(row[coupler_velocity], velocity, 1e-14) << more << ' ' << angle;
+            EXPECT_NEAR(row[rocker_velocity], velocity, 1e-14) << more << ' ' << angle;
+        }
+    }
+    // At the dead position of a rod that just passes it, at 90 deg, the ram is as fast as the crank pin.
+    constexpr std::size_t ram_velocity = 6;
+    const Mechanism& slider_crank = *find_mechanism("slider-crank");
+    std::vector<double> lengths(slider_crank.dimensions.size(), 0.0), of_ram(slider_crank.table.columns.size());
+    std::copy_n(std::array{1.0, 1 + 1e-15}.begin(), 2, lengths.begin());
+    for (const double angle : {90.0, 270.0}) {
+        ASSERT_TRUE(slider_crank.table.row(Motion{}, lengths, angle * 3.141592653589793 / 180, of_ram));
+        EXPECT_NEAR(std::abs(of_ram[ram_velocity]), 1, 1e-14) << angle;
     }
 }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "analysis/four_bar.h"
+#include "analysis/four_bar/exact_turn.h"
 #include "analysis/numbers/interval.h"
 #include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/four_bar/cognates.h"
@@ -220,7 +221,10 @@ std::vector<Unit> units() {
 
 bool motion_row(const Motion& motion, std::span<const double> d, double crank_angle, std::span<double> row) {
     const FourBar<double> m = linkage_of(d);
-    const auto p = pose(m, crank_angle, motion.assembly == 0 ? Assembly::open : Assembly::crossed);
+    const Assembly assembly = motion.assembly == 0 ? Assembly::open : Assembly::crossed;
+    auto p = pose(m, exact_half_turn(crank_angle), assembly);
+    // At a change point itself velocities have limits from both sides: the angle as it is rounded chooses one.
+    if (p.margins.stretch == 0 || p.margins.fold == 0) p = pose(m, crank_angle, assembly);
     if (!p.assembled()) return false;
     const auto v = velocity(m, p);
     const auto a = acceleration(m, p, v);

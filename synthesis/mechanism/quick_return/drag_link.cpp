@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "synthesis/mechanism/measure_by.h"
+#include "analysis/four_bar/exact_turn.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
@@ -69,7 +70,8 @@ std::vector<Unit> units() {
 
 bool motion_row(const Motion& motion, std::span<const double> d, double crank_angle, std::span<double> row) {
     const DragLink<double> m = drive_of<DragLink>(d, motion.assembly);
-    const auto p = pose_at(m, crank_angle);
+    auto p = pose(m, exact_half_turn(crank_angle));
+    if (p.input.margins.stretch == 0 || p.input.margins.fold == 0) p = pose_at(m, crank_angle);  // as for a four-bar
     if (!p.input.assembled() || !p.output.assembled()) return false;
     const auto v = velocity(m, p);
     const auto a = acceleration(m, p, v);

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "analysis/four_bar/exact_turn.h"
 #include "analysis/numbers/interval.h"
 #include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/measure_by.h"
@@ -88,7 +89,8 @@ std::vector<Unit> units() {
 
 bool motion_row(const Motion&, std::span<const double> d, double crank_angle, std::span<double> row) {
     const SliderCrank<double> m = drive_of<SliderCrank>(d, 0);
-    const auto p = pose(m, crank_angle);
+    auto p = pose(m, exact_direction(crank_angle));
+    if (p.left == 0 || p.right == 0) p = pose(m, crank_angle);  // in a dead position as it is rounded
     if (!p.assembled()) return false;
     const auto v = velocity(m, p);
     const auto a = acceleration(m, p, v);

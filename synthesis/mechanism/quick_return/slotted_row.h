@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "analysis/four_bar/exact_turn.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 
 namespace mechwright::quick_return {
@@ -27,7 +28,7 @@ inline std::vector<Unit> slotted_units() {
 template <template <class> class Drive>
 bool slotted_row(const Motion& motion, std::span<const double> dimensions, double crank_angle, std::span<double> row) {
     const Drive<double> m = drive_of<Drive>(dimensions, motion.assembly);
-    const auto p = pose_at(m, crank_angle);
+    const auto p = pose(m, exact_half_turn(crank_angle));
     if (!p.output.assembled()) return false;
     const auto v = velocity(m, p);
     const auto a = acceleration(m, p, v);
