@@ -132,7 +132,7 @@ Running start(const Start& how) {
 
 Outcome finish(Running running) {
     using namespace std::chrono;
-    const auto deadline = steady_clock::now() + minutes(2);
+    const auto deadline = steady_clock::now() + minutes(9);
     Outcome outcome;
     while (running.out >= 0 || running.err >= 0) {
         if (steady_clock::now() > deadline) {

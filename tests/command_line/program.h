@@ -47,7 +47,7 @@ struct Running {
 
 Running start(const Start& start);
 
-/// Reads what it writes until it ends; a program that takes longer than two minutes is killed.
+/// Reads what it writes until it ends; a program that takes longer than nine minutes is killed.
 Outcome finish(Running running);
 
 Outcome run(const Start& how);

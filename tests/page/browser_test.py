@@ -85,19 +85,8 @@ class Fit:
                    for p, q in self.pairs)
 
 
-class Page(unittest.TestCase):
-    def tearDown(self):
-        self.assertEqual(complaints_of(driver), [])
-
-    def test_asks_for_nothing_but_itself(self):
-        page = results.page("crank-rocker")
-        requests_of(driver)
-        open_page(page)
-        self.assertEqual(requests_of(driver), [f"file://{page}"])
-        self.assertLess(page.stat().st_size, 400_000)
-        self.assertNotIn("http:", page.read_text().replace("http://www.w3.org", ""))
-
-    def test_shows_every_position_of_the_analysis_to_the_pixel(self):
+class Positions(unittest.TestCase):
+    def test_are_those_of_the_analysis_to_the_pixel(self):
         for name in [Path(problem).stem for problem in SOLVED]:
             with self.subTest(name):
                 open_page(results.page(name))
@@ -111,6 +100,19 @@ class Page(unittest.TestCase):
                 fit = Fit([poses[step] for step in steps], shown)
                 self.assertGreater(fit.scale, 0)
                 self.assertLess(fit.worst(), 0.25)
+
+
+class Page(unittest.TestCase):
+    def tearDown(self):
+        self.assertEqual(complaints_of(driver), [])
+
+    def test_asks_for_nothing_but_itself(self):
+        page = results.page("crank-rocker")
+        requests_of(driver)
+        open_page(page)
+        self.assertEqual(requests_of(driver), [f"file://{page}"])
+        self.assertLess(page.stat().st_size, 400_000)
+        self.assertNotIn("http:", page.read_text().replace("http://www.w3.org", ""))
 
     def test_shows_the_other_assembly(self):
         name = "crank-rocker"
@@ -423,7 +425,16 @@ class Folders(unittest.TestCase):
         self.assertEqual((code, "there is no such file or folder" in err), (6, True))
         self.assertFalse((empty.folder / "report.html").exists())
 
-    def test_of_ten_thousand_results_make_one_page(self):
+    def test_are_written_by_solve_too(self):
+        out = Results()
+        succeed("solve", PROBLEMS / "four-bar/crank-rocker.toml", PROBLEMS / "cam/roller-offset.toml", "--report",
+                "--out", out.folder, "--quiet")
+        open_page(out.folder / "report.html")
+        self.assertEqual(len(driver.find_elements(By.CSS_SELECTOR, ".choice")), 2)
+
+
+class TenThousandResults(unittest.TestCase):
+    def test_make_one_page(self):
         many = Results("four-bar/crank-rocker.toml")
         text = many.result("crank-rocker").read_text()
         for i in range(9999):
@@ -435,13 +446,6 @@ class Folders(unittest.TestCase):
         self.assertEqual(len(driver.find_elements(By.CSS_SELECTOR, ".choice")), 100)
         self.assertIn("and 8900 more", driver.find_element(By.ID, "others").text)
         self.assertEqual(complaints_of(driver), [])
-
-    def test_are_written_by_solve_too(self):
-        out = Results()
-        succeed("solve", PROBLEMS / "four-bar/crank-rocker.toml", PROBLEMS / "cam/roller-offset.toml", "--report",
-                "--out", out.folder, "--quiet")
-        open_page(out.folder / "report.html")
-        self.assertEqual(len(driver.find_elements(By.CSS_SELECTOR, ".choice")), 2)
 
 
 if __name__ == "__main__":

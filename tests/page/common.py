@@ -25,16 +25,22 @@ def succeed(*arguments):
 
 
 class Results:
-    """A folder with the results of problems, gone at the end."""
+    """A folder with the results of problems, each solved when it is asked for, gone at the end."""
 
     def __init__(self, *problems):
         self._folder = tempfile.TemporaryDirectory()
         self.folder = Path(self._folder.name)
-        if problems:
-            succeed("solve", *[PROBLEMS / problem for problem in problems], "--out", self.folder, "--quiet")
+        self._problems = {Path(problem).stem: PROBLEMS / problem for problem in problems}
 
     def result(self, name):
-        return self.folder / f"{name}.json"
+        file = self.folder / f"{name}.json"
+        if name in self._problems:
+            succeed("solve", self._problems.pop(name), "--out", self.folder, "--quiet")
+        return file
+
+    def documents(self):
+        """The results of all problems."""
+        return [self.document(name) for name in sorted(self._problems)]
 
     def page(self, name):
         """The page on one result."""

@@ -31,12 +31,14 @@ def changed(document, path, value):
     return document
 
 
-class Hostile(unittest.TestCase):
+class Hostile:
+    """Documents to be changed, the same ones in every run."""
+
     @classmethod
     def setUpClass(cls):
         cls.results = Results("exact/problem-3.toml", "cam/roller-offset.toml", "trade-off/case-4-margin.toml",
                               "function/power.toml", "quick-return/uniform-speed-drag-link.toml")
-        cls.documents = [json.loads(file.read_text()) for file in sorted(cls.results.folder.glob("*.json"))]
+        cls.documents = cls.results.documents()
         cls.random = random.Random(20261122)
 
     def mutated(self):
@@ -46,7 +48,9 @@ class Hostile(unittest.TestCase):
             document = changed(document, path, self.random.choice(STRANGE))
         return document
 
-    def test_documents_make_pages_or_messages(self):
+
+class HostilePages(Hostile, unittest.TestCase):
+    def test_are_made_or_refused(self):
         for batch in range(6):
             folder = self.results.folder / f"batch{batch}"
             folder.mkdir()
@@ -56,7 +60,9 @@ class Hostile(unittest.TestCase):
             self.assertIn(code, (0, 3), err)
             self.assertTrue((folder / "report.html").exists())
 
-    def test_documents_make_drawings_or_messages(self):
+
+class HostileDrawings(Hostile, unittest.TestCase):
+    def test_are_made_or_refused(self):
         for i in range(120):
             file = self.results.folder / "mutated.json"
             file.write_text(json.dumps(self.mutated()))

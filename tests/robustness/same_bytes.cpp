@@ -32,35 +32,45 @@ const std::vector<std::string> in_lanes{"path/case-1",      "path/case-2",
                                         "exact/problem-3",  "exact/three-poses-four-points",
                                         "poses/five-poses", "trade-off/case-4-margin"};
 
-/// The documents of problems, solved with a number of threads and up to an instruction set (empty: any).
-std::string documents(const std::vector<std::string>& names, const std::string& jobs, const std::string& set = "") {
+/// The document of a problem, solved with a number of threads and up to an instruction set (empty: any).
+std::string document_of(const std::string& name, const std::string& jobs, const std::string& set = "") {
     Start how;
-    how.arguments = with({"solve", "--json", "--quiet", "--time-limit", "1000", "--jobs", jobs}, problem_files(names));
+    how.arguments = with({"solve", "--json", "--quiet", "--time-limit", "1000", "--jobs", jobs}, problem_files({name}));
     how.environment = {{"MECHWRIGHT_INSTRUCTIONS", set}};
     const Outcome outcome = run(how);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(parsed(outcome.out).size(), names.size());
+    expect_has(outcome.out, "\"search\"");
     return without_seconds(outcome.out);
 }
 
-TEST(SameBytes, WithAnyNumberOfThreads) {
-    const std::string one = documents(of_each_family, "1");
-    EXPECT_EQ(documents(of_each_family, "3"), one);
+std::string test_name(const ::testing::TestParamInfo<std::string>& test) {
+    std::string name = test.param;
+    for (char& c : name)
+        if (c == '/' || c == '-') c = '_';
+    return name;
 }
 
-class WithInstructions : public ::testing::TestWithParam<std::pair<const char*, InstructionSet>> {};
+class WithThreads : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(WithThreads, OfAnyNumber) {
+    const std::string one = document_of(GetParam(), "1");
+    EXPECT_EQ(document_of(GetParam(), "3"), one);
+}
+
+INSTANTIATE_TEST_SUITE_P(SameBytes, WithThreads, ::testing::ValuesIn(of_each_family), test_name);
+
+class WithInstructions : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(WithInstructions, AreThoseOfTheBaseline) {
-    const auto [name, set] = GetParam();
-    if (!is_available(set)) GTEST_SKIP() << "this processor does not have " << name;
-    static const std::string baseline = documents(in_lanes, "2", "baseline");
-    EXPECT_EQ(documents(in_lanes, "2", name), baseline);
+    const std::string baseline = document_of(GetParam(), "2", "baseline");
+    for (const auto& [name, set] :
+         {std::pair("avx2", InstructionSet::avx2), std::pair("avx512", InstructionSet::avx512)})
+        if (is_available(set)) {
+            EXPECT_EQ(document_of(GetParam(), "2", name), baseline) << name;
+        }
 }
 
-INSTANTIATE_TEST_SUITE_P(SameBytes, WithInstructions,
-                         ::testing::Values(std::pair("avx2", InstructionSet::avx2),
-                                           std::pair("avx512", InstructionSet::avx512)),
-                         [](const auto& test) { return std::string(test.param.first); });
+INSTANTIATE_TEST_SUITE_P(SameBytes, WithInstructions, ::testing::ValuesIn(in_lanes), test_name);
 
 /// All points of a study, run with a number of threads and up to an instruction set.
 std::string points_of_study(const std::string& jobs, const std::string& set) {
