@@ -8,13 +8,13 @@
 
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/document/document.h"
-#include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/left_open.h"
 #include "synthesis/python/arguments.h"
 #include "synthesis/python/calls.h"
 #include "synthesis/python/values.h"
+#include "synthesis/report/drawing/finished.h"
 #include "synthesis/solve/solve.h"
 
 namespace mechwright::python {

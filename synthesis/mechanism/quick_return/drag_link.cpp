@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "synthesis/mechanism/measure_by.h"
 #include "analysis/four_bar/exact_turn.h"
+#include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
