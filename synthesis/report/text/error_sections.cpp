@@ -11,10 +11,19 @@ namespace mechwright {
 
 namespace {
 
+/// Whether the greatest error alone is to be least: beside other objectives and requirements the number of extremes
+/// shows nothing.
+bool asks_for_least_error(const Problem& problem) {
+    if (!problem.objective || problem.objective->terms.size() != 1 || !problem.requirements.empty()) return false;
+    const ObjectiveTerm& term = problem.objective->terms.front();
+    const Quantity& quantity = problem.mechanism->quantities[term.quantity];
+    return !term.maximize && !quantity.section.empty() && quantity.reduce == Reduce::greatest;
+}
+
 /// One sentence, indented; empty where nothing alternates.
-std::string alternation_text(const ErrorExtremes& extremes) {
+std::string alternation_text(const Problem& problem, const ErrorExtremes& extremes) {
     if (extremes.alternating < 2) return {};
-    const bool least = extremes.free > 0 && extremes.alternating > extremes.free;
+    const bool least = extremes.free > 0 && extremes.alternating > extremes.free && asks_for_least_error(problem);
     return folded("  ", fmt::format("{} extremes are as great as the greatest and alternate in sign, for {} free "
                                     "dimension{}{}.",
                                     extremes.alternating, extremes.free, extremes.free == 1 ? "" : "s",
@@ -32,7 +41,7 @@ std::string function_section(const Problem& problem, const Design& design, bool 
         table.rows.push_back({"error at x =", number_text(place_of(problem, design, e.share), 6), "is",
                               value_with_unit(e.error, error_unit(problem), problem.units)});
     text += to_text(table, 2);
-    return text + alternation_text(extremes);
+    return text + alternation_text(problem, extremes);
 }
 
 std::string followed_section(const Problem& problem, const Design& design, bool colour) {
@@ -45,7 +54,7 @@ std::string followed_section(const Problem& problem, const Design& design, bool 
     for (const auto& e : extremes.all)
         table.rows.push_back({"distance at crank angle", number_text(place_of(problem, design, e.share), 6), "is",
                               value_with_unit(e.error, Unit::length, problem.units)});
-    return text + to_text(table, 2) + alternation_text(extremes);
+    return text + to_text(table, 2) + alternation_text(problem, extremes);
 }
 
 }  // namespace

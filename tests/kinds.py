@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Checks that each kind of mechanism is known by name to its own places alone, so that a new one needs no others: its
+folders in `analysis` and `synthesis/mechanism`, the list of all kinds, and what is known of that kind in closed form,
+with the checks of such proofs.
+
+    tests/kinds.py    names each line elsewhere that knows a kind, and fails if any does
+"""
+import pathlib
+import re
+import sys
+
+KINDS = ["four_bar", "slider_crank", "crank_shaper", "whitworth", "drag_link"]
+THE_LIST = "synthesis/mechanism/mechanism.cpp"
+OWN = [
+    # Formulas, and names bound to them.
+    "analysis/", "synthesis/mechanism/four_bar/", "synthesis/mechanism/quick_return/",
+    # Every solution, the best one or a limit in closed form, and the checks of these proofs.
+    "synthesis/exact/", "synthesis/proof/", "synthesis/verify/limits_again", "synthesis/verify/ranges_again",
+    "synthesis/verify/bounds_again", "synthesis/verify/function_bound_again", "synthesis/verify/timed_path_again",
+    # What is measured against a stated baseline.
+    "synthesis/bench/",
+]  # fmt: skip
+
+source = pathlib.Path(__file__).resolve().parent.parent
+
+
+def code_of(line):
+    """A line without its comment, and without sentences: words of a kind in texts for people are no knowledge of it."""
+    line = re.sub(r"//.*", "", line)
+    return re.sub(r'"[^"]* [^"]*"', '""', line)
+
+
+faults, listed = [], {kind: 0 for kind in KINDS}
+for path in sorted(p for top in ("analysis", "synthesis") for p in (source / top).rglob("*.*") if p.suffix in (".h", ".cpp")):
+    file = path.relative_to(source).as_posix()
+    if any(file.startswith(own) for own in OWN):
+        continue
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        for kind in KINDS:
+            if not re.search(rf"(?<![a-z]){kind.replace('_', '[-_]')}(?![a-z])", code_of(line)):
+                continue
+            if file != THE_LIST:
+                faults.append(f"{file}:{number}: knows the kind '{kind}': {line.strip()}")
+            elif not line.startswith("#include"):
+                listed[kind] += 1
+faults += [f"{THE_LIST}: lists the kind '{kind}' {count} times" for kind, count in listed.items() if count != 1]
+print(*faults, sep="\n", file=sys.stderr, end="\n" if faults else "")
+sys.exit(1 if faults else 0)
