@@ -1,11 +1,14 @@
 # `cmake --install` and what other projects find: mechwright::analysis, which needs nothing, and
-# mechwright::synthesis with its solvers. Headers keep their paths: #include "analysis/four_bar.h".
+# mechwright::synthesis with its solvers. Headers keep their paths: #include <mechwright/analysis/four_bar.h>.
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mechwright)
 set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/mechwright)
 
 file(GLOB_RECURSE analysis_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analysis/*.h)
-set(synthesis_headers mechanism/drawing/body.h mechanism/mechanism.h mechanism/path_screening.h mechanism/task.h problem/by_name.h problem/problem.h problem/reader.h program/quantity_value.h
-    program/result.h program/run_options.h program/assess.h document/document.h solve/solve.h verify/verify.h)
+set(synthesis_headers
+    mechanism/cam/cam.h mechanism/cam/motion_program.h mechanism/drawing/body.h mechanism/drawing/moving_design.h
+    mechanism/function_target.h mechanism/loop_row.h mechanism/mechanism.h mechanism/path_screening.h mechanism/task.h
+    problem/by_name.h problem/problem.h problem/reader.h program/assess.h program/proof.h program/quantity_value.h
+    program/result.h program/run_options.h document/document.h solve/solve.h verify/verify.h)
 list(TRANSFORM synthesis_headers PREPEND ${PROJECT_SOURCE_DIR}/synthesis/)
 
 target_sources(mechwright_analysis INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${analysis_headers})

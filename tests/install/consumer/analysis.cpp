@@ -1,8 +1,8 @@
 // Prints what kind of linkage 4, 1, 3, 3 is; fails unless it is a crank-rocker.
+#include <mechwright/analysis/four_bar.h>
+
 #include <cstdio>
 #include <cstring>
-
-#include "analysis/four_bar.h"
 
 int main() {
     const mechwright::FourBar<double> links{4, 1, 3, 3};

@@ -1,11 +1,11 @@
 // Designs a crank-rocker of 60 deg swing and time ratio 1.2, prints its links, and fails unless it is solved and
 // verified.
+#include <mechwright/synthesis/problem/by_name.h>
+#include <mechwright/synthesis/program/quantity_value.h>
+#include <mechwright/synthesis/solve/solve.h>
+
 #include <cstdio>
 #include <numbers>
-
-#include "synthesis/problem/by_name.h"
-#include "synthesis/program/quantity_value.h"
-#include "synthesis/solve/solve.h"
 
 int main() {
     constexpr double degree = std::numbers::pi / 180;
