@@ -24,10 +24,11 @@ Digits50 angle_of_cosine(const Digits50& cosine) {
 }
 
 /// The greatest value of a function between two places: samples that are dense towards both find where it is, a golden
-/// section in fifty digits between the neighbours of every sample that is as great as they are then closes in on it.
+/// section between the neighbours of every sample that is as great as they are closes in on it to the last digits of a
+/// double, and there it is measured in fifty.
 template <class Function>
 Digits50 greatest_of(const Function& f, double from, double to) {
-    constexpr int steps = 4000, halvings = 110;
+    constexpr int steps = 1000;
     std::vector<double> at, value;
     for (int i = 0; i <= steps; ++i) {
         at.push_back(from + (to - from) * (0.5 - 0.5 * std::cos(std::numbers::pi * i / steps)));
@@ -38,7 +39,7 @@ Digits50 greatest_of(const Function& f, double from, double to) {
     constexpr double near = 1e-2;  // what falls short of the highest sample by more does not become the greatest
     for (std::size_t i = 1; i + 1 < at.size(); ++i) {
         if (value[i] < value[i - 1] || value[i] < value[i + 1] || value[i] < highest - near) continue;
-        const Digits50 place = greatest_between(f, Digits50(at[i - 1]), Digits50(at[i + 1]), halvings);
+        const Digits50 place = greatest_between(f, at[i - 1], at[i + 1]);
         greatest = std::max({greatest, Digits50(f(place)), Digits50(f(Digits50(at[i])))});
     }
     return greatest;
