@@ -131,8 +131,7 @@ void scale_columns(std::vector<Row>& rows) {
 
 /// Brings rows to echelon form, the greatest pivot first, and returns the number of independent columns and, in
 /// `pivots`, which they are.
-std::size_t rank_of(std::vector<Row> rows, std::vector<std::size_t>& pivots) {
-    constexpr double independent_beyond = 1e-7;
+std::size_t rank_of(std::vector<Row> rows, double independent_beyond, std::vector<std::size_t>& pivots) {
     Digits50 first = 0;
     for (std::size_t rank = 0; rank < rows.size() && !rows.empty() && rank < rows[0].size(); ++rank) {
         std::size_t r = rank, c = 0;
@@ -192,7 +191,14 @@ bool balances(const std::vector<Row>& rows) {
     return positive != negative;
 }
 
-std::size_t free_dimensions(const Error& error, std::vector<std::size_t>& pivots) {
+/// How many free dimensions the error depends on independently, which they are, and between which numbers that lies
+/// where the dependence is so weak, next to singular positions, that rounding decides.
+struct FreeDimensions {
+    std::size_t count = 0, least = 0, most = 0;
+    std::vector<std::size_t> columns{};
+};
+
+FreeDimensions free_dimensions(const Error& error) {
     constexpr std::size_t most = 16;
     std::vector<ExtremeAgain> at = error.extremes;
     std::sort(at.begin(), at.end(),
@@ -200,7 +206,13 @@ std::size_t free_dimensions(const Error& error, std::vector<std::size_t>& pivots
     at.resize(std::min(at.size(), most));
     std::vector<Row> rows = slopes(error, at);
     scale_columns(rows);
-    return rank_of(rows, pivots);
+    constexpr double independent_beyond = 1e-7, doubtful = 30;
+    FreeDimensions free;
+    std::vector<std::size_t> of_least, of_most;
+    free.count = rank_of(rows, independent_beyond, free.columns);
+    free.least = rank_of(rows, independent_beyond * doubtful, of_least);
+    free.most = rank_of(rows, independent_beyond / doubtful, of_most);
+    return free;
 }
 
 Check check_balance(const Error& error, const std::vector<ExtremeAgain>& equal,
@@ -251,20 +263,20 @@ std::vector<Check> check_alternation(const Json& stated, const Claim& claim) {
     }
     check.detail = extremes_defect(extremes, error);
     const auto equal = alternating(error);
-    std::vector<std::size_t> columns;
-    const std::size_t free = free_dimensions(error, columns);
-    const auto count = [&](const char* name, std::size_t again) {
-        if (check.detail.empty() && stated.value(name, Json()) != again)
-            check.detail = fmt::format("{} is stated as {}, it is {}", name, stated.value(name, Json()).dump(), again);
+    const FreeDimensions free = free_dimensions(error);
+    const auto count = [&](const char* name, std::size_t least, std::size_t most) {
+        const Json number = stated.value(name, Json());
+        if (check.detail.empty() && !(number.is_number() && number >= least && number <= most))
+            check.detail = fmt::format("{} is stated as {}, it is {}", name, number.dump(), most);
     };
-    count("alternating", equal.size());
-    count("free", free);
+    count("alternating", equal.size(), equal.size());
+    count("free", free.least, free.most);
     check.passed = check.detail.empty();
     if (!check.passed) return {check};
     check.detail =
         fmt::format("{} extremes derived again in fifty digits, {} of them alternate", extremes.size(), equal.size());
-    if (free == 0 || equal.size() <= free || !asks_for_least_error(claim)) return {check};
-    return {check, check_balance(error, equal, columns)};
+    if (free.count == 0 || equal.size() <= free.most || !asks_for_least_error(claim)) return {check};
+    return {check, check_balance(error, equal, free.columns)};
 }
 
 }  // namespace mechwright

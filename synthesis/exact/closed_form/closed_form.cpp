@@ -1,6 +1,8 @@
 #include "synthesis/exact/closed_form/closed_form.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mechwright {
 
@@ -12,6 +14,22 @@ const std::array<ClosedForm, 8>& closed_forms() {
                                                translating_cam_closed_form(), oscillating_cam_closed_form(),
                                                flat_cam_closed_form(),        swinging_flat_cam_closed_form()};
     return all;
+}
+
+/// Whether the dimensions meet the linear conditions of a family, to rounding.
+bool is_mechanism(const Mechanism& mechanism, const Design& design) {
+    constexpr double rounding = 1e-9;
+    const auto meets = [&](const LinearCondition& condition) {
+        double sum = 0, size = 0;
+        for (std::size_t i = 0; i < condition.coefficients.size(); ++i) {
+            sum += condition.coefficients[i] * design.dimensions[i];
+            size += std::abs(condition.coefficients[i] * design.dimensions[i]);
+        }
+        return sum >= -rounding * size;
+    };
+    return std::any_of(mechanism.families.begin(), mechanism.families.end(), [&](const Family& family) {
+        return std::all_of(family.conditions.begin(), family.conditions.end(), meets);
+    });
 }
 
 }  // namespace
@@ -34,8 +52,14 @@ std::string why_no_closed_form(const Problem& problem) {
 
 std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem) {
     if (has_ties(problem)) return std::nullopt;
-    for (const ClosedForm& form : closed_forms())
-        if (form.covers(problem)) return form.solve(problem);
+    for (const ClosedForm& form : closed_forms()) {
+        if (!form.covers(problem)) continue;
+        auto outcome = form.solve(problem);
+        // Beyond its ranges the smallest design need not be a mechanism at all: then there is none to show.
+        if (outcome && outcome->infeasible && outcome->best && !is_mechanism(*problem.mechanism, outcome->best->design))
+            outcome->best.reset();
+        return outcome;
+    }
     return std::nullopt;
 }
 
