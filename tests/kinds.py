@@ -15,8 +15,7 @@ OWN = [
     # Formulas, and names bound to them.
     "analysis/", "synthesis/mechanism/four_bar/", "synthesis/mechanism/quick_return/",
     # Every solution, the best one or a limit in closed form, and the checks of these proofs.
-    "synthesis/exact/", "synthesis/proof/", "synthesis/verify/limits_again", "synthesis/verify/ranges_again",
-    "synthesis/verify/bounds_again", "synthesis/verify/function_bound_again", "synthesis/verify/timed_path_again",
+    "synthesis/exact/", "synthesis/proof/", "synthesis/verify/proofs/",
     # What is measured against a stated baseline.
     "synthesis/bench/",
 ]  # fmt: skip

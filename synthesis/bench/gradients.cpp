@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/program_times.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/shipped.h"

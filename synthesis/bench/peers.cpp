@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "synthesis/bench/kernels/lanes.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/shipped.h"
 #include "synthesis/solve/solve.h"

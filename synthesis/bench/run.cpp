@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "synthesis/bench/readme.h"
+#include "synthesis/bench/pages/readme.h"
 #include "synthesis/bench/record.h"
 #include "synthesis/report/csv/csv_text.h"
 #include "synthesis/report/files/gnuplot.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "synthesis/bench/fitted_power.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/program_times.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/shipped.h"

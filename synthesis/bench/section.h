@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "synthesis/bench/diagram.h"
+#include "synthesis/bench/pages/diagram.h"
 
 namespace mechwright::bench {
 

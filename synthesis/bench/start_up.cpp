@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
 #include "synthesis/report/files/run_program.h"

@@ -23,7 +23,7 @@ struct ExactKind {
 };
 
 constexpr std::array<ExactKind, 7> kinds{{
-    {[](const Problem& p) { return p.mechanism == slider_crank_mechanism() && p.path && p.path->guides_body(); },
+    {[](const Problem& p) { return is_slider_crank(*p.mechanism) && p.path && p.path->guides_body(); },
      why_no_slider_crank_poses, slider_crank_pose_designs},
     {[](const Problem& p) { return p.path && p.path->guides_body() && p.path->poses() == p.path->points.size(); },
      why_no_poses, pose_designs},

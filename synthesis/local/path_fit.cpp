@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/program/stretch.h"
+#include "synthesis/program/path/stretch.h"
 
 namespace mechwright {
 

@@ -277,6 +277,16 @@ struct QuantityFormula {
     std::string source;  ///< book and equation, or how it is derived
 };
 
+/// A condition on dimensions by their names: the sum of those in `plus` is at least that of those in `minus`.
+struct AtLeast {
+    std::string_view why;
+    std::vector<std::string_view> plus;
+    std::vector<std::string_view> minus;
+};
+
+/// All conditions of one way in which a mechanism can move.
+using Way = std::vector<AtLeast>;
+
 /// The motion as a table: names and units of its columns, and one row at a crank angle.
 struct MotionTable {
     std::vector<std::string> columns;
@@ -321,6 +331,9 @@ struct Mechanism {
     /// The same derived again for verification, by another way: the range where one is given. The lengths are > 0.
     Motion (*motion_again)(Form, std::span<const Digits50> dimensions,
                            const std::optional<Vector<Digits50>>& crank_range) = nullptr;
+    /// Every way in which it can assemble somewhere, or turn fully, written from the geometry for verification and not
+    /// from the conditions of `families`; null: ranges exclude none.
+    std::vector<Way> (*ways_again)(bool full_turn) = nullptr;
     /// In one phrase what kind of linkage the dimensions make ("crank-rocker", change points named).
     std::string (*describe)(Form, std::span<const double> dimensions) = nullptr;
     /// Checks of assembly, circuit and branch over the whole motion, in extended precision.

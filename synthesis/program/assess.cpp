@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "synthesis/problem/units.h"
-#include "synthesis/program/nearest_point.h"
+#include "synthesis/program/path/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
 #include "synthesis/program/validity.h"

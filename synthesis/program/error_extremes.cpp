@@ -60,6 +60,13 @@ int free_dimensions(const Problem& problem, const Design& design) {
 
 }  // namespace
 
+bool asks_for_least_error(const Problem& problem) {
+    if (!problem.objective || problem.objective->terms.size() != 1 || !problem.requirements.empty()) return false;
+    const ObjectiveTerm& term = problem.objective->terms.front();
+    const Quantity& quantity = problem.mechanism->quantities[term.quantity];
+    return !term.maximize && !quantity.section.empty() && quantity.reduce == Reduce::greatest;
+}
+
 Unit error_unit(const Problem& problem) {
     if (problem.followed) return Unit::length;
     const DimensionKind kind = problem.mechanism->dimensions[problem.mechanism->input->start + 2].kind;

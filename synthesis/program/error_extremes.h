@@ -19,6 +19,10 @@ struct ErrorExtremes {
 /// Of a problem with a function or a line.
 ErrorExtremes error_extremes_of(const Problem& problem, const Design& design);
 
+/// Whether the greatest error alone is to be least: beside other objectives and requirements a design may stand where
+/// its extremes do not balance, and their number shows nothing.
+bool asks_for_least_error(const Problem& problem);
+
 /// The unit of the error.
 Unit error_unit(const Problem& problem);
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/program/path_outputs.h"
-#include "synthesis/program/stretch.h"
+#include "synthesis/program/path/path_outputs.h"
+#include "synthesis/program/path/stretch.h"
 
 namespace mechwright {
 

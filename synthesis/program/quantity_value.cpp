@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace mechwright {
 
@@ -61,22 +62,31 @@ bool assembles_over(const Problem& problem, const Motion& motion, const Design& 
     const auto& families = problem.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
     if (limited == families.end() || !limited->assembly_margin) return true;
-    const Quantity& margin = *limited->assembly_margin;
     Motion over = motion;
     over.family = static_cast<std::size_t>(limited - families.begin());
-    std::array<double, Quantity::most_components> components{};
-    Measurement measurement;
-    measurement.value = components;
-    margin.measure(over, design.dimensions, measurement);
-    double longest = 0;
-    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
-        if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
-            longest = std::max(longest, std::abs(design.dimensions[i]));
-    return std::all_of(components.begin(), components.begin() + static_cast<std::ptrdiff_t>(margin.components(over)),
-                       [&](double c) { return c >= -rounding * longest; });
+    return least_component(*limited->assembly_margin, over, design.dimensions) >=
+           -rounding * longest_length(*problem.mechanism, design.dimensions);
 }
 
 }  // namespace
+
+double longest_length(const Mechanism& mechanism, std::span<const double> dimensions) {
+    double longest = 0;
+    for (std::size_t i = 0; i < dimensions.size(); ++i)
+        if (mechanism.dimensions[i].kind == DimensionKind::length) longest = std::max(longest, std::abs(dimensions[i]));
+    return longest;
+}
+
+double least_component(const Quantity& margin, const Motion& motion, std::span<const double> dimensions) {
+    std::array<double, Quantity::most_components> components{};
+    margin.measure(motion, dimensions, {components, {}, {}});
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < margin.components(motion); ++i) {
+        if (std::isnan(components[i])) return components[i];
+        least = std::min(least, components[i]);
+    }
+    return least;
+}
 
 bool assembles_over_range(const Problem& problem, const Design& design) {
     return assembles_over(problem, motion_of(problem, design), design);

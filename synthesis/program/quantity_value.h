@@ -24,6 +24,12 @@ Motion motion_of(const Problem& problem, const Design& design);
 /// count as assembled in spite of their rounding.
 bool assembles_over_range(const Problem& problem, const Design& design);
 
+/// The longest length among dimensions; 0 without any.
+double longest_length(const Mechanism& mechanism, std::span<const double> dimensions);
+
+/// The least component of a margin; infinite without components, NaN where one is.
+double least_component(const Quantity& margin, const Motion& motion, std::span<const double> dimensions);
+
 /// The value of a quantity of a finished design, or nothing where it is not defined (see Quantity::defined) or the
 /// design does not assemble over its motion.
 std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design);

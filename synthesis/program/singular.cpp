@@ -23,23 +23,6 @@ struct Margins {
     }
 };
 
-double longest_length(const Problem& problem, const Design& design) {
-    double longest = 0;
-    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
-        if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
-            longest = std::max(longest, std::abs(design.dimensions[i]));
-    return longest;
-}
-
-double least_component(const Quantity& quantity, const Motion& motion, const Design& design) {
-    std::array<double, Quantity::most_components> components{};
-    Measurement measurement;
-    measurement.value = components;
-    quantity.measure(motion, design.dimensions, measurement);
-    return *std::min_element(components.begin(),
-                             components.begin() + static_cast<std::ptrdiff_t>(quantity.components(motion)));
-}
-
 void add_conditions(const Problem& problem, const Family& family, const Motion& motion, const Design& design,
                     Margins& margins) {
     for (const LinearCondition& condition : family.conditions) {
@@ -51,20 +34,20 @@ void add_conditions(const Problem& problem, const Family& family, const Motion& 
     if (family.assembly_margin)
         margins.add(
             is_cam(*problem.mechanism) ? "the follower is held and the cam is not undercut" : "the mechanism assembles",
-            least_component(*family.assembly_margin, motion, design));
+            least_component(*family.assembly_margin, motion, design.dimensions));
 }
 
 void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
     if (has_input_range(problem) && !problem.crank_range && problem.mechanism->input)
         return margins.add("the mechanism assembles over its input range",
-                           least_component(problem.mechanism->input->margin, motion, design));
+                           least_component(problem.mechanism->input->margin, motion, design.dimensions));
     const auto& families = problem.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
     if (!problem.crank_range || limited == families.end() || !limited->assembly_margin) return;
     Motion over = motion;
     over.family = static_cast<std::size_t>(limited - families.begin());
     margins.add("the mechanism assembles over the range of crank angles",
-                least_component(*limited->assembly_margin, over, design));
+                least_component(*limited->assembly_margin, over, design.dimensions));
 }
 
 void add_points(const Problem& problem, const Design& design, Margins& margins) {
@@ -87,7 +70,7 @@ void add_points(const Problem& problem, const Design& design, Margins& margins) 
 
 std::vector<SingularMargin> singular_margins(const Problem& problem, const Design& design) {
     const Motion motion = motion_of(problem, design);
-    Margins margins{longest_length(problem, design)};
+    Margins margins{longest_length(*problem.mechanism, design.dimensions)};
     if (!(margins.longest > 0) || !(motion.from <= motion.to)) return {};
     if (motion.full_turn && motion.family < problem.mechanism->families.size())
         add_conditions(problem, problem.mechanism->families[motion.family], motion, design, margins);

@@ -13,20 +13,13 @@ constexpr double active_within = 1e-6;
 /// Room for rounding between this evaluation and the one that called a design feasible.
 constexpr double rounding_room = 1 + 1e-3;
 
-double longest_dimension(const Mechanism& mechanism, const Design& design) {
-    double longest = 0;
-    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
-        if (mechanism.dimensions[i].kind == DimensionKind::length)
-            longest = std::max(longest, std::abs(design.dimensions[i]));
-    return longest > 0 ? longest : 1;
-}
-
 double scale_of(const Problem& problem, const Requirement& requirement, const Design& design) {
     const double greatest = std::max({std::abs(requirement.equal.value_or(0)), std::abs(requirement.min.value_or(0)),
                                       std::abs(requirement.max.value_or(0))});
     if (greatest > 0) return greatest;
     const Unit unit = problem.mechanism->quantities[requirement.quantity].unit;
-    const double longest = longest_dimension(*problem.mechanism, design);
+    const double length = longest_length(*problem.mechanism, design.dimensions);
+    const double longest = length > 0 ? length : 1;
     return unit == Unit::area ? longest * longest : unit == Unit::length ? longest : 1;
 }
 

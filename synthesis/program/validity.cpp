@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/program/path/stretch.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/program/stretch.h"
 
 namespace mechwright {
 
@@ -44,14 +44,8 @@ double least_step(const std::vector<double>& angles) {
 double existence_margin(const Problem& problem, const Design& design) {
     const Quantity& margin = *problem.mechanism->families[0].assembly_margin;
     const Motion motion = motion_of(problem, design);
-    std::array<double, Quantity::most_components> components{};
-    margin.measure(motion, design.dimensions, {components, {}, {}});
-    double least = without_limit;
-    for (std::size_t i = 0; i < margin.components(motion); ++i) {
-        const double relative = components[i] / design.dimensions[0];
-        least = std::min(least, std::isnan(relative) ? -without_limit : relative);
-    }
-    return least;
+    const double relative = least_component(margin, motion, design.dimensions) / design.dimensions[0];
+    return std::isnan(relative) ? -without_limit : relative;
 }
 
 void add_margins_of_path(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {

@@ -77,7 +77,7 @@ void add_of_crank_rockers(const Problem& problem, std::vector<KnownLimit>& limit
 
 void add_of_rams(const Problem& problem, std::vector<KnownLimit>& limits) {
     constexpr std::size_t slider_rod = 1, whitworth_rod = 3;
-    const bool slider_crank = problem.mechanism == slider_crank_mechanism();
+    const bool slider_crank = is_slider_crank(*problem.mechanism);
     const Asked ratio = asked_of(problem, "time-ratio"), stroke = asked_of(problem, "stroke");
     const auto limit_transmission = [&](std::string_view name, double greatest, const std::string& why) {
         for (const char* quantity : {"transmission-angle-worst", "transmission-angle-min"})
@@ -119,8 +119,7 @@ std::vector<KnownLimit> known_limits(const Problem& problem) {
     add_possible_values(problem, limits);
     if (!turns_fully(problem)) return limits;
     if (is_four_bar(*problem.mechanism)) add_of_crank_rockers(problem, limits);
-    if (problem.mechanism == slider_crank_mechanism() || problem.mechanism == whitworth_mechanism())
-        add_of_rams(problem, limits);
+    if (is_slider_crank(*problem.mechanism) || is_whitworth(*problem.mechanism)) add_of_rams(problem, limits);
     return limits;
 }
 

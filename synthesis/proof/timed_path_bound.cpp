@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/proof/coupler_turn.h"
 
 namespace mechwright::four_bar {
@@ -98,7 +99,7 @@ double least_distance(VectorXd r, const std::array<VectorXd, parameters>& g,
 }  // namespace
 
 std::string TimedPathBound::why_not(const Problem& problem) {
-    if (problem.mechanism != find_mechanism("four-bar")) return "bounds are known for four-bars only";
+    if (!is_four_bar(*problem.mechanism)) return "bounds are known for four-bars only";
     if (!problem.path || !problem.path->prescribed_timing || problem.path->guides_body())
         return "the problem has no [path] with prescribed timing";
     if (!problem.objective || problem.objective->terms.size() != 1 || problem.objective->terms.front().maximize)

@@ -11,7 +11,7 @@
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/assess.h"
-#include "synthesis/program/nearest_point.h"
+#include "synthesis/program/path/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "analysis/numbers/low_discrepancy.h"
-#include "synthesis/program/path_outputs.h"
-#include "synthesis/program/stretch.h"
+#include "synthesis/program/path/path_outputs.h"
+#include "synthesis/program/path/stretch.h"
 #include "synthesis/search/path_timing.h"
 #include "synthesis/search/starts.h"
 

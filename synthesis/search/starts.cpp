@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "analysis/numbers/low_discrepancy.h"
-#include "synthesis/program/path_outputs.h"
+#include "synthesis/program/path/path_outputs.h"
 #include "synthesis/search/path_timing.h"
 
 namespace mechwright {

@@ -12,7 +12,7 @@
 #include "synthesis/solve/front.h"
 #include "synthesis/solve/methods.h"
 #include "synthesis/solve/why_infeasible.h"
-#include "synthesis/verify/proof_checks.h"
+#include "synthesis/verify/proofs/proof_checks.h"
 
 namespace mechwright {
 

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/document/claimed_problem.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/program/error_extremes.h"
 #include "synthesis/program/result.h"
 #include "synthesis/verify/error_again.h"
 
@@ -234,15 +236,6 @@ Check check_balance(const Error& error, const std::vector<ExtremeAgain>& equal,
     return {"alternation shows that no design near is better", false, "the extremes do not balance"};
 }
 
-/// Whether the greatest error alone is to be least: beside other objectives and requirements a design may stand where
-/// its extremes do not balance.
-bool asks_for_least_error(const Claim& claim) {
-    if (!claim.objective || claim.objective->terms.size() != 1 || !claim.requirements.empty()) return false;
-    const ClaimedTerm& term = claim.objective->terms.front();
-    const Quantity& quantity = claim.mechanism->quantities[term.quantity];
-    return !term.maximize && !quantity.section.empty() && quantity.reduce == Reduce::greatest;
-}
-
 }  // namespace
 
 std::vector<Check> check_alternation(const Json& stated, const Claim& claim) {
@@ -275,7 +268,8 @@ std::vector<Check> check_alternation(const Json& stated, const Claim& claim) {
     if (!check.passed) return {check};
     check.detail =
         fmt::format("{} extremes derived again in fifty digits, {} of them alternate", extremes.size(), equal.size());
-    if (free.count == 0 || equal.size() <= free.most || !asks_for_least_error(claim)) return {check};
+    if (free.count == 0 || equal.size() <= free.most || !asks_for_least_error(claimed_design(claim).problem))
+        return {check};
     return {check, check_balance(error, equal, free.columns)};
 }
 

@@ -14,7 +14,7 @@
 #include "synthesis/verify/derived.h"
 #include "synthesis/verify/others.h"
 #include "synthesis/verify/path_checks.h"
-#include "synthesis/verify/proof_checks.h"
+#include "synthesis/verify/proofs/proof_checks.h"
 #include "synthesis/verify/rebuilt.h"
 
 namespace mechwright {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "synthesis/bench/diagram.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/diagram.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/record.h"
 #include "synthesis/report/files/gnuplot.h"
 #include "tests/report/temporary_folder.h"

@@ -279,6 +279,17 @@ TEST(MadeAtRunTime, IsStudied) {
         EXPECT_EQ(row["status"], "solved") << row.dump();
 }
 
+TEST(MadeAtRunTime, MayHaveSettingsOfItsOwn) {
+    make_trammels();
+    Mechanism geared = trammel("geared-trammel", 0);
+    geared.settings = {{"gearing", "ratio", 2, 0, 10, "turns of the rod for one of the crank"}};
+    add_mechanism(geared);
+    const std::string text =
+        "schema = 1\nmechanism = \"geared-trammel\"\n[dimensions]\nrod = 120.0\n[gearing]\nratio = ";
+    EXPECT_EQ(read_without_error(text + "3\n").problem.settings[0], 3);
+    EXPECT_FALSE(parse_problem(text + "11\n", "trammel.toml").ok());
+}
+
 TEST(Mechanisms, AreWhole) {
     for (const auto& mechanism : mechanisms())
         EXPECT_EQ(why_not_whole(*mechanism), "") << mechanism->meaning;

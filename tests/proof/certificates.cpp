@@ -9,7 +9,7 @@
 
 #include "synthesis/mechanism/possible_values.h"
 #include "synthesis/proof/known_limits.h"
-#include "synthesis/verify/proof_checks.h"
+#include "synthesis/verify/proofs/proof_checks.h"
 #include "synthesis/verify/verify.h"
 #include "tests/known_optima/solved.h"
 
@@ -307,6 +307,41 @@ minimize = "pose-max"
     EXPECT_LT(s.result.best->objective, 1e-12);
     EXPECT_LT(s.result.search.starts, 40);
     expect_verified(s, "poses");
+}
+
+// The centre that comes closest to an oscillating cam's limits need not be a mechanism: then no design is shown, and
+// the proof verifies without one.
+TEST(Certificates, OfACamWhoseClosestCentreIsNoMechanismVerify) {
+    const std::string text = R"(schema = 1
+mechanism = "cam"
+[cam]
+follower = "roller"
+motion = "oscillating"
+[[segment]]
+kind = "rise"
+angle = 50.2275
+lift = 29.3978
+law = "cycloidal"
+[[segment]]
+kind = "return"
+angle = 89.5963
+lift = 29.3978
+law = "harmonic"
+[[segment]]
+kind = "dwell"
+angle = 220.1762
+[dimensions]
+prime-radius = { min = 5, max = 400 }
+roller-radius = 1
+pivot-distance = { min = 10, max = 400 }
+arm-length = 93.6885
+)" + require("pressure-angle-rise", "max", 15.3349) +
+                             require("pressure-angle-return", "max", 46.9723) +
+                             "[objective]\nminimize = \"pivot-distance\"\n";
+    const Solved s = solved(text);
+    EXPECT_EQ(s.result.status, Status::infeasible);
+    EXPECT_TRUE(s.result.search.complete());
+    expect_verified(s, text);
 }
 
 /// What a random linkage measures of a quantity, or nothing.

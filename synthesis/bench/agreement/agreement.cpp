@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "synthesis/bench/agreement/answer.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/shipped.h"
 #include "synthesis/document/document.h"

@@ -2,7 +2,7 @@
 
 #include "synthesis/bench/derivatives/methods.h"
 #include "synthesis/bench/digits.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
 

@@ -4,7 +4,7 @@
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/bench/exact/nine_points.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
 #include "synthesis/exact/homotopy/certify.h"

@@ -5,7 +5,7 @@
 #include "synthesis/bench/digits.h"
 #include "synthesis/bench/extremes/cases.h"
 #include "synthesis/bench/fitted_power.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
 

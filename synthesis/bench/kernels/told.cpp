@@ -9,7 +9,7 @@
 #include "synthesis/bench/kernels/lanes.h"
 #include "synthesis/bench/kernels/measured_kernel.h"
 #include "synthesis/bench/kernels/screening.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 
 namespace mechwright::bench {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/precision/local_methods.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/shipped.h"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "analysis/numbers/low_discrepancy.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/profiles/runs.h"
 #include "synthesis/bench/profiles/searches.h"
 #include "synthesis/bench/profiles/success.h"

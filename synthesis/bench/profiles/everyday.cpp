@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/profiles/drawn.h"
 #include "synthesis/bench/profiles/success.h"
 #include "synthesis/bench/sections.h"

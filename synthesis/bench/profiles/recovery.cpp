@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "analysis/four_bar.h"
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/profiles/drawn.h"
 #include "synthesis/bench/profiles/success.h"
 #include "synthesis/bench/sections.h"

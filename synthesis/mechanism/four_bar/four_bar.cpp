@@ -256,6 +256,7 @@ std::shared_ptr<const Mechanism> four_bar_mechanism() {
         .families = families(),
         .motion = motion_by_links,
         .motion_again = four_bar_motion_again,
+        .ways_again = four_bar_ways_again,
         .describe = describe,
         .check_motion = four_bar_check_motion,
         .table = {columns(), units(), motion_row},

@@ -52,6 +52,9 @@ std::vector<Check> four_bar_check_motion(const Motion& motion, std::span<const D
 Motion four_bar_motion_again(Form form, std::span<const Digits50> dimensions,
                              const std::optional<Vector<Digits50>>& crank_range);
 
+/// The ways in which it can move (Mechanism::ways_again).
+std::vector<Way> four_bar_ways_again(bool full_turn);
+
 /// The coupler point in the drawing at a crank angle (radians, counted from the ground link); NaN where the linkage
 /// does not assemble.
 Vector<Digits50> four_bar_path_point(Form form, std::span<const Digits50> dimensions, const Digits50& crank_angle);

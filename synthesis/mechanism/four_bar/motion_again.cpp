@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "synthesis/mechanism/four_bar/measure_again.h"
+#include "synthesis/mechanism/four_link_ways.h"
 #include "synthesis/mechanism/over_range.h"
 
 namespace mechwright {
@@ -45,6 +46,11 @@ Motion own_motion(std::span<const Digits50> d) {
 }
 
 }  // namespace
+
+std::vector<Way> four_bar_ways_again(bool full_turn) {
+    if (!full_turn) return {four_links_close("rocker")};
+    return {crank_turns("ground", "crank", "rocker"), crank_turns("crank", "ground", "rocker")};
+}
 
 Motion four_bar_motion_again(Form form, std::span<const Digits50> dimensions,
                              const std::optional<Vector<Digits50>>& crank_range) {

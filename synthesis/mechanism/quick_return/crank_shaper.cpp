@@ -59,32 +59,34 @@ std::optional<Objection> objection(std::span<const double> least, std::span<cons
         "link turns fully, which is mechanism = \"whitworth\""};
 }
 
+std::vector<Quantity> quantities() {
+    return ram_quantities<CrankShaper, CrankShaperAgain>(
+        "centre distance, crank, lever and rod together",
+        "least angle at the ram over the motion: 90 deg less the angle from ram line to rod",
+        "greatest angle at the ram over the motion", "least angle at the ram over the motion");
+}
+
 }  // namespace
 
 std::shared_ptr<const Mechanism> crank_shaper_mechanism() {
-    static const auto mechanism = [] {
-        const std::vector<Quantity> quantities = ram_quantities<CrankShaper, CrankShaperAgain>(
-            "centre distance, crank, lever and rod together",
-            "least angle at the ram over the motion: 90 deg less the angle from ram line to rod",
-            "greatest angle at the ram over the motion", "least angle at the ram over the motion");
-        return std::make_shared<const Mechanism>(
-            Mechanism{.name = "crank-shaper",
-                      .meaning = "a crank swings a slotted lever, which drives a ram through a rod",
-                      .dimensions = dimensions(),
-                      .assemblies = {},
-                      .quantities = quantities,
-                      .families = families(),
-                      .settings = settings(),
-                      .objection = objection,
-                      .motion = motion_by_drive<CrankShaper>,
-                      .motion_again = CrankShaperAgain::motion,
-                      .describe = describe,
-                      .check_motion = CrankShaperAgain::check_motion,
-                      .table = {slotted_columns(), slotted_units(), slotted_row<CrankShaper>},
-                      .formulas = crank_shaper_formulas(),
-                      .tasks = crank_shaper_tasks(),
-                      .drawing = crank_shaper_drawing()});
-    }();
+    static const auto mechanism = std::make_shared<const Mechanism>(
+        Mechanism{.name = "crank-shaper",
+                  .meaning = "a crank swings a slotted lever, which drives a ram through a rod",
+                  .dimensions = dimensions(),
+                  .assemblies = {},
+                  .quantities = quantities(),
+                  .families = families(),
+                  .settings = settings(),
+                  .objection = objection,
+                  .motion = motion_by_drive<CrankShaper>,
+                  .motion_again = CrankShaperAgain::motion,
+                  .ways_again = crank_shaper_ways,
+                  .describe = describe,
+                  .check_motion = CrankShaperAgain::check_motion,
+                  .table = {slotted_columns(), slotted_units(), slotted_row<CrankShaper>},
+                  .formulas = crank_shaper_formulas(),
+                  .tasks = crank_shaper_tasks(),
+                  .drawing = crank_shaper_drawing()});
     return mechanism;
 }
 

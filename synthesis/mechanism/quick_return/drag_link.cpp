@@ -92,34 +92,35 @@ bool motion_row(const Motion& motion, std::span<const double> d, double crank_an
     return true;
 }
 
+std::vector<Quantity> quantities() {
+    return ram_quantities<DragLink, DragLinkAgain>(
+        "ground link, crank, coupler, follower, arm and rod together",
+        "least of the angle between coupler and follower and that at the ram (90 deg less the angle from slide line to "
+        "rod) over the motion",
+        "greatest of the angle between coupler and follower and that at the ram over the motion",
+        "least of both angles and their supplements over the motion");
+}
+
 }  // namespace
 
 std::shared_ptr<const Mechanism> drag_link_mechanism() {
-    static const auto mechanism = [] {
-        const std::vector<Quantity> quantities = ram_quantities<DragLink, DragLinkAgain>(
-            "ground link, crank, coupler, follower, arm and rod together",
-            "least of the angle between coupler and follower and that at the ram (90 deg less the angle from slide "
-            "line to "
-            "rod) over the motion",
-            "greatest of the angle between coupler and follower and that at the ram over the motion",
-            "least of both angles and their supplements over the motion");
-        return std::make_shared<const Mechanism>(
-            Mechanism{.name = "drag-link",
-                      .meaning = "a four-bar with two full cranks, whose follower drives a ram through a rod",
-                      .dimensions = dimensions(),
-                      .assemblies = {"open", "crossed"},
-                      .quantities = quantities,
-                      .families = families(),
-                      .settings = settings(),
-                      .motion = motion_by_drive<DragLink>,
-                      .motion_again = DragLinkAgain::motion,
-                      .describe = describe,
-                      .check_motion = DragLinkAgain::check_motion,
-                      .table = {columns(), units(), motion_row},
-                      .formulas = drag_link_formulas(),
-                      .tasks = drag_link_tasks(),
-                      .drawing = drag_link_drawing()});
-    }();
+    static const auto mechanism = std::make_shared<const Mechanism>(
+        Mechanism{.name = "drag-link",
+                  .meaning = "a four-bar with two full cranks, whose follower drives a ram through a rod",
+                  .dimensions = dimensions(),
+                  .assemblies = {"open", "crossed"},
+                  .quantities = quantities(),
+                  .families = families(),
+                  .settings = settings(),
+                  .motion = motion_by_drive<DragLink>,
+                  .motion_again = DragLinkAgain::motion,
+                  .ways_again = drag_link_ways,
+                  .describe = describe,
+                  .check_motion = DragLinkAgain::check_motion,
+                  .table = {columns(), units(), motion_row},
+                  .formulas = drag_link_formulas(),
+                  .tasks = drag_link_tasks(),
+                  .drawing = drag_link_drawing()});
     return mechanism;
 }
 

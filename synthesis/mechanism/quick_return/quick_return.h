@@ -11,4 +11,8 @@ std::shared_ptr<const Mechanism> crank_shaper_mechanism();
 std::shared_ptr<const Mechanism> whitworth_mechanism();
 std::shared_ptr<const Mechanism> drag_link_mechanism();
 
+/// Whether a mechanism is of the kind.
+bool is_slider_crank(const Mechanism& mechanism);
+bool is_whitworth(const Mechanism& mechanism);
+
 }  // namespace mechwright

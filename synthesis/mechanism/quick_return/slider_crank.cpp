@@ -142,6 +142,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism() {
         .settings = settings(),
         .motion = motion_by_drive<SliderCrank>,
         .motion_again = SliderCrankAgain::motion,
+        .ways_again = slider_crank_ways,
         .describe = describe,
         .check_motion = SliderCrankAgain::check_motion,
         .table = {columns(), units(), motion_row},
@@ -159,5 +160,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism() {
         .arc = followed_shape<RodPath, ArcShape, input_start, arc_x>()});
     return mechanism;
 }
+
+bool is_slider_crank(const Mechanism& mechanism) { return mechanism.motion == motion_by_drive<SliderCrank>; }
 
 }  // namespace mechwright

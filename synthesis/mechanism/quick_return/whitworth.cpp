@@ -56,33 +56,37 @@ std::optional<Objection> objection(std::span<const double> least, std::span<cons
                      "slotted lever swings, which is mechanism = \"crank-shaper\""};
 }
 
+std::vector<Quantity> quantities() {
+    return ram_quantities<Whitworth, WhitworthAgain>(
+        "centre distance, crank, arm and rod together",
+        "least angle at the ram over the motion: 90 deg less the angle from slide line to rod",
+        "greatest angle at the ram over the motion", "least angle at the ram over the motion");
+}
+
 }  // namespace
 
 std::shared_ptr<const Mechanism> whitworth_mechanism() {
-    static const auto mechanism = [] {
-        const std::vector<Quantity> quantities = ram_quantities<Whitworth, WhitworthAgain>(
-            "centre distance, crank, arm and rod together",
-            "least angle at the ram over the motion: 90 deg less the angle from slide line to rod",
-            "greatest angle at the ram over the motion", "least angle at the ram over the motion");
-        return std::make_shared<const Mechanism>(
-            Mechanism{.name = "whitworth",
-                      .meaning = "a crank turns a slotted link fully, whose arm drives a ram through a rod",
-                      .dimensions = dimensions(),
-                      .assemblies = {},
-                      .quantities = quantities,
-                      .families = families(),
-                      .settings = settings(),
-                      .objection = objection,
-                      .motion = motion_by_drive<Whitworth>,
-                      .motion_again = WhitworthAgain::motion,
-                      .describe = describe,
-                      .check_motion = WhitworthAgain::check_motion,
-                      .table = {slotted_columns(), slotted_units(), slotted_row<Whitworth>},
-                      .formulas = whitworth_formulas(),
-                      .tasks = whitworth_tasks(),
-                      .drawing = whitworth_drawing()});
-    }();
+    static const auto mechanism = std::make_shared<const Mechanism>(
+        Mechanism{.name = "whitworth",
+                  .meaning = "a crank turns a slotted link fully, whose arm drives a ram through a rod",
+                  .dimensions = dimensions(),
+                  .assemblies = {},
+                  .quantities = quantities(),
+                  .families = families(),
+                  .settings = settings(),
+                  .objection = objection,
+                  .motion = motion_by_drive<Whitworth>,
+                  .motion_again = WhitworthAgain::motion,
+                  .ways_again = whitworth_ways,
+                  .describe = describe,
+                  .check_motion = WhitworthAgain::check_motion,
+                  .table = {slotted_columns(), slotted_units(), slotted_row<Whitworth>},
+                  .formulas = whitworth_formulas(),
+                  .tasks = whitworth_tasks(),
+                  .drawing = whitworth_drawing()});
     return mechanism;
 }
+
+bool is_whitworth(const Mechanism& mechanism) { return mechanism.motion == motion_by_drive<Whitworth>; }
 
 }  // namespace mechwright

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
+#include <mutex>
 #include <vector>
 
 #include "synthesis/mechanism/mechanism.h"
@@ -41,8 +43,11 @@ struct FileKeys {
 }  // namespace
 
 std::span<const Key> of_file() {
-    static const FileKeys keys;
-    return keys.all;
+    // Mechanisms are added, never taken away: lists of fewer stay as they are for whoever reads them.
+    static std::mutex guard;
+    static std::map<std::size_t, const FileKeys> by_number;
+    const std::lock_guard lock(guard);
+    return by_number.try_emplace(mechanisms().size()).first->second.all;
 }
 
 }  // namespace mechwright::keys

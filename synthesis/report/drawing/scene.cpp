@@ -8,6 +8,7 @@
 
 #include "analysis/numbers/scalar.h"
 #include "synthesis/mechanism/drawing/outlines.h"
+#include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
 
@@ -19,14 +20,6 @@ const Drawing& drawing_of(const FinishedDesign& design) {
     const std::optional<Drawing>& drawing = design.mechanism->drawing;
     if (!drawing) throw std::logic_error("nothing says how a " + design.mechanism->name + " is drawn");
     return *drawing;
-}
-
-double longest_length(const FinishedDesign& design) {
-    double longest = 0;
-    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
-        if (design.mechanism->dimensions[i].kind == DimensionKind::length)
-            longest = std::max(longest, design.dimensions[i]);
-    return longest;
 }
 
 struct Box {
@@ -184,7 +177,8 @@ Scene scene_of(const FinishedDesign& design, double fineness) {
     Scene scene;
     scene.pivots = drawn.pivots(design);
     // Symbols are sized by the drawing without them.
-    const Box bare = passed(design, drawn.bodies(design, 0, coarse * longest_length(design)), scene.pivots);
+    const Box bare = passed(
+        design, drawn.bodies(design, 0, coarse * longest_length(*design.mechanism, design.dimensions)), scene.pivots);
     const double extent = bare.extent() > 0 ? bare.extent() : 1;
     scene.symbol = symbol_share * extent;
     scene.bodies = drawn.bodies(design, scene.symbol, fineness * extent);

@@ -11,15 +11,6 @@ namespace mechwright {
 
 namespace {
 
-/// Whether the greatest error alone is to be least: beside other objectives and requirements the number of extremes
-/// shows nothing.
-bool asks_for_least_error(const Problem& problem) {
-    if (!problem.objective || problem.objective->terms.size() != 1 || !problem.requirements.empty()) return false;
-    const ObjectiveTerm& term = problem.objective->terms.front();
-    const Quantity& quantity = problem.mechanism->quantities[term.quantity];
-    return !term.maximize && !quantity.section.empty() && quantity.reduce == Reduce::greatest;
-}
-
 /// One sentence, indented; empty where nothing alternates.
 std::string alternation_text(const Problem& problem, const ErrorExtremes& extremes) {
     if (extremes.alternating < 2) return {};

@@ -1,4 +1,4 @@
-#include "synthesis/verify/function_bound_again.h"
+#include "synthesis/verify/proofs/function_bound_again.h"
 
 #include <algorithm>
 #include <cmath>

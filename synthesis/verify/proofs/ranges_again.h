@@ -1,9 +1,9 @@
 #pragma once
 /// \file
-/// Whether ranges of dimensions leave room for a mechanism, for verification: in fifty digits, by conditions that are
-/// written here from the geometry, not those that designs are made with.
+/// Whether ranges of dimensions leave room for a mechanism, for verification: in fifty digits, by conditions that each
+/// kind of mechanism writes for it (Mechanism::ways_again), not those that designs are made with.
 
-#include "synthesis/verify/proof_context.h"
+#include "synthesis/verify/proofs/proof_context.h"
 
 namespace mechwright {
 

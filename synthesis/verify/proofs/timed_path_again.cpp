@@ -1,4 +1,4 @@
-#include "synthesis/verify/timed_path_again.h"
+#include "synthesis/verify/proofs/timed_path_again.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "synthesis/bench/markdown.h"
+#include "synthesis/bench/pages/markdown.h"
 
 #include <fmt/format.h>
 

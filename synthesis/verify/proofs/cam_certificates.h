@@ -2,7 +2,7 @@
 /// \file
 /// Checks of certificates of the least size of a cam: weighted half-planes under a roller, a place under a flat face.
 
-#include "synthesis/verify/proof_context.h"
+#include "synthesis/verify/proofs/proof_context.h"
 
 namespace mechwright {
 

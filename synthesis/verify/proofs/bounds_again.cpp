@@ -1,4 +1,4 @@
-#include "synthesis/verify/bounds_again.h"
+#include "synthesis/verify/proofs/bounds_again.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "synthesis/verify/error_again.h"
-#include "synthesis/verify/function_bound_again.h"
-#include "synthesis/verify/timed_path_again.h"
+#include "synthesis/verify/proofs/function_bound_again.h"
+#include "synthesis/verify/proofs/timed_path_again.h"
 
 namespace mechwright {
 

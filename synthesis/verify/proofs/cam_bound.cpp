@@ -1,4 +1,4 @@
-#include "synthesis/verify/cam_bound.h"
+#include "synthesis/verify/proofs/cam_bound.h"
 
 #include <limits>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "synthesis/program/path_outputs.h"
+#include "synthesis/program/path/path_outputs.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "synthesis/verify/proof_context.h"
+#include "synthesis/verify/proofs/proof_context.h"
 
 namespace mechwright {
 

@@ -1,4 +1,4 @@
-#include "synthesis/bench/readme.h"
+#include "synthesis/bench/pages/readme.h"
 
 #include <fmt/format.h>
 

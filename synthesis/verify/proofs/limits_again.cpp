@@ -1,4 +1,4 @@
-#include "synthesis/verify/limits_again.h"
+#include "synthesis/verify/proofs/limits_again.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "synthesis/verify/proof_context.h"
+#include "synthesis/verify/proofs/proof_context.h"
 
 #include <algorithm>
 #include <limits>

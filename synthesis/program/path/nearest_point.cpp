@@ -1,4 +1,4 @@
-#include "synthesis/program/nearest_point.h"
+#include "synthesis/program/path/nearest_point.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "synthesis/verify/proof_checks.h"
+#include "synthesis/verify/proofs/proof_checks.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/possible_values.h"
-#include "synthesis/verify/bounds_again.h"
-#include "synthesis/verify/cam_certificates.h"
-#include "synthesis/verify/limits_again.h"
-#include "synthesis/verify/ranges_again.h"
+#include "synthesis/verify/proofs/bounds_again.h"
+#include "synthesis/verify/proofs/cam_certificates.h"
+#include "synthesis/verify/proofs/limits_again.h"
+#include "synthesis/verify/proofs/ranges_again.h"
 
 namespace mechwright {
 

@@ -1,4 +1,4 @@
-#include "synthesis/verify/cam_certificates.h"
+#include "synthesis/verify/proofs/cam_certificates.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/program/proof.h"
-#include "synthesis/verify/cam_bound.h"
+#include "synthesis/verify/proofs/cam_bound.h"
 
 namespace mechwright {
 

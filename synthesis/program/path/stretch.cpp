@@ -1,10 +1,10 @@
-#include "synthesis/program/stretch.h"
+#include "synthesis/program/path/stretch.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 
-#include "synthesis/program/path_outputs.h"
+#include "synthesis/program/path/path_outputs.h"
 
 namespace mechwright {
 

@@ -1,4 +1,4 @@
-#include "synthesis/bench/diagram.h"
+#include "synthesis/bench/pages/diagram.h"
 
 #include <fmt/format.h>
 

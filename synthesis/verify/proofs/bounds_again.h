@@ -3,7 +3,7 @@
 /// Whether the bound of branch and bound holds, for verification: by another enclosure in fifty digits where that can
 /// be done, else at many places.
 
-#include "synthesis/verify/proof_context.h"
+#include "synthesis/verify/proofs/proof_context.h"
 
 namespace mechwright {
 

@@ -1,0 +1,80 @@
+// Alternation, the proof of the least error near a design: it is derived again from the document alone, and does not
+// hold where something else than the error shaped the design.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "synthesis/verify/verify.h"
+#include "tests/known_optima/solved.h"
+
+namespace mechwright {
+namespace {
+
+using testing::Solved;
+using testing::solved;
+
+// Near a singular position the error depends so weakly on one dimension that rounding decides whether it is free:
+// doubles and fifty digits may count differently by that one.
+TEST(Alternation, AllowsForADimensionThatRoundingMakesFree) {
+    const Solved s = solved(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 50
+crank = { min = 1, max = 1000 }
+coupler = { min = 1, max = 1000 }
+rocker = { min = 1, max = 1000 }
+assembly = "either"
+[function]
+expression = "x^3"
+x = [1.5345296994353936, 4.183943776055379]
+input = { start = 180.1764100214961, range = -63.867150388308566 }
+output = { start = 143.71399306621518, range = 49.00106932855538 }
+[objective]
+minimize = "function-max"
+)");
+    ASSERT_EQ(s.result.status, Status::solved);
+    for (const Check& check : verify(document(s.problem, s.result)))
+        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
+}
+
+// The least deviation of a linkage of limited size alternates as often as one without limits. Its document without the
+// limits claims that no linkage near is better, which a smaller line disproves.
+TEST(Alternation, ShowsNothingOfADesignThatItsLimitsShaped) {
+    const Solved s = solved(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground      = { min = 20, max = 400 }
+crank       = { min = 10, max = 100 }
+coupler     = { min = 20, max = 400 }
+rocker      = { of = "coupler" }
+point-along = { of = "coupler", times = 2 }
+[line]
+start     = { min = 60, max = 180 }
+range     = { min = 60, max = 240 }
+full_turn = true
+[[require]]
+quantity = "line-length"
+equal    = 100
+[[require]]
+quantity = "total-length"
+max      = 400
+[objective]
+minimize = "line-deviation"
+[solver]
+starts = 8
+)");
+    ASSERT_EQ(s.result.status, Status::solved);
+    auto json = document(s.problem, s.result);
+    ASSERT_GT(json["line"]["alternating"].get<int>(), json["line"]["free"].get<int>());
+    ASSERT_TRUE(all_passed(verify(json)));
+    json["requirements"] = nlohmann::ordered_json::array();
+    const auto checks = verify(json);
+    const auto balance = std::find_if(checks.begin(), checks.end(),
+                                      [](const Check& c) { return c.name.starts_with("alternation shows"); });
+    ASSERT_NE(balance, checks.end());
+    EXPECT_FALSE(balance->passed) << balance->detail;
+}
+
+}  // namespace
+}  // namespace mechwright
