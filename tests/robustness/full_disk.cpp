@@ -99,7 +99,7 @@ std::string points_in(const std::string& folder) {
 TEST(FullDiskUnderAStudy, KeepsWhatWasDoneAndGoesOnWithRoom) {
     SmallDisk disk(disk_kilobytes);
     if (!disk.mounted()) GTEST_SKIP() << "a disk cannot be mounted here";
-    constexpr int points = 1000;
+    constexpr int points = 300;
     const TemporaryFolder elsewhere;
     const std::string problem = elsewhere.write("a.toml", closed_form_study(points));
     ASSERT_EQ(run({"study", problem, "--out", elsewhere / "out", "--quiet"}).exit_code, 0);
@@ -113,7 +113,7 @@ TEST(FullDiskUnderAStudy, KeepsWhatWasDoneAndGoesOnWithRoom) {
     ASSERT_TRUE(disk.resize(16 * disk_kilobytes));
     const Outcome status = run({"study", "status", disk / "out"});
     EXPECT_EQ(status.exit_code, 0) << status.err;
-    expect_has(status.out, " of 1000 points: ");
+    expect_has(status.out, " of 300 points: ");
     expect_has_not(status.out, "\n0 of ");
     EXPECT_EQ(run({"study", problem, "--out", disk / "out", "--quiet"}).exit_code, 0);
     EXPECT_EQ(points_in(disk / "out"), points_in(elsewhere / "out"));

@@ -38,25 +38,6 @@ double value_of_quantity(const Quantity& quantity, const Motion& motion, const s
     return quantity.unit == Unit::angle ? value / degree : value;
 }
 
-int verified_with_replaced(Json& document, Json& at) {
-    static const std::vector<Json> others{Json(),        Json("1"),      Json(true),
-                                          Json::array(), Json::object(), Json(-1),
-                                          Json(0),       Json(1e308),    Json(18446744073709551615u),
-                                          Json(-1e-320)};
-    int replaced = 0;
-    if (at.is_structured())
-        for (auto& child : at)
-            replaced += verified_with_replaced(document, child);
-    const Json kept = at;
-    for (const Json& other : others) {
-        at = other;
-        EXPECT_FALSE(verify(document).empty());
-        ++replaced;
-    }
-    at = kept;
-    return replaced;
-}
-
 }  // namespace
 
 /// With t = tan(stroke/2) and v = tan((stroke - swing)/2) the square Q of coupler over crank is the root above 1 of
@@ -151,7 +132,26 @@ std::vector<std::string> failures(const Json& document) {
     return names;
 }
 
-int verified_with_members_replaced(Json& document) { return verified_with_replaced(document, document); }
+int verified_with_members_replaced(Json& document, Json& at) {
+    static const std::vector<Json> others{Json(),        Json("1"),      Json(true),
+                                          Json::array(), Json::object(), Json(-1),
+                                          Json(0),       Json(1e308),    Json(18446744073709551615u),
+                                          Json(-1e-320)};
+    int replaced = 0;
+    if (at.is_structured())
+        for (auto& child : at)
+            replaced += verified_with_members_replaced(document, child);
+    const Json kept = at;
+    for (const Json& other : others) {
+        at = other;
+        EXPECT_FALSE(verify(document).empty());
+        ++replaced;
+    }
+    at = kept;
+    return replaced;
+}
+
+int verified_with_members_replaced(Json& document) { return verified_with_members_replaced(document, document); }
 
 std::string told(const std::vector<Check>& checks) {
     std::string text;

@@ -39,6 +39,8 @@ std::vector<std::string> failures(const Json& document);
 /// Every member of the document, at any depth, replaced by values of every type and verified: no crash, no exception,
 /// no hang. How many documents that were; the document is as before.
 int verified_with_members_replaced(Json& document);
+/// The same of one of its members and those below.
+int verified_with_members_replaced(Json& document, Json& at);
 
 /// All checks in words.
 std::string told(const std::vector<Check>& checks);

@@ -82,13 +82,27 @@ TEST(RamDocument, WithASettingThatCannotBeIsRefused) {
     EXPECT_NE(told(verify(json)).find("idle-share"), std::string::npos) << told(verify(json));
 }
 
+/// The document with one quantity alone, the cheapest, and the first of its checks: each of the others takes its time.
+Json briefly_analysed(const Drive& drive) {
+    Json json = analysed(drive);
+    json["quantities"] = {{"link-ratio", json["quantities"]["link-ratio"]}};
+    Json& checks = json["verification"]["checks"];
+    checks = Json::array({checks[0]});
+    return json;
+}
+
 TEST(RamDocument, NeverThrowsWhateverItsMembersAre) {
-    for (const std::size_t kind : {0, 3}) {  // all have the same members
-        Json json = analysed(drives[kind]);
-        json["quantities"] = {{"stroke", json["quantities"]["stroke"]}};  // each of the others takes its time
-        EXPECT_GT(verified_with_members_replaced(json), 100);
-        EXPECT_TRUE(failures(json).empty());
-    }
+    Json json = briefly_analysed(drives[0]);
+    EXPECT_GT(verified_with_members_replaced(json), 100);
+    EXPECT_TRUE(failures(json).empty());
+}
+
+TEST(RamDocument, NeverThrowsWhateverTheMostDimensionsAre) {
+    Json json = briefly_analysed(drives[3]);
+    // The drives have all other members in common.
+    for (const char* member : {"dimensions", "design"})
+        EXPECT_GT(verified_with_members_replaced(json, json[member]), 90);
+    EXPECT_TRUE(failures(json).empty());
 }
 
 }  // namespace

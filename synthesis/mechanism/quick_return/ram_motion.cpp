@@ -20,27 +20,31 @@ constexpr double as_wide_within = 1e-9;  // radians
 
 /// What has to be at least 0 for the mechanism to assemble: how much rod is left on both sides of the slide, and at a
 /// drag link how far its four-bar is from being stretched and folded.
-template <class Geometry, class T, class Input>
-std::vector<T> margins(const Input& input, const RamState<T>& state, const T& crank_angle) {
-    std::vector<T> all{state.right.c[0], state.left.c[0]};
-    if constexpr (std::is_same_v<Geometry, DragLinkGeometry>) {
-        const auto p = four_bar::again::pose(input.linkage, crank_angle);
-        all.push_back(p.stretch);
-        all.push_back(p.fold);
-    }
-    return all;
-}
-
 template <class Geometry>
 struct Margins {
     Rebuilt<Geometry> m;
 
-    std::vector<double> at(double x) const { return margins<Geometry>(m.plain_input, m.at(x), x); }
-    std::vector<Digits50> at(const Digits50& x) const { return margins<Geometry>(m.input, m.at(x), x); }
+    static constexpr std::size_t count = std::is_same_v<Geometry, DragLinkGeometry> ? 4 : 2;
+
+    double at(std::size_t k, double x) const { return margin(k, m.plain_input, x); }
+    Digits50 at(std::size_t k, const Digits50& x) const { return margin(k, m.input, x); }
+
+    template <class Input, class T>
+    T margin(std::size_t k, const Input& input, const T& crank_angle) const {
+        if constexpr (count == 4) {
+            if (k >= 2) {
+                const auto pose = four_bar::again::pose(input.linkage, crank_angle);
+                return k == 2 ? pose.stretch : pose.fold;
+            }
+        }
+        const auto state = m.at(crank_angle);
+        return k == 0 ? state.right.c[0] : state.left.c[0];
+    }
 
     bool assembles(const Digits50& x) const {
-        const auto all = at(x);
-        return std::all_of(all.begin(), all.end(), [](const Digits50& margin) { return margin >= 0; });
+        for (std::size_t k = 0; k < count; ++k)
+            if (!(at(k, x) >= 0)) return false;
+        return true;
     }
 
     /// Where one of them changes its sign, in order over a turn.
@@ -51,9 +55,9 @@ struct Margins {
         for (const Bracket& b : brackets_of_zeros(height_slope, sample_angles(sweep)))
             fast.push_back((b.left + b.right) / 2);
         std::vector<Digits50> found;
-        for (std::size_t k = 0; k < at(0.0).size(); ++k)
+        for (std::size_t k = 0; k < count; ++k)
             for (const Digits50& zero : stationary_points(
-                     sweep, [&](double x) { return at(x)[k]; }, [&](const Digits50& x) { return at(x)[k]; }, fast))
+                     sweep, [&](double x) { return at(k, x); }, [&](const Digits50& x) { return at(k, x); }, fast))
                 found.push_back(zero);
         std::sort(found.begin(), found.end());
         return found;
