@@ -30,6 +30,17 @@ T part_of(const FunctionTarget* f, const T& share) {
     return f != nullptr ? part_at(*f, share) : T(0.0);
 }
 
+/// Even steps over the range, ends included, between which extremes of the error are sought.
+inline const std::array<double, 129>& shares_of_range() {
+    static const auto shares = [] {
+        std::array<double, 129> all;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = static_cast<double>(i) / static_cast<double>(all.size() - 1);
+        return all;
+    }();
+    return shares;
+}
+
 /// Reports to `found` all extremes of the error in their order along the range: its ends, and where its slope vanishes.
 template <class Generator, class Found>
 void for_each_extreme(const FunctionTarget* f, const std::array<double, Generator::reads>& x, std::size_t assembly,
@@ -47,18 +58,10 @@ void for_each_extreme(const FunctionTarget* f, const std::array<double, Generato
         const D at = D::variable(share, 0);
         return Generator::error(constant, assembly, at, part_of(f, at)).partial[0];
     };
-    constexpr int steps = 128;
     found(ErrorExtreme{0, 0, error(0), false});
-    double left = 0, at_left = slope(0);
-    for (int i = 1; i <= steps; ++i) {
-        const double right = static_cast<double>(i) / steps, at_right = slope(right);
-        if ((at_left > 0) != (at_right > 0)) {
-            const double share = zero_between(slope, left, right, at_left, at_right);
-            found(ErrorExtreme{share, 0, error(share), true});
-        }
-        left = right;
-        at_left = at_right;
-    }
+    zeros_on_grid(slope, shares_of_range(), [&](double share) {
+        if (share > 0 && share < 1) found(ErrorExtreme{share, 0, error(share), true});
+    });
     found(ErrorExtreme{1, 1, error(1), false});
 }
 
