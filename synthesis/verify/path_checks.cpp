@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace mechwright {
@@ -138,37 +139,90 @@ std::string shown_range(const Rebuilt& design, const Range& range) {
                        shown(range.to, Unit::angle, design.claim->units));
 }
 
-/// Samples of the curve, refined where they come closest, find no point nearer to a target than is stated.
-Check check_nearest(const Rebuilt& design) {
+/// The curve of the guided point over the motion: evenly spaced samples in double, of which those are left out that the
+/// rounding of the ends of a limited motion puts out of reach.
+struct SampledCurve {
+    std::vector<double> crank_angles;
+    std::vector<Vector<double>> points;
+};
+
+Vector<double> curve_point(const Rebuilt& design, double crank_angle) {
     const Claim& claim = *design.claim;
-    Check check{"every point counts by the nearest point of the curve", true, {}};
-    const Motion& motion = design.motion;
-    const double from = motion.full_turn ? 0 : motion.from;
-    const double to = motion.full_turn ? plain(full_turn()) : motion.to;
-    const auto reached = [&](double angle) {
-        return claim.mechanism->point->point(claim.mechanism->form(claim.assembly), design.dimensions, Digits50(angle));
-    };
+    const Vector<Digits50> p =
+        claim.mechanism->point->point(claim.mechanism->form(claim.assembly), design.dimensions, Digits50(crank_angle));
+    return {plain(p.x), plain(p.y)};
+}
+
+double distance_between(const Vector<double>& a, const Vector<double>& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// A full turn is sampled from a step before it to a step after it, so that every place of it has neighbours.
+SampledCurve sampled_curve(const Rebuilt& design) {
     constexpr int steps = 720;
-    std::vector<Vector<double>> curve;
-    for (int i = 0; i <= steps; ++i) {
-        // The very ends of a limited motion may be out of reach by their rounding.
-        const Vector<Digits50> p = reached(from + i * (to - from) / steps);
-        if (isfinite(p.x) && isfinite(p.y)) curve.push_back({plain(p.x), plain(p.y)});
+    const Motion& motion = design.motion;
+    const double step = (motion.full_turn ? plain(full_turn()) : motion.to - motion.from) / steps;
+    const int beyond = motion.full_turn ? 1 : 0;
+    SampledCurve curve;
+    for (int i = -beyond; i <= steps + beyond; ++i) {
+        const double angle = (motion.full_turn ? 0 : motion.from) + i * step;
+        const Vector<double> p = curve_point(design, angle);
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+        curve.crank_angles.push_back(angle);
+        curve.points.push_back(p);
     }
-    for (std::size_t i = 0; i < claim.path->points.size(); ++i) {
-        const Vector<double>& target = claim.path->points[i];
-        const auto away = [&](const Vector<double>& p) { return std::hypot(p.x - target.x, p.y - target.y); };
-        const auto nearest = std::min_element(curve.begin(), curve.end(),
-                                              [&](const auto& a, const auto& b) { return away(a) < away(b); });
-        if (nearest == curve.end()) return {check.name, false, "the mechanism assembles nowhere"};
+    return curve;
+}
+
+/// The least distance from a target around the k-th sample of the curve, by golden sections between its neighbours, to
+/// half the digits of a double: a least value is flat.
+double refined_distance(const Rebuilt& design, const SampledCurve& curve, std::size_t k, const Vector<double>& target) {
+    const auto away = [&](double angle) { return distance_between(curve_point(design, angle), target); };
+    constexpr double golden = 0.6180339887498949;
+    double left = curve.crank_angles[k - std::min<std::size_t>(k, 1)];
+    double right = curve.crank_angles[std::min(k + 1, curve.points.size() - 1)];
+    double low = right - golden * (right - left), high = left + golden * (right - left);
+    double at_low = away(low), at_high = away(high);
+    while (right - left > 1e-8) {
+        const bool falls = !(at_low <= at_high);
+        (falls ? left : right) = falls ? low : high;
+        (falls ? low : high) = falls ? high : low;
+        (falls ? at_low : at_high) = falls ? at_high : at_low;
+        (falls ? high : low) = falls ? left + golden * (right - left) : right - golden * (right - left);
+        (falls ? at_high : at_low) = away(falls ? high : low);
+    }
+    return std::min(at_low, at_high);
+}
+
+/// The least distance of the curve from a target: every sample is refined that is nearer than its neighbours and could
+/// hide, between them, a place nearer than what is stated.
+double least_distance(const Rebuilt& design, const SampledCurve& curve, const Vector<double>& target, double stated) {
+    const auto& points = curve.points;
+    const auto away = [&](std::size_t k) { return distance_between(points[k], target); };
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const std::size_t before = k - std::min<std::size_t>(k, 1), after = std::min(k + 1, points.size() - 1);
+        least = std::min(least, away(k));
+        if (away(k) > away(before) || away(k) > away(after)) continue;
+        const double reach = distance_between(points[before], points[k]) + distance_between(points[k], points[after]);
+        if (away(k) - 2 * reach < stated) least = std::min(least, refined_distance(design, curve, k, target));
+    }
+    return least;
+}
+
+/// No place of the curve is nearer to a target than is stated.
+Check check_nearest(const Rebuilt& design) {
+    const ClaimedPath& path = *design.claim->path;
+    Check check{"every point counts by the nearest point of the curve", true, {}};
+    const SampledCurve curve = sampled_curve(design);
+    if (curve.points.empty()) return {check.name, false, "the mechanism assembles nowhere"};
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
         const double stated = plain(design.path->distances[i]);
-        if (stated <= away(*nearest) + angular * plain(design.path->size)) continue;
+        const double least = least_distance(design, curve, path.points[i], stated);
+        if (stated <= least + angular * plain(design.path->size)) continue;
         check.passed = false;
-        check.detail =
-            fmt::format("{} is {:.15g} away, a point of the curve only {:.15g}", nth(i), stated, away(*nearest));
+        check.detail = fmt::format("{} is {:.15g} away, a point of the curve only {:.15g}", nth(i), stated, least);
         return check;
     }
-    check.detail = fmt::format("{} points of the curve are not closer", steps + 1);
+    check.detail = fmt::format("no place between {} points of the curve is closer", curve.points.size());
     return check;
 }
 

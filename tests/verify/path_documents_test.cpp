@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/verify/documents.h"
 
@@ -87,6 +88,33 @@ TEST(VerifyPath, FailsFalsifiedDistancesAndPoints) {
     json["path"]["distances"][2] = 0.25;
     json["path"]["reached"][1][0] = json["path"]["reached"][1][0].get<double>() + 1e-6;
     EXPECT_EQ(failures(json), Names{"reaches the points that are stated"});
+}
+
+/// A path in any order whose points lie on the curve at some crank angles, said to be nearest at others.
+Json path_in_any_order(const std::vector<double>& met_at, const std::vector<double>& stated_at) {
+    Json json = path_linkage(turning);
+    add_path(json, met_at, 0, false);
+    const Json points = json["path"]["reached"];
+    add_path(json, stated_at, 0, false);
+    Json& path = json["path"];
+    path["timing"] = "none";
+    path["points"] = points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        path["distances"][i] = std::hypot(points[i][0].get<double>() - path["reached"][i][0].get<double>(),
+                                          points[i][1].get<double>() - path["reached"][i][1].get<double>());
+    return json;
+}
+
+/// Crank angles between whole and half degrees, where no sample of the curve is.
+TEST(VerifyPath, FailsPlacesThatAreNotTheNearest) {
+    const Json right = path_in_any_order({40.25, 359.75, 130.2}, {40.25, 359.75, 130.2});
+    EXPECT_EQ(failures(right), Names{}) << told(verify(right));
+    for (const std::vector<double>& stated :
+         {std::vector<double>{40.1, 359.75, 130.2}, {40.25, 359.9, 130.2}, {40.25, 359.75, 130.201}}) {
+        const Json wrong = path_in_any_order({40.25, 359.75, 130.2}, stated);
+        EXPECT_EQ(failures(wrong), Names{"every point counts by the nearest point of the curve"})
+            << told(verify(wrong));
+    }
 }
 
 TEST(VerifyPath, FailsTheRightPathOnTheOtherBranch) {
