@@ -10,7 +10,8 @@ namespace mechwright {
 
 std::string to_string(const Message& message) {
     const std::string place = message.line > 0 ? fmt::format(":{}:{}", message.line, message.column) : "";
-    return fmt::format("{}{}: {}{}", message.file, place, message.warning ? "warning: " : "", message.text);
+    return fmt::format("{}{}: {}{}", message.name.empty() ? message.file : message.name, place,
+                       message.warning ? "warning: " : "", message.text);
 }
 
 bool ReadProblem::ok() const {
@@ -32,7 +33,21 @@ void keep_first(Messages& messages) {
     entries.resize(Messages::most_shown);
 }
 
+/// The number of the node at a place, or -1 where there is none.
+int node_number(const NodeNames& nodes, Place place) {
+    const auto found = nodes.numbers.find(place.node);
+    return found == nodes.numbers.end() ? -1 : found->second;
+}
+
+Message message_at(const Messages& messages, Place place, std::string text, bool warning) {
+    if (messages.nodes == nullptr) return {messages.file, place.line, place.column, std::move(text), warning};
+    const int number = node_number(*messages.nodes, place);
+    const auto name = number < 0 ? std::string() : messages.nodes->names[static_cast<std::size_t>(number)];
+    return {messages.file, 0, 0, std::move(text), warning, name};
+}
+
 void add(Messages& messages, Place order, Message message) {
+    if (messages.nodes != nullptr) order = {node_number(*messages.nodes, order), 0};
     constexpr std::size_t most_kept = 10 * Messages::most_shown;  // bounds memory for files of nothing but errors
     messages.failed |= !message.warning;
     messages.entries.push_back({order, std::move(message)});
@@ -42,11 +57,16 @@ void add(Messages& messages, Place order, Message message) {
 }  // namespace
 
 void add_error(Messages& messages, Place place, std::string text) {
-    add(messages, place, {messages.file, place.line, place.column, std::move(text)});
+    add(messages, place, message_at(messages, place, std::move(text), false));
 }
 
 void add_warning(Messages& messages, Place place, std::string text) {
-    add(messages, place, {messages.file, place.line, place.column, std::move(text), true});
+    add(messages, place, message_at(messages, place, std::move(text), true));
+}
+
+std::string told(const Messages& messages, Place place) {
+    if (messages.nodes == nullptr) return fmt::format("in line {}", place.line);
+    return message_at(messages, place, {}, false).name;
 }
 
 void add_error(Messages& messages, std::string text) { add_error(messages, Place{0, 0}, std::move(text)); }

@@ -4,18 +4,30 @@
 
 #include <cstddef>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "synthesis/problem/reader.h"
 
 namespace mechwright::reading {
 
-/// Line and column, counted from 1 in characters.
+/// Line and column, counted from 1 in characters; in a table that has no text the node alone says where.
 struct Place {
     int line = 1;
     int column = 1;
+    const void* node = nullptr;
 
-    friend auto operator<=>(const Place&, const Place&) = default;
+    friend auto operator<=>(const Place& a, const Place& b) {
+        return std::pair(a.line, a.column) <=> std::pair(b.line, b.column);
+    }
+    friend bool operator==(const Place& a, const Place& b) { return (a <=> b) == 0; }
+};
+
+/// What the nodes of a table that has no text are called, in the order in which they were made.
+struct NodeNames {
+    std::vector<std::string> names{};
+    std::unordered_map<const void*, int> numbers{};  ///< of nodes: their indices among the names
 };
 
 struct Entry {
@@ -30,12 +42,16 @@ struct Messages {
     std::vector<Entry> entries{};
     std::size_t left_out = 0;
     std::vector<NamedFile> named_files{};  ///< that were read
+    const NodeNames* nodes = nullptr;      ///< of a table that has no text
 
     static constexpr std::size_t most_shown = 100;  ///< more than anyone reads at once
 };
 
 void add_error(Messages& messages, Place place, std::string text);
 void add_warning(Messages& messages, Place place, std::string text);
+
+/// How a message speaks of another place: "in line 7", or the name of the value that stands there.
+std::string told(const Messages& messages, Place place);
 
 /// An error about the problem file as a whole.
 void add_error(Messages& messages, std::string text);

@@ -10,6 +10,7 @@
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/varied_problem.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/toml/toml_text.h"
 
 namespace mechwright {
@@ -77,16 +78,25 @@ void conclude(ReadProblem& read, Messages&& messages) {
 
 namespace {
 
-void read_text(std::string_view text, Problem& problem, Messages& messages) {
-    problem.sha256 = sha256(text);
-    const auto table = parse_toml(text, messages);
-    if (!table) return;
-    if (table->empty())
+/// Reads a table and, where it holds a study, the ends of that, from what `varied` makes.
+template <class MakeVaried>
+void read_whole(const toml::table& table, const MakeVaried& varied, Problem& problem, Messages& messages) {
+    if (table.empty())
         return add_error(messages, Place{},
                          "the file is empty: a problem needs at least schema = 1, mechanism = \"...\" and a section "
                          "[dimensions]");
-    read_problem_table(*table, problem, messages);
-    if (problem.study && !messages.failed) check_ends(text, place_of(*table->get("study")), *problem.study, messages);
+    read_problem_table(table, problem, messages);
+    if (problem.study && !messages.failed)
+        check_ends(varied(), place_of(*table.get("study")), *problem.study, messages);
+}
+
+ReadProblem concluded(Problem&& problem, Messages&& messages, std::string text) {
+    ReadProblem read;
+    read.problem = std::move(problem);
+    conclude(read, std::move(messages));
+    read.problem.sha256 = sha256(text);
+    if (read.ok() && read.named_files.empty()) read.problem.text = std::move(text);
+    return read;
 }
 
 }  // namespace
@@ -94,13 +104,23 @@ void read_text(std::string_view text, Problem& problem, Messages& messages) {
 }  // namespace reading
 
 ReadProblem parse_problem(std::string_view text, const std::string& file) {
-    ReadProblem read;
+    Problem problem;
+    problem.file = file;
     reading::Messages messages{.file = file};
-    read.problem.file = file;
-    reading::read_text(text, read.problem, messages);
-    reading::conclude(read, std::move(messages));
-    if (read.ok() && read.named_files.empty()) read.problem.text = text;
-    return read;
+    if (const auto table = reading::parse_toml(text, messages))
+        reading::read_whole(
+            *table, [&] { return VariedProblem(text, file); }, problem, messages);
+    return reading::concluded(std::move(problem), std::move(messages), std::string(text));
+}
+
+ReadProblem take_problem(const nlohmann::ordered_json& tables, const std::string& file) {
+    const reading::MadeTable made = reading::made_table(tables);
+    Problem problem;
+    problem.file = file;
+    reading::Messages messages{.file = file, .nodes = &made.nodes};
+    reading::read_whole(
+        made.table, [&] { return VariedProblem(made.table, file); }, problem, messages);
+    return reading::concluded(std::move(problem), std::move(messages), reading::text_of(made.table));
 }
 
 ReadProblem read_problem(const std::string& file) {

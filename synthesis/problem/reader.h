@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// From a problem file to a Problem, or to every error in it.
+/// From a problem file, or from its tables in memory, to a Problem or to every error in it.
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,16 +11,19 @@
 
 namespace mechwright {
 
-/// A message about a file. Line and column count from 1; 0 if the message is about the file as a whole.
+/// A message about a file, or about tables in memory. Line and column count from 1; 0 if the message is about the whole
+/// or about a value in memory.
 struct Message {
     std::string file;
     int line = 0;
     int column = 0;
     std::string text;  ///< what is wrong, and what would be right
     bool warning = false;
+    std::string name{};  ///< of the value in memory that it is about: "require[0].min"
 };
 
-/// "file:line:column: text", as compilers write it ("warning: " before the text of a warning).
+/// "file:line:column: text", as compilers write it ("warning: " before the text of a warning); with the name of a value
+/// in memory "name: text".
 std::string to_string(const Message& message);
 
 /// A file that a problem file names.
@@ -42,5 +46,10 @@ ReadProblem read_problem(const std::string& file);
 
 /// The same for a text that is already in memory; `file` is its name in messages and for the files it names.
 ReadProblem parse_problem(std::string_view text, const std::string& file);
+
+/// The same for what a problem file says as values in memory: an object with the keys of the file, of objects, lists,
+/// strings, truth values and numbers (no null). Messages name values (`Message::name`). The problem's text is that of a
+/// file that says the same.
+ReadProblem take_problem(const nlohmann::ordered_json& tables, const std::string& file);
 
 }  // namespace mechwright

@@ -1,9 +1,10 @@
 #include "synthesis/python/arguments.h"
 
+#include <pybind11/stl.h>
+
 #include "synthesis/document/result_file.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/python/errors.h"
-#include "synthesis/python/problem_text.h"
 #include "synthesis/python/values.h"
 
 namespace mechwright::python {
@@ -39,54 +40,36 @@ nlohmann::ordered_json read_document(const std::string& file) {
     return std::move(read.json);
 }
 
-ReadProblem parse_released(const std::string& text) {
+ReadProblem parse_released(const std::string& text, const std::string& name) {
     const py::gil_scoped_release release;
-    return parse_problem(text, name_of_dict);
+    return parse_problem(text, name);
 }
 
-std::vector<PlacedMessage> in_file(const std::vector<Message>& messages) {
-    std::vector<PlacedMessage> placed;
-    for (const Message& message : messages)
-        placed.push_back({message});
-    return placed;
+ReadProblem take(const py::dict& dict, const std::string& name) {
+    const nlohmann::ordered_json tables = json_of(dict, Absent::refused);
+    const py::gil_scoped_release release;
+    return take_problem(tables, name);
 }
 
-/// Messages about the dict itself name what they are about; those about files that it names keep their places.
-std::vector<PlacedMessage> in_dict(const std::vector<Message>& messages, const ProblemText& text) {
-    std::vector<PlacedMessage> placed;
-    for (const Message& message : messages) {
-        placed.push_back({message});
-        if (message.file != name_of_dict) continue;
-        placed.back().message.text = with_names(text, message.text);
-        placed.back().in_file = false;
-        placed.back().name = name_at(text, {message.line, message.column});
-    }
-    return placed;
-}
-
-Problem accepted(ReadProblem&& read, const std::vector<PlacedMessage>& messages) {
-    if (read.unreadable || !read.ok()) raise_problem_error(messages, read.unreadable);
-    warn(messages);
-    return std::move(read.problem);
+ReadProblem read(const py::object& argument) {
+    if (py::isinstance<py::dict>(argument)) return take(argument, name_of_dict);
+    if (!py::isinstance<py::tuple>(argument)) return read_released(path_of(argument, "problem"));
+    const auto [content, file] = argument.cast<std::pair<py::object, py::object>>();
+    const std::string name = path_of(file, "name");
+    return py::isinstance<py::dict>(content) ? take(content, name) : parse_released(content.cast<std::string>(), name);
 }
 
 }  // namespace
 
 Problem problem_of(const py::object& argument) {
-    if (!py::isinstance<py::dict>(argument)) {
-        ReadProblem read = read_released(path_of(argument, "problem"));
-        const std::vector<PlacedMessage> messages = in_file(read.messages);
-        return accepted(std::move(read), messages);
-    }
-    const ProblemText text = problem_text(json_of(argument, Absent::refused));
-    ReadProblem read = parse_released(text.text);
-    const std::vector<PlacedMessage> messages = in_dict(read.messages, text);
-    return accepted(std::move(read), messages);
+    ReadProblem problem = read(argument);
+    if (problem.unreadable || !problem.ok()) raise_problem_error(problem.messages, problem.unreadable);
+    warn(problem.messages);
+    return std::move(problem.problem);
 }
 
 void refuse_problem(const Problem& problem, const std::string& text) {
-    const Message message{.file = problem.file, .text = text};
-    raise_problem_error({{message, problem.file != name_of_dict}}, false);
+    raise_problem_error({Message{.file = problem.file, .text = text}}, false);
 }
 
 bool is_result(const py::object& argument) {
@@ -94,7 +77,7 @@ bool is_result(const py::object& argument) {
         const auto dict = py::reinterpret_borrow<py::dict>(argument);
         return dict.contains("problem") && !dict.contains("mechanism");
     }
-    return path_of(argument, "problem or result").ends_with(".json");
+    return !py::isinstance<py::tuple>(argument) && path_of(argument, "problem or result").ends_with(".json");
 }
 
 ResultArgument result_of(const py::object& argument) {

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Problems and results as Python gives them: as a dict, or as the path of a file.
+/// Problems and results as Python gives them: as a dict, or as the path of a file; problems also as a pair of a dict or
+/// a TOML text and the name of the file that it is to be taken for.
 
 #include <pybind11/pybind11.h>
 

@@ -10,10 +10,9 @@ namespace py = pybind11;
 
 constexpr const char* problem_error_doc =
     "A problem that cannot be read or solved. str() gives every message, one to a line, as `mechwright check` prints\n"
-    "them. The attribute `messages` is a list of dicts: file, line, column (from 1; None where the message is about "
-    "the\n"
-    "whole), name (for a problem given as a dict what the message is about, 'require[0].min'; else None), text and\n"
-    "warning (bool).";
+    "them. The attribute `messages` is a list of dicts: file, line and column (from 1; None where the message is "
+    "about\n"
+    "the whole or about a value), name (of a value of a dict, 'require[0].min'; else None), text and warning (bool).";
 
 constexpr const char* problem_warning_doc = "What is odd about a problem that can be solved all the same.";
 
@@ -21,33 +20,31 @@ constexpr const char* problem_warning_doc = "What is odd about a problem that ca
 PyObject* problem_error = nullptr;
 PyObject* problem_warning = nullptr;
 
-std::string line_of(const PlacedMessage& placed) {
-    Message message = placed.message;
-    if (!placed.in_file) {
-        message.line = 0;
-        if (!placed.name.empty()) message.file = placed.name;
-    }
-    return to_string(message);
-}
-
-std::string lines_of(const std::vector<PlacedMessage>& messages) {
+std::string lines_of(const std::vector<Message>& messages) {
     std::string lines;
-    for (const PlacedMessage& message : messages)
-        lines += (lines.empty() ? "" : "\n") + line_of(message);
+    for (const Message& message : messages)
+        lines += (lines.empty() ? "" : "\n") + to_string(message);
     return lines;
 }
 
-py::dict dict_of(const PlacedMessage& placed) {
-    const Message& message = placed.message;
-    const bool at_line = placed.in_file && message.line > 0;
+py::dict dict_of(const Message& message) {
     py::dict dict;
     dict["file"] = text_of(message.file);
-    dict["line"] = at_line ? py::object(py::int_(message.line)) : py::none();
-    dict["column"] = at_line ? py::object(py::int_(message.column)) : py::none();
-    dict["name"] = placed.in_file ? py::object(py::none()) : text_of(placed.name);
+    dict["line"] = message.line > 0 ? py::object(py::int_(message.line)) : py::none();
+    dict["column"] = message.line > 0 ? py::object(py::int_(message.column)) : py::none();
+    dict["name"] = message.name.empty() ? py::object(py::none()) : text_of(message.name);
     dict["text"] = text_of(message.text);
     dict["warning"] = message.warning;
     return dict;
+}
+
+/// How many of Python's frames, from the innermost on, are the package's own, and one.
+int level_of_caller() {
+    const py::object frame_at = py::module_::import("sys").attr("_getframe");
+    int level = 1;
+    for (py::object frame = frame_at(); !frame.is_none(); frame = frame.attr("f_back"), ++level)
+        if (!py::str(frame.attr("f_globals")["__name__"]).cast<std::string>().starts_with("mechwright.")) break;
+    return level;
 }
 
 PyObject* add_class(py::module_& module, const char* name, const char* doc, PyObject* base) {
@@ -65,11 +62,11 @@ void add_errors(py::module_& module) {
     problem_warning = add_class(module, "ProblemWarning", problem_warning_doc, PyExc_UserWarning);
 }
 
-void raise_problem_error(const std::vector<PlacedMessage>& messages, bool unreadable) {
+void raise_problem_error(const std::vector<Message>& messages, bool unreadable) {
     const std::string lines = lines_of(messages);
     if (unreadable) raise_error(PyExc_OSError, lines);
     py::list all;
-    for (const PlacedMessage& message : messages)
+    for (const Message& message : messages)
         all.append(dict_of(message));
     const py::object error = py::reinterpret_borrow<py::object>(problem_error)(text_of(lines));
     error.attr("messages") = all;
@@ -77,9 +74,9 @@ void raise_problem_error(const std::vector<PlacedMessage>& messages, bool unread
     throw py::error_already_set();
 }
 
-void warn(const std::vector<PlacedMessage>& messages) {
-    for (const PlacedMessage& message : messages)
-        if (PyErr_WarnFormat(problem_warning, 1, "%U", text_of(line_of(message)).ptr()) != 0)
+void warn(const std::vector<Message>& messages) {
+    for (const Message& message : messages)
+        if (PyErr_WarnFormat(problem_warning, level_of_caller(), "%U", text_of(to_string(message)).ptr()) != 0)
             throw py::error_already_set();
 }
 

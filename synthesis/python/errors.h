@@ -11,22 +11,14 @@
 
 namespace mechwright::python {
 
-/// A message, and for a problem that is not in a file what it is about ("require[0].min"; empty for the whole), in the
-/// place of line and column.
-struct PlacedMessage {
-    Message message;
-    bool in_file = true;
-    std::string name{};
-};
-
 /// Adds ProblemError and ProblemWarning to the module.
 void add_errors(pybind11::module_& module);
 
 /// Throws ProblemError, or OSError where a file cannot be read, with all messages.
-[[noreturn]] void raise_problem_error(const std::vector<PlacedMessage>& messages, bool unreadable);
+[[noreturn]] void raise_problem_error(const std::vector<Message>& messages, bool unreadable);
 
-/// Warns at the line of Python that called. Throws where the caller has made errors of warnings.
-void warn(const std::vector<PlacedMessage>& messages);
+/// Warns at the line of Python that called the package. Throws where the caller has made errors of warnings.
+void warn(const std::vector<Message>& messages);
 
 /// Throws one of Python's own exceptions. The text may have names of files in it, and so bytes that are not UTF-8.
 [[noreturn]] void raise_error(PyObject* type, const std::string& text);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "synthesis/problem/text.h"
+#include "synthesis/problem/toml/made_table.h"
 
 namespace mechwright::python {
 
@@ -66,7 +67,7 @@ Json array_of(const py::sequence& values, const std::string& place, int depth, c
     Json json = Json::array();
     const py::tuple fixed(values);  // what a number of the caller's own does on its conversion cannot change it
     for (std::size_t i = 0; i < fixed.size(); ++i)
-        json.push_back(value_of(fixed[i], place_in(place, i), depth + 1, taking));
+        json.push_back(value_of(fixed[i], reading::name_in(place, i), depth + 1, taking));
     return json;
 }
 
@@ -80,7 +81,7 @@ Json object_of(const py::dict& dict, const std::string& place, int depth, const 
             throw py::type_error(named(place) + ": the key " +
                                  reading::printable(py::repr(key).cast<std::string>(), 100) + " is not a string");
         const std::string name = string_of(key, place);
-        json[name] = value_of(pair[1], place_in(place, name), depth + 1, taking);
+        json[name] = value_of(pair[1], reading::name_in(place, name), depth + 1, taking);
     }
     return json;
 }
@@ -153,19 +154,19 @@ py::object table_array(const Json& table) {
     return array;
 }
 
-py::object list_of(const Json& json) {
-    if (is_row(json)) return row_array(json);
-    if (is_table(json)) return table_array(json);
+py::object list_of(const Json& json, Lists lists) {
+    if (lists == Lists::arrays && is_row(json)) return row_array(json);
+    if (lists == Lists::arrays && is_table(json)) return table_array(json);
     py::list list;
     for (const Json& one : json)
-        list.append(python_of(one));
+        list.append(python_of(one, lists));
     return list;
 }
 
-py::object dict_of(const Json& json) {
+py::object dict_of(const Json& json, Lists lists) {
     py::dict dict;
     for (const auto& [key, value] : json.items())
-        dict[text_of(key)] = python_of(value);
+        dict[text_of(key)] = python_of(value, lists);
     return dict;
 }
 
@@ -176,22 +177,14 @@ py::str text_of(std::string_view text) {
         PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
 }
 
-std::string place_in(const std::string& place, std::string_view key) {
-    constexpr std::size_t longest_key = 100;
-    const std::string shown = reading::printable(key, longest_key);
-    return place.empty() ? shown : fmt::format("{}.{}", place, shown);
-}
-
-std::string place_in(const std::string& place, std::size_t index) { return fmt::format("{}[{}]", place, index); }
-
 Json json_of(const py::dict& dict, Absent absent) {
     return object_of(dict, "", 0, {absent, py::module_::import("numpy").attr("generic")});
 }
 
-py::object python_of(const Json& json) {
+py::object python_of(const Json& json, Lists lists) {
     switch (json.type()) {
-        case Json::value_t::object: return dict_of(json);
-        case Json::value_t::array: return list_of(json);
+        case Json::value_t::object: return dict_of(json, lists);
+        case Json::value_t::array: return list_of(json, lists);
         case Json::value_t::string: return text_of(json.get_ref<const std::string&>());
         case Json::value_t::boolean: return py::bool_(json.get<bool>());
         case Json::value_t::number_integer: return py::int_(json.get<std::int64_t>());

@@ -21,12 +21,11 @@ enum class Absent { refused, null };
 /// ("require[0].min: ...") for anything else, for more than `deepest` levels, and for whole numbers beyond 64 bits.
 nlohmann::ordered_json json_of(const pybind11::dict& dict, Absent absent);
 
-/// Objects become dicts. A list of numbers becomes an array of doubles, and a list of such lists of one length an array
-/// of two dimensions, both with NaN for null; any other list stays one.
-pybind11::object python_of(const nlohmann::ordered_json& json);
+/// What becomes of lists of numbers: arrays of doubles, or of two dimensions for lists of such lists of one length,
+/// both with NaN for null; or lists.
+enum class Lists { arrays, plain };
 
-/// A place one level down, as messages name it: "require" and "min" make "require.min", an index "require[0]".
-std::string place_in(const std::string& place, std::string_view key);
-std::string place_in(const std::string& place, std::size_t index);
+/// Objects become dicts.
+pybind11::object python_of(const nlohmann::ordered_json& json, Lists lists = Lists::arrays);
 
 }  // namespace mechwright::python

@@ -1,6 +1,7 @@
 """solve() gives what the program gives, digit for digit, whether the problem is a file or a dict."""
 
 import functools
+import inspect
 import os
 import unittest
 from pathlib import Path
@@ -223,14 +224,18 @@ class Module(unittest.TestCase):
 
     def test_everything_says_what_it_does(self):
         for one in (mechwright, mechwright.solve, mechwright.analyse, mechwright.verify, mechwright.quantities,
-                    mechwright.ProblemError, mechwright.ProblemWarning):
+                    mechwright.Problem, mechwright.Result, mechwright.Record, mechwright.ProblemError,
+                    mechwright.ProblemWarning):
             self.assertGreater(len(one.__doc__), 50)
 
-    def test_the_stub_has_the_same_names(self):
-        stub = Path(mechwright.__file__).with_name("mechwright.pyi").read_text()
-        for name in dir(mechwright):
-            if not name.startswith("_"):
-                self.assertRegex(stub, rf"(?m)^(def|class) {name}\b")
+    def test_what_is_public_has_types(self):
+        for name in mechwright.__all__:
+            one = getattr(mechwright, name)
+            functions = [one] if inspect.isfunction(one) else [f for f in vars(one).values() if inspect.isfunction(f)]
+            for function in functions:
+                parameters = inspect.signature(function).parameters
+                self.assertEqual(set(function.__annotations__), {*parameters, "return"} - {"self"}, function)
+        self.assertTrue(Path(mechwright.__file__).with_name("py.typed").exists())
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ namespace {
 struct Bounds {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
-    int line = 0;  ///< of the last requirement on it; 0: there is none
+    Place last{0, 0};  ///< of the last requirement on it; 0:0: there is none
     bool equal = false;
 };
 
@@ -58,14 +58,15 @@ void narrow(Bounds& bounds, const Values& values, const Section& section, std::s
             Messages& messages) {
     const double min = values.equal.value_or(values.min.value_or(bounds.min));
     const double max = values.equal.value_or(values.max.value_or(bounds.max));
-    const int earlier = bounds.line;
+    const Place earlier = bounds.last;
     bounds.min = std::max(bounds.min, min);
     bounds.max = std::min(bounds.max, max);
     bounds.equal |= min == max;
-    bounds.line = section.place.line;
+    bounds.last = section.place;
     if (bounds.min <= bounds.max) return;
-    add_error(messages, section.place,
-              fmt::format("no value of '{}' can meet both this and the requirement in line {}", quantity, earlier));
+    add_error(
+        messages, section.place,
+        fmt::format("no value of '{}' can meet both this and the requirement {}", quantity, told(messages, earlier)));
     bounds = {};
 }
 

@@ -23,18 +23,23 @@ std::string with_number(double number, bool whole, const Use& use) {
     return use(toml::value<double>(number));
 }
 
+toml::table without_study(toml::table table) {
+    table.erase("study");
+    return table;
+}
+
 toml::table parsed(std::string_view text, const std::string& file) {
     reading::Messages messages{.file = file};
-    std::optional<toml::table> table = reading::parse_toml(text, messages);
-    if (!table) return {};
-    table->erase("study");
-    return *std::move(table);
+    return without_study(reading::parse_toml(text, messages).value_or(toml::table()));
 }
 
 }  // namespace
 
 VariedProblem::VariedProblem(std::string_view text, std::string file)
     : file_(std::move(file)), original_(parsed(text, file_)), changed_(parsed(text, file_)) {}
+
+VariedProblem::VariedProblem(const toml::table& table, std::string file)
+    : file_(std::move(file)), original_(without_study(table)), changed_(original_) {}
 
 std::string VariedProblem::put(std::string_view path, const toml::node& value) {
     return reading::put_value(changed_, path, &value);
@@ -125,8 +130,7 @@ std::string said(const Study& study, std::span<const AxisValue> values) {
 
 }  // namespace
 
-void check_ends(std::string_view text, Place study_place, const Study& study, Messages& messages) {
-    VariedProblem varied(text, messages.file);
+void check_ends(VariedProblem&& varied, Place study_place, const Study& study, Messages& messages) {
     for (const bool last : {false, true}) {
         std::vector<AxisValue> values;
         for (const StudyAxis& axis : study.axes)
@@ -140,8 +144,10 @@ void check_ends(std::string_view text, Place study_place, const Study& study, Me
         messages.unreadable |= read.unreadable;
         for (const Message& message : read.messages)
             if (!message.warning)
-                add_error(messages, message.line > 0 ? Place{message.line, message.column} : study_place,
-                          fmt::format("[study] {}: {}", said(study, values), message.text));
+                add_error(
+                    messages,
+                    message.line > 0 && messages.nodes == nullptr ? Place{message.line, message.column} : study_place,
+                    fmt::format("[study] {}: {}", said(study, values), message.text));
         if (messages.failed) return;
     }
 }

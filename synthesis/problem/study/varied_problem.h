@@ -25,6 +25,8 @@ class VariedProblem {
 public:
     /// `text` must be TOML; `file` as for parse_problem.
     VariedProblem(std::string_view text, std::string file);
+    /// From a table that has no text.
+    VariedProblem(const toml::table& table, std::string file);
 
     /// The problem with a value put at a path (value_path.h), until it is put there anew. Returns what is wrong with
     /// the path, or nothing.
@@ -55,7 +57,7 @@ double number_of(const FollowingValue& following, const Study& study, std::span<
 namespace reading {
 
 /// Reads the first and the last point of a study: what is wrong there is wrong with the study.
-void check_ends(std::string_view text, Place study_place, const Study& study, Messages& messages);
+void check_ends(VariedProblem&& varied, Place study_place, const Study& study, Messages& messages);
 
 }  // namespace reading
 

@@ -11,8 +11,8 @@ namespace mechwright::reading {
 
 namespace {
 
-Place to_place(const toml::source_region& source) {
-    return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
+Place to_place(const toml::source_region& source, const toml::node& node) {
+    return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column), &node};
 }
 
 bool contains(const std::vector<std::string_view>& words, std::string_view word) {
@@ -31,7 +31,7 @@ std::optional<T> read_value(Section& section, std::string_view key, std::string_
 
 }  // namespace
 
-Place place_of(const toml::node& node) { return to_place(node.source()); }
+Place place_of(const toml::node& node) { return to_place(node.source(), node); }
 
 std::string_view kind_of(const toml::node& node) {
     switch (node.type()) {
@@ -59,7 +59,8 @@ Place place_of(const Section& section, std::string_view key) {
 }
 
 Place key_place(const Section& section, std::string_view key) {
-    return to_place(section.table->find(key)->first.source());
+    const auto entry = section.table->find(key);
+    return to_place(entry->first.source(), entry->second);
 }
 
 std::string name_of(const Section& section, std::string_view key) {
@@ -69,7 +70,7 @@ std::string name_of(const Section& section, std::string_view key) {
 void report_unknown_keys(const Section& section, Messages& messages) {
     for (const auto& [key, node] : *section.table) {
         if (contains(section.keys, key.str()) || contains(section.reported, key.str())) continue;
-        add_error(messages, to_place(key.source()),
+        add_error(messages, to_place(key.source(), node),
                   fmt::format("unknown key {}: {}", name_of(section, key.str()), remedy(key.str(), section.keys)));
     }
 }
