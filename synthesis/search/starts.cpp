@@ -5,6 +5,8 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/path/path_outputs.h"
@@ -59,99 +61,177 @@ double merit(const Program& program, const VectorXd& x, ProgramValues& values) {
     return values.objective + 10 * worst;
 }
 
-}  // namespace
+const PathRoles& roles_of(const Program& program) { return program.problem->mechanism->point->roles; }
 
-void fit_placement(const Program& program, VectorXd& x) {
-    const PathRoles& roles = program.problem->mechanism->point->roles;
-    const auto variable = [&](std::size_t dimension) { return program.variable_of[dimension]; };
-    const bool free_point = variable(roles.along) >= 0 && variable(roles.across) >= 0;
-    const bool free_origin = variable(roles.origin_x) >= 0 && variable(roles.origin_y) >= 0;
-    bool free_size = variable(roles.tilt) >= 0;
-    for (std::size_t i = 0; i < program.variable_of.size(); ++i)
-        if (kind_of(program, i) == DimensionKind::length) free_size = free_size && variable(i) >= 0;
-    const int unknowns = (free_point ? 1 : 0) + (free_origin ? 1 : 0) + (free_size ? 1 : 0);
-    const auto n = static_cast<Index>(program.targets.size());
-    if (unknowns == 0 || n < unknowns) return;
+/// Beside a path no dimension is tied to another: each has a variable of its own, or none.
+bool is_free(const Program& program, std::size_t dimension) { return program.variable_of[dimension] >= 0; }
 
-    std::vector<double> dimensions = program.dimensions;
+const Variable& variable_of(const Program& program, std::size_t dimension) {
+    return program.variables[static_cast<std::size_t>(program.variable_of[dimension])];
+}
+
+/// Whether a dimension belongs to the links, and grows with them.
+bool grows_with_links(const Program& program, std::size_t dimension) {
+    const PathRoles& roles = roles_of(program);
+    const Dimension& d = program.problem->mechanism->dimensions[dimension];
+    const auto placed = {roles.along, roles.across, roles.origin_x, roles.origin_y};
+    return scales(d.kind) && !d.of_target && std::find(placed.begin(), placed.end(), dimension) == placed.end();
+}
+
+/// What of a placement is fitted, each one complex number.
+struct Fitted {
+    bool origin, size, point;
+    Index count() const { return Index{origin} + Index{size} + Index{point}; }
+};
+
+/// The size is free where every dimension that grows with the links is, or stays 0.
+Fitted fitted_of(const Program& program, const std::vector<double>& dimensions) {
+    const PathRoles& roles = roles_of(program);
+    const auto both = [&](std::size_t a, std::size_t b) { return is_free(program, a) && is_free(program, b); };
+    bool size = is_free(program, roles.tilt);
     for (std::size_t i = 0; i < dimensions.size(); ++i)
-        if (variable(i) >= 0) dimensions[i] = x[variable(i)];
-    const Complex point(dimensions[roles.along], dimensions[roles.across]);
-    const Complex origin(dimensions[roles.origin_x], dimensions[roles.origin_y]);
-    const Complex direction = std::polar(1.0, dimensions[roles.tilt]);
-    const double start = dimensions[roles.start];
+        if (grows_with_links(program, i)) size = size && (is_free(program, i) || dimensions[i] == 0);
+    return {both(roles.origin_x, roles.origin_y), size, both(roles.along, roles.across)};
+}
+
+/// A placement as complex numbers: the guided point on its link, the origin, and Z of the tilt and the size.
+struct Placement {
+    Complex point, origin, turn;
+};
+
+Placement placement_of(const Program& program, const std::vector<double>& dimensions) {
+    const PathRoles& roles = roles_of(program);
+    return {{dimensions[roles.along], dimensions[roles.across]},
+            {dimensions[roles.origin_x], dimensions[roles.origin_y]},
+            std::polar(1.0, dimensions[roles.tilt])};
+}
+
+/// The guiding link at the crank angle of a target, without a placement: its own point and its direction.
+struct GuidingLink {
+    Complex point, direction;
+};
+
+/// Nothing where the mechanism does not assemble.
+std::optional<GuidingLink> guiding_link(const Program& program, std::vector<double> dimensions, double crank_angle) {
+    const PathRoles& roles = roles_of(program);
+    const Mechanism& mechanism = *program.problem->mechanism;
     for (const std::size_t i : {roles.along, roles.across, roles.origin_x, roles.origin_y, roles.tilt})
         dimensions[i] = 0;
-    const auto guided_point = [&](double along, double crank_angle, double& margin) {
+    double margin = 0;
+    const auto guided_point = [&](double along) {
         dimensions[roles.along] = along;
         PathMiss miss{};
-        program.problem->mechanism->point->miss(program.problem->mechanism->form(program.variant.assembly), dimensions,
-                                                crank_angle, {0, 0}, miss);
+        mechanism.point->miss(mechanism.form(program.variant.assembly), dimensions, crank_angle, {0, 0}, miss);
         margin = miss.margin;
         return -Complex(miss.miss.x, miss.miss.y);
     };
+    const Complex point = guided_point(0), next = guided_point(1);
+    if (!(margin >= 0)) return std::nullopt;
+    return GuidingLink{point, next - point};
+}
 
-    Eigen::MatrixXcd columns(n, unknowns);
+/// The guiding link at every target; empty where the mechanism does not assemble at one of them.
+std::vector<GuidingLink> guiding_links(const Program& program, const std::vector<double>& dimensions,
+                                       const VectorXd& x) {
+    std::vector<GuidingLink> all;
+    for (std::size_t k = 0; k < program.targets.size(); ++k) {
+        const auto link = guiding_link(program, dimensions, path_angle(program, dimensions, x, k).angle);
+        if (!link) return {};
+        all.push_back(*link);
+    }
+    return all;
+}
+
+/// O, Z and Y, as far as they are fitted, by least squares with the weights of the targets.
+Eigen::VectorXcd solved_placement(const Program& program, const Fitted& fitted, const Placement& now,
+                                  const std::vector<GuidingLink>& links) {
+    const auto n = static_cast<Index>(links.size());
+    Eigen::MatrixXcd columns(n, fitted.count());
     Eigen::VectorXcd target(n);
-    Complex facing(0);  ///< from the guiding link to the directions of a guided body, summed
     for (Index i = 0; i < n; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const double angle = program.untimed_path() ? x[static_cast<Index>(program.first_path_angle + k)]
-                                                    : start + program.problem->path->crank_angles[k];
-        double margin = 0;
-        const Complex p = guided_point(0, angle, margin);
-        const Complex w = guided_point(1, angle, margin) - p;
-        if (!(margin >= 0)) return;
+        const auto& [p, w] = links[k];
         const double weight = std::sqrt(program.problem->path->weights[k]);
-        if (program.problem->path->faces(k))
-            facing += weight * weight * std::conj(w) * std::polar(1.0, program.problem->path->directions[k]);
+        const Complex of_links = fitted.point ? p : p + now.point * w;
         Complex known(0);
         Index column = 0;
-        if (free_origin)
+        if (fitted.origin)
             columns(i, column++) = weight;
         else
-            known += origin;
-        if (free_size)
-            columns(i, column++) = weight * (free_point ? p : p + point * w);
+            known += now.origin;
+        if (fitted.size)
+            columns(i, column++) = weight * of_links;
         else
-            known += direction * (free_point ? p : p + point * w);
-        if (free_point) columns(i, column++) = weight * w;
+            known += now.turn * of_links;
+        if (fitted.point) columns(i, column++) = weight * w;
         target[i] = weight * (Complex(program.targets[k].x, program.targets[k].y) - known);
     }
-    const Eigen::VectorXcd solved = columns.colPivHouseholderQr().solve(target);
+    return columns.colPivHouseholderQr().solve(target);
+}
+
+void set_length(const Program& program, std::size_t dimension, double value, VectorXd& x) {
+    const Variable& v = variable_of(program, dimension);
+    x[program.variable_of[dimension]] = std::clamp(value, v.lower, v.upper);
+}
+
+void set_angle(const Program& program, std::size_t dimension, double angle, VectorXd& x) {
+    const Variable& v = variable_of(program, dimension);
+    x[program.variable_of[dimension]] = into_range(angle, v.lower, v.upper);
+}
+
+/// Makes the links larger, and with them a guided point that is not fitted by itself.
+void resize_links(const Program& program, const Fitted& fitted, double size, VectorXd& x) {
+    const PathRoles& roles = roles_of(program);
+    for (std::size_t i = 0; i < program.variable_of.size(); ++i) {
+        const bool grows = grows_with_links(program, i) || (!fitted.point && (i == roles.along || i == roles.across));
+        if (grows && is_free(program, i)) set_length(program, i, size * x[program.variable_of[i]], x);
+    }
+}
+
+/// Turns a guided body so that it faces as it is asked to, in the mean of all directions that are given.
+void turn_body(const Program& program, const std::vector<GuidingLink>& links, const Complex& turn, VectorXd& x) {
+    const PathTarget& path = *program.problem->path;
+    Complex facing(0);  ///< from the guiding link to the directions
+    for (std::size_t k = 0; k < links.size(); ++k)
+        if (path.faces(k))
+            facing += path.weights[k] * std::conj(links[k].direction) * std::polar(1.0, path.directions[k]);
+    set_angle(program, roles_of(program).body, std::arg(facing / turn), x);
+}
+
+}  // namespace
+
+void fit_placement(const Program& program, VectorXd& x) {
+    const PathRoles& roles = roles_of(program);
+    const std::vector<double> dimensions = dimensions_at(program, x);
+    const Fitted fitted = fitted_of(program, dimensions);
+    const auto n = static_cast<Index>(program.targets.size());
+    if (fitted.count() == 0 || n < fitted.count()) return;
+    const std::vector<GuidingLink> links = guiding_links(program, dimensions, x);
+    if (links.empty()) return;
+    const Placement now = placement_of(program, dimensions);
+    const Eigen::VectorXcd solved = solved_placement(program, fitted, now, links);
     if (!solved.real().allFinite() || !solved.imag().allFinite()) return;
 
-    const auto set = [&](std::size_t dimension, double value) {
-        const Variable& v = program.variables[static_cast<std::size_t>(variable(dimension))];
-        x[variable(dimension)] = std::clamp(value, v.lower, v.upper);
-    };
     Index column = 0;
-    if (free_origin) {
-        set(roles.origin_x, solved[column].real());
-        set(roles.origin_y, solved[column].imag());
-        ++column;
+    if (fitted.origin) {
+        const Complex origin = solved[column++];
+        set_length(program, roles.origin_x, origin.real(), x);
+        set_length(program, roles.origin_y, origin.imag(), x);
     }
-    Complex turn = direction;
-    if (free_size) {
+    Complex turn = now.turn;
+    if (fitted.size) {
         const Complex z = solved[column++];
         const double size = std::abs(z);
         if (!(size > 0)) return;
         turn = z / size;
-        for (std::size_t i = 0; i < program.variable_of.size(); ++i)
-            if (kind_of(program, i) == DimensionKind::length) set(i, size * x[variable(i)]);
-        const Variable& tilt = program.variables[static_cast<std::size_t>(variable(roles.tilt))];
-        x[variable(roles.tilt)] = into_range(std::arg(z), tilt.lower, tilt.upper);
-        if (!free_point && variable(roles.along) >= 0) set(roles.along, size * point.real());
-        if (!free_point && variable(roles.across) >= 0) set(roles.across, size * point.imag());
+        resize_links(program, fitted, size, x);
+        set_angle(program, roles.tilt, std::arg(z), x);
     }
-    if (program.problem->path->guides_body() && variable(roles.body) >= 0) {
-        const Variable& v = program.variables[static_cast<std::size_t>(variable(roles.body))];
-        x[variable(roles.body)] = into_range(std::arg(facing / turn), v.lower, v.upper);
-    }
-    if (free_point) {
-        const Complex fitted = solved[column] / turn;
-        set(roles.along, fitted.real());
-        set(roles.across, fitted.imag());
+    if (program.problem->path->guides_body() && is_free(program, roles.body)) turn_body(program, links, turn, x);
+    if (fitted.point) {
+        const Complex point = solved[column] / turn;
+        set_length(program, roles.along, point.real(), x);
+        set_length(program, roles.across, point.imag(), x);
     }
 }
 
