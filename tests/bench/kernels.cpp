@@ -117,8 +117,7 @@ TYPED_TEST(Kernels, AreTheTextbooksMotion) {
     }
 }
 
-// Every order is the derivative of the one before, by differences in fifty digits. Of the cam each has a meaning of
-// its own.
+// Every order is the derivative of the one before, by differences in fifty digits.
 template <class Kernel, int order>
 void expect_derivative(const typename Kernel::Input& in) {
     const auto at = [&](const Digits50& angle) {
@@ -137,7 +136,7 @@ void expect_derivative(const typename Kernel::Input& in) {
 }
 
 TYPED_TEST(Kernels, OrdersAreDerivatives) {
-    if (std::is_same_v<TypeParam, RollerKernel>) return;
+    if (std::is_same_v<TypeParam, RollerKernel>) GTEST_SKIP() << "each order of a cam has a meaning of its own";
     for (const auto& in : TypeParam::usual()) {
         expect_derivative<TypeParam, 1>(in);
         expect_derivative<TypeParam, 2>(in);

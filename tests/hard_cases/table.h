@@ -42,8 +42,10 @@ private:
     std::string line_;
 };
 
+/// A test that asks for a file that is missing or has no rows fails.
 inline std::vector<Row> table(const std::string& file) {
     std::ifstream in(std::string(MECHWRIGHT_SOURCE_DIR) + "/tests/hard_cases/data/" + file);
+    if (!in) ADD_FAILURE() << "there is no " << file;
     std::string line, name;
     std::getline(in, line);
     std::getline(in, line);
@@ -53,6 +55,7 @@ inline std::vector<Row> table(const std::string& file) {
     std::vector<Row> rows;
     while (std::getline(in, line))
         rows.emplace_back(columns, line);
+    EXPECT_FALSE(rows.empty()) << file;
     return rows;
 }
 

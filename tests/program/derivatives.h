@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "synthesis/problem/reader.h"
@@ -38,8 +40,15 @@ inline Problem problem_of(const std::string& text) {
     return read.problem;
 }
 
-/// Derivatives of a program at a point against central differences, relative to the greatest entry. Whether the
-/// mechanism assembles there.
+/// How far a difference with steps h of values of a size may be from the derivative: by the rounding of the values, of
+/// which some are differences of numbers of order one, and by a part of the derivative itself.
+inline double difference_error(double derivative, double size, double h, double part) {
+    constexpr double roundings = 32;
+    return part * std::abs(derivative) + roundings * std::numeric_limits<double>::epsilon() * (1 + size) / h;
+}
+
+/// Derivatives of a program at a point against central differences, each by its own size. Whether the mechanism
+/// assembles there.
 inline bool has_exact_derivatives(const Program& program, const Eigen::VectorXd& x) {
     constexpr double h = 1e-6;
     const std::string name = name_of(*program.problem, program.variant);
@@ -52,8 +61,12 @@ inline bool has_exact_derivatives(const Program& program, const Eigen::VectorXd&
     LagrangianHessian second;
     lagrangian_hessian(program, x, 0.7, multipliers, second);
     const Eigen::MatrixXd& hessian = second.value;
-    const double slope = 1 + at.gradient.cwiseAbs().maxCoeff();
-    const double curvature = 1 + hessian.cwiseAbs().maxCoeff();
+    const auto gradient_of = [&](const ProgramValues& v) {
+        return Eigen::VectorXd(0.7 * v.gradient + v.jacobian.transpose() * multipliers);
+    };
+    // Of all that is added up in a gradient.
+    const double slope =
+        (0.7 * at.gradient.cwiseAbs() + at.jacobian.cwiseAbs().transpose() * multipliers.cwiseAbs()).maxCoeff();
     for (Eigen::Index i = 0; i < n; ++i) {
         ProgramValues up, down, far_up, far_down;
         Eigen::VectorXd y = x;
@@ -69,17 +82,18 @@ inline bool has_exact_derivatives(const Program& program, const Eigen::VectorXd&
         const auto difference = [&](const auto& of) -> decltype(of(up)) {
             return (8 * (of(up) - of(down)) - (of(far_up) - of(far_down))) / (12 * h);
         };
-        EXPECT_NEAR(at.gradient[i], difference([](const ProgramValues& v) { return v.objective; }), 1e-7 * slope)
+        EXPECT_NEAR(at.gradient[i], difference([](const ProgramValues& v) { return v.objective; }),
+                    difference_error(at.gradient[i], std::abs(at.objective), h, 1e-7))
             << name << ", " << program.variables[static_cast<std::size_t>(i)].name;
         for (Eigen::Index r = 0; r < at.rows.size(); ++r)
             EXPECT_NEAR(at.jacobian(r, i), difference([&](const ProgramValues& v) { return v.rows[r]; }),
-                        1e-7 * (1 + at.jacobian.row(r).cwiseAbs().maxCoeff()))
+                        difference_error(at.jacobian(r, i), std::abs(at.rows[r]), h, 1e-7))
                 << program.rows[static_cast<std::size_t>(r)].name;
-        const Eigen::VectorXd column = difference([&](const ProgramValues& v) {
-            return Eigen::VectorXd(0.7 * v.gradient + v.jacobian.transpose() * multipliers);
-        });
-        EXPECT_LE((hessian.col(i) - column).cwiseAbs().maxCoeff(), 1e-6 * curvature)
-            << name << ", " << program.variables[static_cast<std::size_t>(i)].name;
+        const Eigen::VectorXd column = difference(gradient_of);
+        for (Eigen::Index j = 0; j < n; ++j)
+            EXPECT_NEAR(hessian(j, i), column[j], difference_error(hessian(j, i), slope, h, 1e-6))
+                << name << ", " << program.variables[static_cast<std::size_t>(i)].name << " and "
+                << program.variables[static_cast<std::size_t>(j)].name;
     }
     return true;
 }
