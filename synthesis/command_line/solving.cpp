@@ -30,6 +30,7 @@ namespace {
 struct FileToSolve {
     Problem problem;
     std::string result_name;
+    double reading;  ///< seconds
 };
 
 void take_over(const SolvingOptions& options, SolverOptions& solver) {
@@ -43,8 +44,11 @@ std::vector<FileToSolve> read_tasks(const SolvingOptions& options, Console& cons
     const std::vector<std::string> names = result_names(options.files);
     std::vector<FileToSolve> tasks;
     for (std::size_t i = 0; i < options.files.size(); ++i) {
+        Seconds reading = 0;
+        std::optional<Timed> timed(std::in_place, &reading);
         ReadProblem read;
         int outcome = read_and_report(options.files[i], options.quiet, console, read);
+        timed.reset();
         if (outcome == exit_code::solved && options.method.empty()) {
             outcome = report_method_fault(read.problem, console);
         } else if (outcome == exit_code::solved) {
@@ -56,7 +60,7 @@ std::vector<FileToSolve> read_tasks(const SolvingOptions& options, Console& cons
         code = exit_code::worse(code, outcome);
         if (outcome != exit_code::solved) continue;
         take_over(options, read.problem.solver);
-        tasks.push_back({std::move(read.problem), names[i]});
+        tasks.push_back({std::move(read.problem), names[i], reading});
     }
     return tasks;
 }
@@ -69,12 +73,13 @@ std::string objective_unit(const Problem& problem) {
 using StartSystem = std::optional<homotopy::StartSystem>;
 
 Result solve_task(const FileToSolve& task, const SolvingOptions& options, const StartSystem& start,
-                  const std::string& label, Console& console) {
+                  const std::string& label, Console& console, SearchTrace* trace) {
     ProgressLine line{&console, label, objective_unit(task.problem)};
     RunOptions run;
     run.jobs = static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
     run.stop = &Interrupt::requested();
     run.all = options.all;
+    run.trace = trace;
     run.start_system = start ? &*start : nullptr;
     if (!options.quiet && progress_wanted(console))
         run.progress = [&line](int done, int total, double best) { draw(line, done, total, best); };
@@ -133,10 +138,13 @@ std::string tally(const std::vector<Status>& outcomes, std::size_t not_run) {
 /// Solves one problem and hands out what came of it.
 void carry_out(const FileToSolve& task, const std::string& label, const SolvingOptions& options,
                const StartSystem& start, Console& console, const TakeResult& take, SolvingRun& run) {
-    const Result result = solve_task(task, options, start, label, console);
+    SearchTrace trace;
+    trace.reading = task.reading;
+    SearchTrace* const kept_trace = options.explain ? &trace : nullptr;
+    const Result result = solve_task(task, options, start, label, console, kept_trace);
     const nlohmann::ordered_json json = document(task.problem, result);
     const int kept = keep(task, result, json_text(json), options, console);
-    take(task.problem, result, json);
+    take(task.problem, result, json, kept_trace);
     run.outcomes.push_back(result.status);
     run.code = exit_code::worse(run.code, exit_code::worse(kept, exit_code::of(result.status)));
 }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "synthesis/command_line/console.h"
-#include "synthesis/program/result.h"
+#include "synthesis/program/search_trace.h"
 
 namespace mechwright {
 
@@ -21,7 +21,8 @@ struct SolvingOptions {
     std::string out;
     bool csv = false;  ///< motion tables beside the results
     bool json = false;
-    bool all = false;  ///< solutions with defects too
+    bool all = false;      ///< solutions with defects too
+    bool explain = false;  ///< keep what the search went through
     bool quiet = false;
     std::optional<std::uint64_t> seed;
     std::optional<std::uint64_t> jobs;
@@ -41,8 +42,10 @@ struct SolvingRun {
 };
 
 /// Reads all files, solves those that can be, one after the other, writes what --out asks for and hands each result
-/// out. A file that cannot be solved costs the others nothing. At the end of several, a tally on standard error.
-using TakeResult = std::function<void(const Problem&, const Result&, const nlohmann::ordered_json& document)>;
+/// out, with its trace if `explain` asks for it, else null. A file that cannot be solved costs the others nothing. At
+/// the end of several, a tally on standard error.
+using TakeResult = std::function<void(const Problem&, const Result&, const nlohmann::ordered_json& document,
+                                      const SearchTrace* trace)>;
 SolvingRun solve_files(const SolvingOptions& options, Console& console, const TakeResult& take);
 
 }  // namespace mechwright

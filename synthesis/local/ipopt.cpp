@@ -212,6 +212,26 @@ Ipopt::IpoptApplication* new_application() {
     }
 }
 
+/// Ipopt's last word; a stop on request is ours.
+std::string_view verdict_of(Ipopt::ApplicationReturnStatus status, const IpoptProgram& run) {
+    switch (status) {
+        case Ipopt::Solve_Succeeded: return "ipopt: converged";
+        case Ipopt::Solved_To_Acceptable_Level: return "ipopt: nearly converged";
+        case Ipopt::Infeasible_Problem_Detected: return "ipopt: locally infeasible";
+        case Ipopt::Search_Direction_Becomes_Too_Small: return "ipopt: steps too small";
+        case Ipopt::Diverging_Iterates: return "ipopt: diverged";
+        case Ipopt::Maximum_Iterations_Exceeded: return "ipopt: iterations used up";
+        case Ipopt::Restoration_Failed: return "ipopt: restoration failed";
+        case Ipopt::Error_In_Step_Computation: return "ipopt: no step";
+        case Ipopt::Not_Enough_Degrees_Of_Freedom: return "ipopt: more equalities than variables";
+        case Ipopt::Invalid_Number_Detected: return "ipopt: not assembled";
+        case Ipopt::User_Requested_Stop:
+            if (run.limits.reached()) return "ipopt: stopped";
+            return run.without_gain > most_without_gain ? "ipopt: no more gain" : "ipopt: evaluations used up";
+        default: return "ipopt: failed";
+    }
+}
+
 }  // namespace
 
 LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLimits& limits) {
@@ -219,6 +239,7 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
     const Ipopt::SmartPtr<IpoptProgram> tnlp = new IpoptProgram(program, start, limits);
     if (program.size() == 0) {
         tnlp->at(start.data());
+        tnlp->best.verdict = "ipopt: no variables";
         return tnlp->best;
     }
     make_sure_of_room();
@@ -236,6 +257,7 @@ LocalOutcome ipopt(const Program& program, const VectorXd& start, const LocalLim
         verdict = application->OptimizeTNLP(GetRawPtr(tnlp));
     // The verdict is not evidence, `best` is what counts; but a run that lacked memory is not finished.
     if (verdict == Ipopt::Insufficient_Memory) throw std::bad_alloc();
+    tnlp->best.verdict = verdict_of(verdict, *tnlp);
     return tnlp->best;
 }
 

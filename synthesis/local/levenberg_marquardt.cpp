@@ -65,6 +65,7 @@ struct Descent {
 LocalOutcome levenberg_marquardt(const Program& program, const VectorXd& start, const LocalLimits& limits) {
     LocalOutcome outcome;
     outcome.evaluations = 1;
+    outcome.verdict = "least-squares: not assembled";
     PathFit fit(program);
     PathPlace at, next;
     at.x = within_bounds(program, start);
@@ -77,6 +78,9 @@ LocalOutcome levenberg_marquardt(const Program& program, const VectorXd& start, 
         descent.go_down(at, next);
     }
     outcome.evaluations = descent.evaluations;
+    outcome.verdict = !descent.over()    ? "least-squares: gains too small"
+                      : limits.reached() ? "least-squares: stopped"
+                                         : "least-squares: evaluations used up";
     settle_epigraphs(program, at.x);
     ProgramValues values;
     evaluate(program, at.x, false, values);

@@ -1,11 +1,12 @@
 #pragma once
 /// \file
-/// Local optimisers for a Program, behind one shape of call. What a solver says of its own success is not passed on: an
+/// Local optimisers for a Program, behind one shape of call. What a solver says of its own success is not believed: an
 /// outcome is the best point that was evaluated, with the objective and violation that we computed there.
 
 #include <Eigen/Core>
 #include <atomic>
 #include <chrono>
+#include <string_view>
 
 #include "synthesis/program/program.h"
 
@@ -20,6 +21,7 @@ struct LocalLimits {
     bool near_optimum = false;
     std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
     const std::atomic<bool>* stop = nullptr;
+    std::atomic<double>* polishing = nullptr;  ///< seconds that polishing takes are added here
 
     /// Whether it is time to end, by the clock or from outside.
     bool reached() const {
@@ -33,6 +35,8 @@ struct LocalOutcome {
     double violation = unlimited;  ///< greatest, of rows and bounds; infinite if nothing assembled
     long evaluations = 0;
     long hessians = 0;  ///< of the Lagrangian, besides
+    /// What the solver says of its end, in a few words with its name first: for people to read, of no consequence.
+    std::string_view verdict{};
 
     /// Violation below which two points are compared by their objectives.
     static constexpr double feasible_below = 1e-9;

@@ -105,6 +105,19 @@ void inequalities(unsigned m, double* result, unsigned n, const double* x, doubl
     guarded(run, [&] { constraints(run, run.inequalities, m, result, n, x, gradient); });
 }
 
+/// NLopt's last word; a stop is ours.
+std::string_view verdict_of(nlopt_result result, const LocalLimits& limits) {
+    switch (result) {
+        case NLOPT_SUCCESS: return "slsqp: converged";
+        case NLOPT_FTOL_REACHED: return "slsqp: gains too small";
+        case NLOPT_XTOL_REACHED: return "slsqp: steps too small";
+        case NLOPT_ROUNDOFF_LIMITED: return "slsqp: stopped by rounding";
+        case NLOPT_MAXEVAL_REACHED: return "slsqp: evaluations used up";
+        case NLOPT_FORCED_STOP: return limits.reached() ? "slsqp: stopped" : "slsqp: evaluations used up";
+        default: return "slsqp: failed";
+    }
+}
+
 }  // namespace
 
 LocalOutcome slsqp(const Program& program, const VectorXd& start, const LocalLimits& limits) {
@@ -131,6 +144,7 @@ LocalOutcome slsqp(const Program& program, const VectorXd& start, const LocalLim
         if (slope > 0) run.objective_scale = 1 / slope;
     }
     // NLopt 2.7.1 refuses more equalities than variables; what we hold of such a problem is its start.
+    run.best.verdict = n == 0 ? "slsqp: no variables" : "slsqp: more equalities than variables";
     if (n == 0 || run.equalities.size() > n) return run.best;
 
     VectorXd lower(n);
@@ -158,6 +172,7 @@ LocalOutcome slsqp(const Program& program, const VectorXd& start, const LocalLim
     const nlopt_result verdict = nlopt_optimize(run.optimiser, x.data(), &reached);
     if (run.thrown) std::rethrow_exception(run.thrown);
     if (verdict == NLOPT_OUT_OF_MEMORY) throw std::bad_alloc();
+    run.best.verdict = verdict_of(verdict, limits);
     return run.best;
 }
 

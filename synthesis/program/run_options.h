@@ -13,6 +13,8 @@ namespace homotopy {
 struct StartSystem;
 }
 
+struct SearchTrace;
+
 /// How a run is carried out. None of this changes what is found, except that a stop ends it early.
 struct RunOptions {
     int jobs = 1;                             ///< threads for independent local searches
@@ -26,7 +28,8 @@ struct RunOptions {
     /// A design of a problem that differs a little: unless a closed form answers, local searches from it alone take the
     /// place of the method.
     const Design* neighbour = nullptr;
-    bool all = false;  ///< an exact method keeps designs with defects too
+    SearchTrace* trace = nullptr;  ///< where it is to be kept what the search went through (search_trace.h)
+    bool all = false;              ///< an exact method keeps designs with defects too
     /// That a homotopy begins with, where it is one of the problem's kind; else the one that comes with the program.
     const homotopy::StartSystem* start_system = nullptr;
 };

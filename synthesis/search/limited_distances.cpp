@@ -28,6 +28,7 @@ std::optional<LocalOutcome> within_limited_distances(const Program& program, con
         const LocalOutcome next = ipopt(*beside, x, few);
         outcome.evaluations += next.evaluations;
         outcome.hessians += next.hessians;
+        outcome.verdict = next.verdict;
         if (next.violation > LocalOutcome::feasible_below) return std::nullopt;
         const bool gains = time == 0 || next.objective < objective - gains_from * std::abs(objective);
         if (time == 0 || next.objective < objective) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "synthesis/program/assess.h"
+#include "synthesis/program/search_trace.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/optima.h"
@@ -24,6 +25,7 @@ struct Slot {
     long evaluations = 0;
     long hessians = 0;
     bool done = false;
+    std::vector<SearchEnd> ends{};  ///< where a trace is kept
 };
 
 /// Least shortfall of the required inequalities first; then the objective, if nothing falls short.
@@ -42,6 +44,7 @@ LocalOutcome search_nearly_feasible(const Program& program, const Eigen::VectorX
             ? polished_search(program, x, method, limits)
             : LocalOutcome{};
     if (outcome.x.size() == 0) outcome.x = x;
+    if (outcome.verdict.empty()) outcome.verdict = near.verdict;
     outcome.evaluations += near.evaluations;
     outcome.hessians += near.hessians;
     return outcome;
@@ -59,6 +62,15 @@ std::vector<Milestone> milestones_of(const Problem& problem, const std::vector<S
         all.push_back(so_far);
     }
     return all;
+}
+
+void keep(const std::vector<Slot>& slots, int candidates, SearchTrace& trace) {
+    for (const Slot& slot : slots) {
+        trace.screened += slot.ends.empty() ? 0 : candidates;
+        trace.optimised += slot.ends.empty() ? 0 : 1;
+        trace.cut_off += slot.done ? 0 : 1;
+        trace.ends.insert(trace.ends.end(), slot.ends.begin(), slot.ends.end());
+    }
 }
 
 }  // namespace
@@ -79,6 +91,12 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     LocalLimits limits;
     limits.deadline = deadline;
     limits.stop = options.stop;
+    limits.polishing = seconds_of(options.trace, &SearchTrace::polishing);
+
+    const auto drawn = [&](const Program& program, int number) {
+        const Timed timed(seconds_of(options.trace, &SearchTrace::screening));
+        return screened_start(program, problem.solver.seed, number, candidates);
+    };
 
     std::vector<Slot> slots(static_cast<std::size_t>(total));
     std::mutex reporting;
@@ -87,18 +105,24 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     // The first start that ends at a zero that nothing can be below: those after it are not needed, those before it are
     // run, so that the answer does not depend on the threads.
     std::atomic<int> zero_at{total};
-    const auto run = [&](const auto& search) {
+    const auto run = [&](std::string_view from, const auto& search) {
         done = 0;
         share_work(total, options.jobs, [&](int task) {
             if (limits.reached() || task > zero_at) return;
             const auto variant = static_cast<std::size_t>(task % count);
             Slot& slot = slots[static_cast<std::size_t>(task)];
-            const Eigen::VectorXd start = start_point(programs[variant], problem.solver.seed, task / count, candidates);
-            LocalOutcome outcome = search(programs[variant], start);
+            const Start start = drawn(programs[variant], task / count);
+            const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
+            LocalOutcome outcome = search(programs[variant], start.x);
             slot.evaluations += outcome.evaluations;
             slot.hessians += outcome.hessians;
             if (outcome.x.size() > 0) slot.solution = assess(problem, design_at(programs[variant], outcome.x));
             slot.done = !limits.reached();
+            if (options.trace)
+                slot.ends.push_back({!from.empty()     ? from
+                                     : start.preferred ? "preferred values"
+                                                       : "screened",
+                                     outcome.verdict, outcome.evaluations, timed.seconds(), slot.solution});
             if (slot.solution && is_at_zero(problem, *slot.solution))
                 for (int before = zero_at; task < before && !zero_at.compare_exchange_weak(before, task);) {
                 }
@@ -110,12 +134,12 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
             options.progress(done, total, best ? best->objective : std::numeric_limits<double>::quiet_NaN());
         });
     };
-    run([&](const Program& program, const Eigen::VectorXd& start) {
+    run("", [&](const Program& program, const Eigen::VectorXd& start) {
         return polished_search(program, start, method, limits);
     });
     const auto feasible = [](const Slot& slot) { return slot.solution && slot.solution->feasible; };
     if (std::none_of(slots.begin(), slots.end(), feasible) && !limits.reached())
-        run([&](const Program& program, const Eigen::VectorXd& start) {
+        run("least shortfall", [&](const Program& program, const Eigen::VectorXd& start) {
             return search_nearly_feasible(program, start, method, limits);
         });
 
@@ -128,6 +152,7 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
         result.report.evaluations += slot.evaluations;
         result.stopped = result.stopped || !slot.done;
     }
+    if (options.trace) keep(slots, candidates, *options.trace);
     std::vector<const Solution*> found;
     for (const Slot& slot : slots)
         if (slot.solution) found.push_back(&*slot.solution);

@@ -40,14 +40,17 @@ bool same_design(const Problem& problem, const Design& a, const Design& b, doubl
     return true;
 }
 
+bool same_optimum(const Problem& problem, const Design& a, const Design& b) {
+    return same_design(problem, a, b, same_within);
+}
+
 std::vector<Solution> distinct_optima(const Problem& problem, std::vector<const Solution*> all, SearchReport& report) {
     std::stable_sort(all.begin(), all.end(),
                      [&](const Solution* a, const Solution* b) { return preferred(problem, *a, *b); });
     std::vector<Solution> optima;
     for (const Solution* s : all) {
-        const bool known = std::any_of(optima.begin(), optima.end(), [&](const Solution& o) {
-            return same_design(problem, o.design, s->design, same_within);
-        });
+        const bool known = std::any_of(optima.begin(), optima.end(),
+                                       [&](const Solution& o) { return same_optimum(problem, o.design, s->design); });
         if (!known) optima.push_back(*s);
         const bool as_good = s->feasible && std::abs(s->objective - optima.front().objective) <=
                                                 same_objective_within * std::abs(optima.front().objective);

@@ -11,6 +11,9 @@ namespace mechwright {
 /// Whether the dimensions of two designs agree to a part of the longest length, angles to that part of a radian.
 bool same_design(const Problem& problem, const Design& a, const Design& b, double within);
 
+/// Whether two ends of local searches are one optimum.
+bool same_optimum(const Problem& problem, const Design& a, const Design& b);
+
 /// Distinct optima in order of preference; equal ones keep the order in which they are given. Fills in the report how
 /// many there are, how often the best was hit and, from `report.starts`, the estimated chance that a better one was
 /// missed.

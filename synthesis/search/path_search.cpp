@@ -13,6 +13,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/path/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/program/search_trace.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/optima.h"
@@ -72,6 +73,8 @@ struct Trial {
     std::size_t program = 0;
     LocalOutcome outcome;
     bool nearby = false;  ///< it began near the end of another
+    long evaluations = 0;
+    double seconds = 0;  ///< where a trace is kept
 };
 
 void sort_by_sum(std::vector<Trial>& trials) {
@@ -117,6 +120,7 @@ struct Search {
             fitted_as.push_back(widest(i));
         limits.deadline = deadline;
         limits.stop = o.stop;
+        limits.polishing = seconds_of(o.trace, &SearchTrace::polishing);
     }
 
     /// The program of the same assembly and direction whose designs may have any motion; without one the program
@@ -128,6 +132,11 @@ struct Search {
                    p.variant.direction == own.direction && p.variant.choices == own.choices;
         });
         return at == programs.end() ? program : static_cast<std::size_t>(at - programs.begin());
+    }
+
+    std::vector<VectorXd> screened(std::size_t program, int number, int keep) const {
+        const Timed timed(seconds_of(options.trace, &SearchTrace::screening));
+        return starts[program].of_round(number, keep * groups_per_short_search, keep);
     }
 
     /// The best starts of every variant, each taken a little way.
@@ -144,8 +153,11 @@ struct Search {
             if (limits.reached()) return;
             const auto p = static_cast<std::size_t>(task % variants_count);
             const int number = round * tasks_per_variant + task / variants_count;
-            for (const VectorXd& start : starts[p].of_round(number, per_task * groups_per_short_search, per_task)) {
+            for (const VectorXd& start : screened(p, number, per_task)) {
+                const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
                 Trial trial{fitted_as[p], levenberg_marquardt(programs[fitted_as[p]], start, few)};
+                trial.evaluations = trial.outcome.evaluations;
+                trial.seconds = timed.seconds();
                 if (trial.outcome.x.size() > 0) tried[static_cast<std::size_t>(task)].push_back(std::move(trial));
             }
         });
@@ -156,6 +168,10 @@ struct Search {
         for (const Trial& trial : all)
             report.evaluations += trial.outcome.evaluations;
         report.screened += static_cast<long>(tried.size()) * per_task * groups_per_short_search * 8;
+        if (options.trace) {
+            options.trace->screened += static_cast<long>(tried.size()) * per_task * groups_per_short_search * 8;
+            options.trace->optimised += static_cast<long>(all.size());
+        }
         return all;
     }
 
@@ -200,6 +216,7 @@ struct Search {
             few.most_evaluations = evaluations_of_hop;
             share_work(static_cast<int>(tried.size()), options.jobs, [&](int i) {
                 if (limits.reached()) return;
+                const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
                 const auto k = static_cast<std::size_t>(i);
                 const Trial& from = elites[k / starts_of_hop];
                 const std::uint64_t number =
@@ -207,6 +224,8 @@ struct Search {
                 const Program& program = programs[from.program];
                 const VectorXd start = start_nearby(program, from.outcome.x, spreads[k % hops], mixed(number + k));
                 tried[k] = {from.program, levenberg_marquardt(program, start, few), true};
+                tried[k].evaluations = tried[k].outcome.evaluations;
+                tried[k].seconds = timed.seconds();
             });
             for (const Trial& trial : tried)
                 report.evaluations += trial.outcome.evaluations;
@@ -232,6 +251,7 @@ struct Search {
         share_work(static_cast<int>(trials.size()), options.jobs, [&](int i) {
             Trial& trial = trials[static_cast<std::size_t>(i)];
             if (limits.reached()) return;
+            const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
             const Program& program = programs[trial.program];
             for (int pass = 0; pass < (problem.path->any_order ? most_passes : 1); ++pass) {
                 if (trial.outcome.x.size() == 0) break;
@@ -245,6 +265,8 @@ struct Search {
                 meet_nearest_points(problem, design);
                 trial.outcome.x = point_of(program, design);
             }
+            trial.evaluations += used[static_cast<std::size_t>(i)];
+            trial.seconds += timed.seconds();
         });
         report.evaluations += std::accumulate(used.begin(), used.end(), 0L);
         sort_by_sum(trials);
@@ -307,6 +329,21 @@ struct Search {
         return better(std::move(solution), assess(problem, design_at(program, outcome.x)));
     }
 
+    static std::string_view origin_of(const Trial& trial) { return trial.nearby ? "near another end" : "screened"; }
+
+    /// The ends of a round in the order of its trials: those that were looked at closely, and the others as they are.
+    void keep(const std::vector<Trial>& trials, const std::vector<const Trial*>& chosen,
+              const std::vector<SearchEnd>& ends) const {
+        std::size_t next = 0;
+        for (const Trial& trial : trials) {
+            const bool looked_at = next < chosen.size() && chosen[next] == &trial;
+            options.trace->ends.push_back(looked_at ? ends[next]
+                                                    : SearchEnd{origin_of(trial), trial.outcome.verdict,
+                                                                trial.evaluations, trial.seconds, assessed(trial)});
+            next += looked_at ? 1 : 0;
+        }
+    }
+
     /// Polishes the best of a round; returns the best of them.
     std::optional<Solution> finish(const std::vector<Trial>& trials) {
         // Of searches that ended at one sum of squares the first few are looked at closely; the others are counted.
@@ -323,11 +360,17 @@ struct Search {
             chosen.push_back(&trial);
         }
         std::vector<std::optional<Solution>> solutions(chosen.size());
+        std::vector<SearchEnd> ends(options.trace ? chosen.size() : 0);
         std::mutex reporting;
         share_work(static_cast<int>(chosen.size()), options.jobs, [&](int i) {
             const auto k = static_cast<std::size_t>(i);
+            const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
             LocalOutcome outcome;
             if (!limits.reached() || k == 0) solutions[k] = finished(*chosen[k], outcome);
+            if (options.trace)
+                ends[k] = {
+                    origin_of(*chosen[k]), outcome.verdict.empty() ? chosen[k]->outcome.verdict : outcome.verdict,
+                    chosen[k]->evaluations + outcome.evaluations, chosen[k]->seconds + timed.seconds(), solutions[k]};
             const std::lock_guard lock(reporting);
             report.evaluations += outcome.evaluations;
             hessians += outcome.hessians;
@@ -336,6 +379,7 @@ struct Search {
                 options.progress(report.starts, most_rounds * starts_of_round,
                                  best && best->feasible ? best->objective : std::numeric_limits<double>::quiet_NaN());
         });
+        if (options.trace) keep(trials, chosen, ends);
         std::optional<Solution> best_of_round;
         for (auto& solution : solutions) {
             if (!solution) continue;

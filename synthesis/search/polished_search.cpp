@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "synthesis/program/search_trace.h"
 #include "synthesis/search/limited_distances.h"
 
 namespace mechwright {
@@ -52,7 +53,9 @@ LocalOutcome searched(const Program& program, const Eigen::VectorXd& start, Loca
 
 LocalOutcome polished_search(const Program& program, const Eigen::VectorXd& start, LocalMethod method,
                              const LocalLimits& limits) {
-    LocalOutcome outcome = levelled(program, polish(program, searched(program, start, method, limits), limits), limits);
+    const LocalOutcome end = searched(program, start, method, limits);
+    const Timed timed(limits.polishing);
+    LocalOutcome outcome = levelled(program, polish(program, end, limits), limits);
     if (asks_for_one_worst(program)) return outcome;
     LocalLimits near = limits;
     near.near_optimum = true;

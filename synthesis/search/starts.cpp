@@ -275,25 +275,25 @@ int start_candidates(const Problem& problem) {
     return problem.path ? 400 : 16;
 }
 
-Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates) {
+Start screened_start(const Program& program, std::uint64_t seed, int index, int candidates) {
     const auto n = static_cast<Index>(program.size());
     const std::size_t sampled_dimensions = program.variable_of.size() + 2;
     const LowDiscrepancy sequence(sampled_dimensions, seed, program.variant.family * 16 + program.variant.assembly);
     constexpr int tries = 40;  // draws for each candidate until the conditions of motion hold
     const auto base = static_cast<std::uint64_t>(index) * static_cast<std::uint64_t>(candidates * tries);
 
-    VectorXd best = VectorXd::Zero(n);
+    Start best{VectorXd::Zero(n)};
     double least = unlimited;
     bool found = false;
     ProgramValues values;
-    const auto consider = [&](VectorXd x) {
+    const auto consider = [&](VectorXd x, bool preferred) {
         if (program.path) fit_placement(program, x);
         if (program.problem->function) fit_function(program, x);
         if (program.problem->followed) fit_followed(program, x);
         settle_epigraphs(program, x);
         const double m = merit(program, x, values);
         if (found && !(m < least)) return;
-        best = std::move(x);
+        best = {std::move(x), preferred};
         least = m;
         found = true;
     };
@@ -301,7 +301,7 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
     if (index == 0) {
         VectorXd x = program.reference;
         if (program.untimed_path()) set_path_angles(program, {0.5, 0.5, 0.5, 0, 0}, x);
-        consider(std::move(x));
+        consider(std::move(x), true);
     }
     // Candidates that miss the conditions of motion are used only where none meets them.
     VectorXd closest;
@@ -320,14 +320,18 @@ Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int inde
         const double missed = linear_violation(program, x);
         if (missed == 0) {
             ++accepted;
-            consider(std::move(x));
+            consider(std::move(x), false);
         } else if (missed < closest_violation) {
             closest_violation = missed;
             closest = std::move(x);
         }
     }
-    if (accepted == 0 && closest.size() > 0) consider(std::move(closest));
+    if (accepted == 0 && closest.size() > 0) consider(std::move(closest), false);
     return best;
+}
+
+Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates) {
+    return screened_start(program, seed, index, candidates).x;
 }
 
 }  // namespace mechwright

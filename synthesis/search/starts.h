@@ -13,8 +13,16 @@ namespace mechwright {
 /// How many candidates are screened for each start of a search from many.
 int start_candidates(const Problem& problem);
 
+struct Start {
+    Eigen::VectorXd x;
+    bool preferred = false;  ///< the preferred values
+};
+
 /// Start number `index` of a program, a function of (seed, index) alone: the best of `candidates` screened points.
 /// Index 0 begins with the preferred values (or the middles of the ranges).
+Start screened_start(const Program& program, std::uint64_t seed, int index, int candidates);
+
+/// The point of it alone.
 Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates);
 
 /// Fits origin, size with tilt, and guided point of x to the target points by linear least squares, as far as they are

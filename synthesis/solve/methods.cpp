@@ -8,6 +8,7 @@
 #include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/exact/exact.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/program/search_trace.h"
 #include "synthesis/proof/prove.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/search/nearby.h"
@@ -52,6 +53,8 @@ bool found_feasible(const Found& found) { return !found.candidates.empty() && fo
 /// The best design at the very optimum that its search ended near.
 void settle_best(const Problem& problem, Found& found, const RunOptions& options, Clock::time_point deadline) {
     if (found.stopped || !problem.objective || !found_feasible(found) || found.report.complete()) return;
+    const Timed searching(seconds_of(options.trace, &SearchTrace::searching));
+    const Timed polishing(seconds_of(options.trace, &SearchTrace::polishing));
     LocalLimits limits;
     limits.deadline = deadline;
     limits.stop = options.stop;
@@ -74,8 +77,9 @@ Found search(std::string_view name, LocalMethod local, const Problem& problem, c
 
 Found with_slsqp(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     Found found = search("slsqp", slsqp, problem, options, deadline);
-    if (!found.stopped && found_feasible(found) && is_quickly_proved(problem))
-        prove(problem, found.candidates.front(), found.report, options, deadline);
+    if (found.stopped || !found_feasible(found) || !is_quickly_proved(problem)) return found;
+    const Timed timed(seconds_of(options.trace, &SearchTrace::proving));
+    prove(problem, found.candidates.front(), found.report, options, deadline);
     return found;
 }
 
@@ -97,6 +101,7 @@ Found with_branch_and_bound(const Problem& problem, const RunOptions& options, C
         problem.function ? with_slsqp(problem, options, deadline) : with_least_squares(problem, options, deadline);
     found.report.method = "branch-and-bound";
     if (found.stopped || !found_feasible(found) || found.report.complete()) return found;
+    const Timed timed(seconds_of(options.trace, &SearchTrace::proving));
     found.stopped = !prove(problem, found.candidates.front(), found.report, options, deadline);
     return found;
 }
@@ -147,6 +152,7 @@ Found automatic(const Problem& problem, const RunOptions& options, Clock::time_p
     if (why_no_closed_form(problem).empty()) {
         Found found = closed_form(problem, options, deadline);
         if (found.report.complete() && found.infeasible) return found;
+        const Timed timed(seconds_of(options.trace, &SearchTrace::verification));
         if (found.report.complete()) found.checks_of_first = checks_of(problem, found.candidates.front());
         if (all_passed(found.checks_of_first)) return found;
     }

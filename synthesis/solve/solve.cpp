@@ -8,6 +8,7 @@
 #include "synthesis/document/document.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/proof.h"
+#include "synthesis/program/search_trace.h"
 #include "synthesis/solve/choose.h"
 #include "synthesis/solve/front.h"
 #include "synthesis/solve/methods.h"
@@ -59,6 +60,7 @@ Result solve(const Problem& problem, const RunOptions& options) {
     }
     result.search = found.report;
     bool feasible = !found.candidates.empty() && found.candidates.front().feasible;
+    std::optional<Timed> verifying(std::in_place, seconds_of(options.trace, &SearchTrace::verification));
     if (found.report.solutions) {
         choose_all_verified(problem, found, end, result);
         feasible = result.best.has_value();
@@ -68,6 +70,8 @@ Result solve(const Problem& problem, const RunOptions& options) {
         choose_verified(problem, found, end, result);
     else if (!found.candidates.empty())
         result.best = std::move(found.candidates.front());
+
+    verifying.reset();
 
     bool limited = false;
     if (!(feasible && result.verified()) && !found.infeasible)
@@ -83,7 +87,9 @@ Result solve(const Problem& problem, const RunOptions& options) {
 
     const auto asked_to_stop = [&] { return options.stop && options.stop->load(); };
     if (feasible && problem.solver.pareto > 0) {
-        result.front = front(problem, options, deadline, result.best->objective);
+        RunOptions of_others = options;  // whose objectives are not this problem's
+        of_others.trace = nullptr;
+        result.front = front(problem, of_others, deadline, result.best->objective);
         found.stopped = found.stopped || asked_to_stop() || Clock::now() >= deadline;  // the front may have gaps
     }
 

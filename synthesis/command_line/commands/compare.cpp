@@ -23,7 +23,7 @@ int compare(const CompareOptions& options, Console& console) {
     }
     std::vector<Compared> all;
     const SolvingRun run =
-        solve_files(options.solving, console, [&](const Problem& problem, const Result& result, const auto&) {
+        solve_files(options.solving, console, [&](const Problem& problem, const Result& result, const auto&, auto) {
             all.push_back({problem, result});
         });
     if (all.empty()) return run.code;

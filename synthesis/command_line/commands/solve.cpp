@@ -8,6 +8,7 @@
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/solving.h"
 #include "synthesis/report/json_text.h"
+#include "synthesis/report/text/search_explained.h"
 #include "synthesis/report/text/summary.h"
 #include "synthesis/report/text/table.h"
 
@@ -24,13 +25,15 @@ int solve(const SolveOptions& options, Console& console) {
     nlohmann::ordered_json documents = nlohmann::ordered_json::array();
     NamedDocuments shown;
     bool first = true;
-    SolvingRun run =
-        solve_files(options.solving, console, [&](const Problem& problem, const Result& result, const auto& document) {
+    SolvingRun run = solve_files(
+        options.solving, console,
+        [&](const Problem& problem, const Result& result, const auto& document, const SearchTrace* trace) {
             documents.push_back(document);
             if (options.report) shown.emplace_back(problem.file, document);
             if (options.solving.json) return;
             const std::string rule = first ? "" : "\n" + std::string(terminal_width, '-') + "\n\n";
-            print(console, rule + summary(problem, result, colour_wanted(console)));
+            print(console, rule + summary(problem, result, colour_wanted(console)) +
+                               (trace ? search_explained(problem, result, *trace, colour_wanted(console)) : ""));
             first = false;
         });
     if (!shown.empty()) {
@@ -51,6 +54,9 @@ Command add_solve(CLI::App& program) {
     const auto options = std::make_shared<SolveOptions>();
     CLI::App* command = program.add_subcommand("solve", "Synthesise mechanisms and verify them");
     CLI::Option* out = add_solving_options(*command, options->solving);
+    command
+        ->add_flag("--explain-search", options->solving.explain, "Print how searches ended and where the time went too")
+        ->excludes(command->get_option("--json"));
     command->add_flag("--all", options->solving.all, "Put solutions with defects into the alternatives too");
     command->add_flag("--csv", options->solving.csv, "Write tables too: motion; with --all all designs")->needs(out);
     command->add_flag("--report", options->report, "Write report.html too: a page for a browser");
