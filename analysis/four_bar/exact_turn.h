@@ -39,6 +39,20 @@ inline HalfTurn<double> exact_half_turn(double crank_angle) {
     return turns[static_cast<std::size_t>(*count)];
 }
 
+/// Whether all links of a four-bar lie on the ground line, where two motions meet. Not where a kite has its pins
+/// together: there rocker and coupler can turn by themselves.
+inline bool is_change_point(const FourBarPose<double>& p) {
+    return p.crank.y == 0 && p.margins.diagonal > 0 && (p.margins.stretch == 0 || p.margins.fold == 0);
+}
+
+/// The crank angle by which velocities are taken at a change point on a right angle, where they have limits from both
+/// sides: the angle as it is rounded chooses one; at 0, which has no rounding, it is the one from above. Accelerations
+/// vanish there: a linkage in one line moves like its mirror image, so that its angles are odd in the crank angle.
+/// Taken by the rounded angle they would be rounding over rounding.
+inline double beside_change_point(double crank_angle) {
+    return crank_angle == 0 ? std::numeric_limits<double>::epsilon() / 2 : crank_angle;
+}
+
 /// The unit vector in the direction of an angle in radians.
 inline Vector<double> exact_direction(double angle) {
     const auto count = detail::right_angles(angle);

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/constants/constants.hpp>
 #include <charconv>
 #include <cmath>
 #include <locale>
 #include <sstream>
 
+#include "analysis/quick_return.h"
 #include "tests/report/examples.h"
 
 namespace mechwright {
@@ -82,6 +84,62 @@ TEST(MotionTable, KeepsItsDigitsNextToAChangePoint) {
     for (const double angle : {90.0, 270.0}) {
         ASSERT_TRUE(slider_crank.table.row(Motion{}, lengths, angle * 3.141592653589793 / 180, of_ram));
         EXPECT_NEAR(std::abs(of_ram[ram_velocity]), 1, 1e-14) << angle;
+    }
+}
+
+/// The row of a mechanism, its first dimensions given, at a crank angle in degrees.
+std::vector<double> row_of(const std::string& name, std::vector<double> dimensions, double degrees) {
+    const Mechanism& mechanism = *find_mechanism(name);
+    dimensions.resize(mechanism.dimensions.size());
+    std::vector<double> row(mechanism.table.columns.size());
+    EXPECT_TRUE(mechanism.table.row(Motion{}, dimensions, degrees * 3.141592653589793 / 180, row)) << name;
+    return row;
+}
+
+/// A crank angle in fifty digits, moved a little to the side from which the limit at a change point is taken.
+Digits50 beside(double degrees) {
+    const Digits50 angle = boost::math::constants::pi<Digits50>() * degrees / 180;
+    return degrees > 0 ? angle - 1e-20 : angle + 1e-20;
+}
+
+void expect_limits(const std::vector<double>& row, std::size_t column, const std::vector<Digits50>& limits) {
+    for (const Digits50& limit : limits) {
+        EXPECT_NEAR(row[column], limit.convert_to<double>(), 1e-14) << "column " << column;
+        ++column;
+    }
+}
+
+TEST(MotionTable, HasTheLimitsOfVelocitiesAndAccelerationsAtAChangePoint) {
+    // In one line at 180 deg, at both, at 0 deg.
+    const std::vector<std::pair<std::vector<double>, std::vector<double>>> linkages{
+        {{4, 2, 3, 3}, {180, -180, 540}}, {{3, 1, 3, 1}, {180, 0, 360}}, {{4, 1, 5, 2}, {0, 360}}};
+    for (const auto& [d, angles] : linkages) {
+        for (const double angle : angles) {
+            SCOPED_TRACE(angle);
+            const FourBar<Digits50> m{d[0], d[1], d[2], d[3]};
+            const auto p = pose(m, half_turn(beside(angle)), Assembly::open);
+            const auto v = velocity(m, p);
+            const auto a = acceleration(m, p, v);
+            expect_limits(row_of("four-bar", d, angle), 4, {v.coupler, v.rocker, a.coupler, a.rocker});
+            const DragLink<Digits50> drag{m, 2, 0.5, 7, 0.25, 0.5, Assembly::open};
+            std::vector<double> dimensions = d;
+            dimensions.insert(dimensions.end(), {2, 0.5, 7, 0.25, 0.5});
+            const auto q = pose(drag, half_turn(beside(angle)));
+            const auto w = velocity(drag, q);
+            const auto b = acceleration(drag, q, w);
+            const auto row = row_of("drag-link", dimensions, angle);
+            expect_limits(row, 7, {b.input.rocker, w.output.rod, b.output.rod});
+            expect_limits(row, 11, {w.output.ram, b.output.ram});
+        }
+    }
+    for (const double angle : {90, 270, -90}) {
+        const SliderCrank<Digits50> m{2, 2, 0};
+        const auto p = pose(m, beside(angle));
+        const auto v = velocity(m, p);
+        const auto a = acceleration(m, p, v);
+        const auto row = row_of("slider-crank", {2, 2, 0}, angle);
+        expect_limits(row, 3, {v.rod, a.rod});
+        expect_limits(row, 6, {v.ram, a.ram});
     }
 }
 

@@ -223,11 +223,11 @@ bool motion_row(const Motion& motion, std::span<const double> d, double crank_an
     const FourBar<double> m = linkage_of(d);
     const Assembly assembly = motion.assembly == 0 ? Assembly::open : Assembly::crossed;
     auto p = pose(m, exact_half_turn(crank_angle), assembly);
-    // At a change point itself velocities have limits from both sides: the angle as it is rounded chooses one.
-    if (p.margins.stretch == 0 || p.margins.fold == 0) p = pose(m, crank_angle, assembly);
+    const bool change_point = is_change_point(p);
+    if (change_point) p = pose(m, beside_change_point(crank_angle), assembly);
     if (!p.assembled()) return false;
     const auto v = velocity(m, p);
-    const auto a = acceleration(m, p, v);
+    const auto a = change_point ? FourBarAcceleration<double>{} : acceleration(m, p, v);
     const Placement<double> placement{{d[6], d[7]}, d[8]};
     const auto point = placed(position(m, CouplerPoint<double>{d[4], d[5]}, p), placement);
     const std::array<double, 10> values{crank_angle,

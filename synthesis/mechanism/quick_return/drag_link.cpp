@@ -71,10 +71,12 @@ std::vector<Unit> units() {
 bool motion_row(const Motion& motion, std::span<const double> d, double crank_angle, std::span<double> row) {
     const DragLink<double> m = drive_of<DragLink>(d, motion.assembly);
     auto p = pose(m, exact_half_turn(crank_angle));
-    if (p.input.margins.stretch == 0 || p.input.margins.fold == 0) p = pose_at(m, crank_angle);  // as for a four-bar
+    const bool change_point = is_change_point(p.input);
+    if (change_point) p = pose_at(m, beside_change_point(crank_angle));
     if (!p.input.assembled() || !p.output.assembled()) return false;
     const auto v = velocity(m, p);
-    const auto a = acceleration(m, p, v);
+    const auto a = change_point ? DragLinkAcceleration<double>{{}, acceleration(output_of(m), p.output, v.output, 0.0)}
+                                : acceleration(m, p, v);
     const std::array<double, 13> values{crank_angle,
                                         std::atan2(p.input.rocker.y, p.input.rocker.x),
                                         std::atan2(p.output.rod.y, p.output.rod.x),

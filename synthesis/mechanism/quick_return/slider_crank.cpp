@@ -90,10 +90,12 @@ std::vector<Unit> units() {
 bool motion_row(const Motion&, std::span<const double> d, double crank_angle, std::span<double> row) {
     const SliderCrank<double> m = drive_of<SliderCrank>(d, 0);
     auto p = pose(m, exact_direction(crank_angle));
-    if (p.left == 0 || p.right == 0) p = pose(m, crank_angle);  // in a dead position as it is rounded
+    // Crank and rod square to the slide, in one line: odd about it, as a four-bar is about the ground line.
+    const bool change_point = p.crank.x == 0 && (p.left == 0 || p.right == 0);
+    if (change_point) p = pose(m, crank_angle);
     if (!p.assembled()) return false;
     const auto v = velocity(m, p);
-    const auto a = acceleration(m, p, v);
+    const auto a = change_point ? SliderCrankAcceleration<double>{} : acceleration(m, p, v);
     const auto point = placed(position(m, CouplerPoint<double>{d[3], d[4]}, p), Placement<double>{{d[5], d[6]}, d[7]});
     const std::array<double, 10> values{crank_angle,
                                         std::atan2(p.rod.y, p.rod.x),
