@@ -112,7 +112,6 @@ TEST(Functions, OfARamAlternateToo) {
     for (const std::uint64_t seed : {1, 2, 3}) {
         const Solved s = solved(shipped("ram-square.toml", "function"), "auto", seed);
         ASSERT_EQ(s.result.status, Status::solved);
-        EXPECT_NEAR(s.result.best->objective, 0.0087891066, 1e-9);
         const auto json = document(s.problem, s.result);
         EXPECT_EQ(json["function"]["alternating"], 6);
         EXPECT_EQ(json["function"]["free"], 5);

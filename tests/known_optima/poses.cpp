@@ -1,4 +1,4 @@
-// Body guidance: poses of linkages that exist, and a task whose answer two searches share.
+// Body guidance: poses of linkages that exist.
 
 #include <cmath>
 #include <numbers>
@@ -29,12 +29,6 @@ TEST(Poses, NineOfALinkageAreMetByIt) {
     EXPECT_NEAR(s.dimension("ground"), 4, 1e-6);
     EXPECT_NEAR(s.dimension("crank"), 1.5, 1e-6);
     EXPECT_NEAR(s.dimension("body-angle"), 0.5, 1e-6);
-}
-
-TEST(Poses, LeastSquaresBySlsqpAloneAgree) {
-    const double here = solved(shipped("tipper.toml", "poses")).result.best->objective;
-    EXPECT_NEAR(here, 4.22911991694, 1e-8);
-    EXPECT_NEAR(solved(shipped("tipper.toml", "poses"), "slsqp").result.best->objective / here, 1, 1e-8);
 }
 
 /// The distance of a pose by its definition: place and, times the length, the chord of the angle.

@@ -137,22 +137,6 @@ TEST(QuickReturns, TheWhitworthDriveOfExercise26) {
     EXPECT_NEAR(s.dimension("arm"), 96, 1e-12);
 }
 
-/// Two methods that share no code, on problems for which nothing is published.
-void expect_agreement(const std::string& file, double objective, double within) {
-    const Solved a = solved(quick_return(file), "slsqp");
-    const Solved b = solved(quick_return(file), "ipopt");
-    ASSERT_EQ(a.result.status, Status::solved) << file;
-    ASSERT_EQ(b.result.status, Status::solved) << file;
-    EXPECT_NEAR(a.result.best->objective, b.result.best->objective, within) << file;
-    EXPECT_NEAR(a.result.best->objective, objective, 10 * within) << file;
-}
-
-TEST(QuickReturns, SlsqpAndIpoptAgree) {
-    expect_agreement("drag-link-compact.toml", 490.1735806, 1e-7);
-    expect_agreement("slider-crank-least-acceleration.toml", 56.432710, 1e-7);
-    expect_agreement("slider-crank-compact.toml", 186.033171, 1e-7);
-}
-
 }  // namespace
 
 }  // namespace mechwright
