@@ -226,6 +226,19 @@ std::array<Quantity, 2> arc_quantities() {
          Unit::angle});
 }
 
+/// Dimensions followed by the parameters of the shapes that can be followed: of a line, then of an arc.
+inline std::vector<Dimension> with_followed_dimensions(std::vector<Dimension> all) {
+    const auto add = [&](const char* name, DimensionKind kind, const char* meaning) {
+        all.push_back({name, kind, false, meaning, false, true});
+    };
+    add("line-angle", DimensionKind::angle, "direction in the drawing of a line to be followed");
+    add("line-offset", DimensionKind::coordinate, "distance of that line from the drawing's origin, to its left");
+    add("arc-x", DimensionKind::coordinate, "centre in the drawing of an arc to be followed");
+    add("arc-y", DimensionKind::coordinate, "centre in the drawing of an arc to be followed");
+    add("arc-radius", DimensionKind::coordinate, "radius of that arc");
+    return all;
+}
+
 /// The registry's entry of a shape.
 template <class Path, class Shape, std::size_t input, std::size_t place>
 FollowedShape followed_shape() {

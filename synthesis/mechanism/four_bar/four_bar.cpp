@@ -26,7 +26,7 @@ namespace {
 using namespace four_bar;
 
 std::vector<Dimension> dimensions() {
-    return {
+    return with_followed_dimensions({
         {"ground", DimensionKind::length, true, "ground link, crank pivot to rocker pivot"},
         {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
         {"coupler", DimensionKind::length, true, "coupler, crank pin to rocker pin"},
@@ -44,13 +44,7 @@ std::vector<Dimension> dimensions() {
         {"output-start", DimensionKind::angle, false, "rocker angle at the start of a function's range", false, true},
         {"output-range", DimensionKind::angle, false, "rocker angle over the range of a function", false, true},
         {"body-angle", DimensionKind::angle, false, "direction of a guided body, from the line of the coupler's pins"},
-        {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
-        {"line-offset", DimensionKind::coordinate, false,
-         "distance of that line from the drawing's origin, to its left", false, true},
-        {"arc-x", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
-        {"arc-y", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
-        {"arc-radius", DimensionKind::coordinate, false, "radius of that arc", false, true},
-    };
+    });
 }
 
 bool of_crank_rocker(const Motion& motion) { return motion.family == crank_rocker; }

@@ -20,7 +20,7 @@ namespace {
 using namespace quick_return;
 
 std::vector<Dimension> dimensions() {
-    return {
+    return with_followed_dimensions({
         {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
         {"rod", DimensionKind::length, true, "rod, crank pin to ram"},
         {"offset", DimensionKind::coordinate, true,
@@ -39,13 +39,7 @@ std::vector<Dimension> dimensions() {
         {"output-start", DimensionKind::coordinate, false, "position of the ram at the start of a function's range",
          false, true},
         {"output-range", DimensionKind::coordinate, false, "way of the ram over the range of a function", false, true},
-        {"line-angle", DimensionKind::angle, false, "direction in the drawing of a line to be followed", false, true},
-        {"line-offset", DimensionKind::coordinate, false,
-         "distance of that line from the drawing's origin, to its left", false, true},
-        {"arc-x", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
-        {"arc-y", DimensionKind::coordinate, false, "centre in the drawing of an arc to be followed", false, true},
-        {"arc-radius", DimensionKind::coordinate, false, "radius of that arc", false, true},
-    };
+    });
 }
 
 std::vector<Quantity> over_input() {
