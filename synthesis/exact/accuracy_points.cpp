@@ -123,9 +123,7 @@ ExactDesign design_of(const AccuracyProblem& a, const Scales& s, const Pins& pin
     motion.assembly = design.assembly;
     motion.function = &a.points;
     std::array<double, Quantity::most_components> components{};
-    Measurement measurement;
-    measurement.value = components;
-    a.error.measure(motion, d, measurement);
+    measure(a.error, motion, d, {components, {}, {}});
     const std::size_t count = a.error.components(motion);
     ExactDesign out = exact_design(problem, std::move(design));
     const bool met = std::all_of(components.begin(), components.begin() + static_cast<std::ptrdiff_t>(count),

@@ -115,67 +115,69 @@ Vector<T> guided_point(std::size_t assembly, const std::array<T, N>& x, const T&
     return -Path::miss(assembly, at, Vector<double>{0, 0}).miss;
 }
 
-/// The dimensions of the shape, which start at `place`.
-template <class Shape, std::size_t place, class Dimensions>
-auto shape_of(const Dimensions& x) {
-    std::array<std::remove_cvref_t<decltype(x[0])>, Shape::parameters> shape;
-    std::copy_n(x.begin() + place, Shape::parameters, shape.begin());
-    return shape;
-}
+/// How the arguments of a shape's quantities stand: those of the guided point, start and range of the input, the shape.
+template <class Path, class Shape>
+struct ShapeArguments {
+    static constexpr std::size_t input = Path::reads, shape = input + 2, reads = shape + Shape::parameters;
 
-/// The dimensions that the guided point, the input range and the shape are made of.
-template <class Path, class Shape, std::size_t input, std::size_t place>
-constexpr auto used_by_shape() {
-    std::array<std::size_t, Path::reads + 2 + Shape::parameters> used{};
-    for (std::size_t i = 0; i < used.size(); ++i)
-        used[i] = i < Path::reads ? i : i < Path::reads + 2 ? input + i - Path::reads : place + i - Path::reads - 2;
-    return used;
-}
+    template <class Arguments>
+    static auto shape_of(const Arguments& x) {
+        std::array<std::remove_cvref_t<decltype(x[0])>, Shape::parameters> own;
+        std::copy_n(x.begin() + shape, own.size(), own.begin());
+        return own;
+    }
+    /// The dimensions that they are, of which `start` is the first of the input range, `place` the first of the shape.
+    static Reads dimensions(std::size_t start, std::size_t place) {
+        std::vector<std::size_t> all(reads);
+        for (std::size_t i = 0; i < reads; ++i)
+            all[i] = i < input ? i : i < shape ? start + i - input : place + i - shape;
+        return all;
+    }
+};
 
-/// The generator: the distance from the shape. `input` is the first of the two dimensions of the input range.
-template <class Path, class Shape, std::size_t input, std::size_t place>
-struct ShapeDistance {
-    static constexpr std::size_t reads = place + Shape::parameters;
-    static constexpr auto uses = used_by_shape<Path, Shape, input, place>();
+/// The generator: the distance from the shape.
+template <class Path, class Shape>
+struct ShapeDistance : ShapeArguments<Path, Shape> {
+    using At = ShapeArguments<Path, Shape>;
     template <class T>
-    static T error(const std::array<T, reads>& x, std::size_t assembly, const T& share, const T&) {
-        return Shape::distance(shape_of<Shape, place>(x),
-                               guided_point<Path>(assembly, x, T(x[input] + x[input + 1] * share)));
+    static T error(const std::array<T, At::reads>& x, std::size_t assembly, const T& share, const T&) {
+        return Shape::distance(At::shape_of(x),
+                               guided_point<Path>(assembly, x, T(x[At::input] + x[At::input + 1] * share)));
     }
 };
 
 /// How far the shape is followed, from the first point of the stretch to the last.
-template <class Path, class Shape, std::size_t input, std::size_t place>
-struct ShapeExtent {
-    static constexpr std::size_t reads = place + Shape::parameters;
-    static constexpr auto uses = used_by_shape<Path, Shape, input, place>();
+template <class Path, class Shape>
+struct ShapeExtent : ShapeArguments<Path, Shape> {
+    using At = ShapeArguments<Path, Shape>;
     static constexpr std::size_t most = 1;
     template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
-        out[0] = Shape::extent(shape_of<Shape, place>(x), guided_point<Path>(motion.assembly, x, x[input]),
-                               guided_point<Path>(motion.assembly, x, T(x[input] + x[input + 1])));
+    static std::size_t components(const Motion& motion, const std::array<T, At::reads>& x, Components<T> out) {
+        out[0] = Shape::extent(At::shape_of(x), guided_point<Path>(motion.assembly, x, x[At::input]),
+                               guided_point<Path>(motion.assembly, x, T(x[At::input] + x[At::input + 1])));
         return most;
     }
 };
 
 /// Both again, in fifty digits, by the mechanism's path_point.
-template <auto path_point, class Shape, std::size_t input, std::size_t place>
+template <class Path, auto path_point, class Shape>
 struct ShapeAgain {
-    static constexpr std::size_t scales = input;
+    using At = ShapeArguments<Path, Shape>;
+    static constexpr std::size_t scales = At::input;
     std::size_t assembly;
-    std::span<const Digits50> dimensions;
+    std::span<const Digits50> arguments;
 
-    ShapeAgain(std::size_t a, std::span<const Digits50> d) : assembly(a), dimensions(d) {}
+    ShapeAgain(std::size_t a, std::span<const Digits50> x) : assembly(a), arguments(x) {}
 
     template <class T>
     T error(const T& crank_angle, const T&) const {
-        return T(Shape::distance(shape_of<Shape, place>(dimensions),
-                                 path_point(Form{nullptr, assembly}, dimensions, Digits50(crank_angle))));
+        return T(Shape::distance(At::shape_of(arguments),
+                                 path_point(Form{nullptr, assembly}, arguments, Digits50(crank_angle))));
     }
 
-    static Digits50 extent(const Motion& motion, std::span<const Digits50> d) {
-        return Shape::extent(shape_of<Shape, place>(d), path_point(motion.form(), d, d[input]),
-                             path_point(motion.form(), d, Digits50(d[input] + d[input + 1])));
+    static Digits50 extent(const Motion& motion, std::span<const Digits50> x) {
+        return Shape::extent(At::shape_of(x), path_point(motion.form(), x, x[At::input]),
+                             path_point(motion.form(), x, Digits50(x[At::input] + x[At::input + 1])));
     }
 };
 
@@ -187,15 +189,15 @@ struct ShapeTexts {
     Unit unit_of_extent;
 };
 
-template <class Path, auto path_point, class Shape, std::size_t input, std::size_t place>
-std::array<Quantity, 2> shape_quantities(const ShapeTexts& texts) {
-    using Distance = ShapeDistance<Path, Shape, input, place>;
-    using Again = ShapeAgain<path_point, Shape, input, place>;
+template <class Path, auto path_point, class Shape>
+std::array<Quantity, 2> shape_quantities(const ShapeTexts& texts, const Reads& reads) {
+    using Distance = ShapeDistance<Path, Shape>;
+    using Again = ShapeAgain<Path, path_point, Shape>;
     return {{{.name = texts.deviation,
               .unit = Unit::length,
               .meaning = "greatest distance of a stretch of the guided point's path from what it follows",
               .reduce = Reduce::greatest,
-              .reads = Distance::reads,
+              .reads = reads,
               .defined = Shape::is_followed,
               .components = always<FunctionMax<Distance>::most>,
               .measure = measure_by<FunctionMax<Distance>>,
@@ -205,25 +207,29 @@ std::array<Quantity, 2> shape_quantities(const ShapeTexts& texts) {
               .unit = texts.unit_of_extent,
               .meaning = texts.meaning_of_extent,
               .reduce = Reduce::only,
-              .reads = Distance::reads,
+              .reads = reads,
               .defined = Shape::is_followed,
               .components = always<1>,
-              .measure = measure_by<ShapeExtent<Path, Shape, input, place>>,
+              .measure = measure_by<ShapeExtent<Path, Shape>>,
               .measure_again = Again::extent,
               .section = std::string(Shape::name)}}};
 }
 
-template <class Path, auto path_point, std::size_t input, std::size_t place>
-std::array<Quantity, 2> line_quantities() {
-    return shape_quantities<Path, path_point, LineShape, input, place>(
-        {"line-deviation", "line-length", "way along the line between the two ends of the stretch", Unit::length});
+/// `start` is the first of the dimensions of the input range, `place` that of the line.
+template <class Path, auto path_point>
+std::array<Quantity, 2> line_quantities(std::size_t start, std::size_t place) {
+    return shape_quantities<Path, path_point, LineShape>(
+        {"line-deviation", "line-length", "way along the line between the two ends of the stretch", Unit::length},
+        ShapeArguments<Path, LineShape>::dimensions(start, place));
 }
 
-template <class Path, auto path_point, std::size_t input, std::size_t place>
-std::array<Quantity, 2> arc_quantities() {
-    return shape_quantities<Path, path_point, ArcShape, input, place>(
+/// `start` is the first of the dimensions of the input range, `place` that of the arc.
+template <class Path, auto path_point>
+std::array<Quantity, 2> arc_quantities(std::size_t start, std::size_t place) {
+    return shape_quantities<Path, path_point, ArcShape>(
         {"arc-deviation", "arc-angle", "angle between the two ends of the stretch, seen from the arc's centre",
-         Unit::angle});
+         Unit::angle},
+        ShapeArguments<Path, ArcShape>::dimensions(start, place));
 }
 
 /// Dimensions followed by the parameters of the shapes that can be followed: of a line, then of an arc.
@@ -239,33 +245,32 @@ inline std::vector<Dimension> with_followed_dimensions(std::vector<Dimension> al
     return all;
 }
 
-/// The registry's entry of a shape.
-template <class Path, class Shape, std::size_t input, std::size_t place>
-FollowedShape followed_shape() {
-    FollowedShape shape;
-    shape.name = Shape::name;
-    shape.place = place;
-    shape.parameters = Shape::parameters;
-    shape.extremes = [](Form form, std::span<const double> dimensions) {
-        std::array<double, place + Shape::parameters> x;
-        std::copy_n(dimensions.begin(), x.size(), x.begin());
-        return error_extremes<ShapeDistance<Path, Shape, input, place>>(nullptr, x, form.assembly);
+/// The registry's entry of a shape, whose dimensions start at `place`.
+template <class Path, class Shape>
+FollowedShape followed_shape(std::size_t place) {
+    using At = ShapeArguments<Path, Shape>;
+    FollowedShape entry;
+    entry.name = Shape::name;
+    entry.place = place;
+    entry.parameters = Shape::parameters;
+    entry.extremes = [](Form form, std::span<const double> arguments) {
+        return error_extremes<ShapeDistance<Path, Shape>>(nullptr, seeded<double, At::reads>(arguments), form.assembly);
     };
-    shape.fit = [](Form form, std::span<double> dimensions, const std::array<bool, 3>& free) {
-        std::array<double, place> x;
-        std::copy_n(dimensions.begin(), x.size(), x.begin());
+    entry.fit = [](Form form, std::span<const double> arguments, std::span<double> shape,
+                   const std::array<bool, 3>& free) {
+        const auto x = seeded<double, At::reads>(arguments);
         StretchPoints points;
         for (std::size_t i = 0; i < points.size(); ++i)
             points[i] = guided_point<Path>(
                 form.assembly, x,
-                x[input] + x[input + 1] * static_cast<double>(i) / static_cast<double>(points.size() - 1));
+                x[At::input] + x[At::input + 1] * static_cast<double>(i) / static_cast<double>(points.size() - 1));
         std::array<bool, Shape::parameters> own;
         std::copy_n(free.begin(), own.size(), own.begin());
-        auto fitted = shape_of<Shape, place>(dimensions);
+        auto fitted = At::shape_of(x);
         Shape::fit(points, own, fitted);
-        std::copy(fitted.begin(), fitted.end(), dimensions.begin() + place);
+        std::copy(fitted.begin(), fitted.end(), shape.begin());
     };
-    return shape;
+    return entry;
 }
 
 }  // namespace mechwright

@@ -5,7 +5,7 @@
 /// itself in place of its Chebyshev series.
 ///
 /// `Again` is the generator by formulas of its own: `static constexpr std::size_t scales`, the first of its four scales
-/// among the dimensions; a constructor from assembly and dimensions; and `template <class T> T error(const T& input,
+/// among the arguments; a constructor from assembly and arguments; and `template <class T> T error(const T& input,
 /// const T& asked) const`, its output less the one asked for, in double and in fifty digits; NaN where it does not
 /// assemble.
 
@@ -58,6 +58,19 @@ struct ErrorAgain {
     }
 
     double rough_size(double share) { return size_as<double>(share, part(share)); }
+
+    /// How far the square of the error is off, next to its mean: the expression is known in doubles alone, and of an
+    /// error that is small against the output's range little is left.
+    double relative_noise() {
+        constexpr double units = 16 * std::numeric_limits<double>::epsilon();
+        constexpr int steps = 64;
+        double mean = 0;
+        for (int i = 0; i < steps; ++i)
+            mean += rough_size((i + 0.5) / steps) / steps;
+        const double range = std::abs(scales[3].template convert_to<double>());
+        const double noise = units * range * (1 + (y ? std::abs(y_from / height) : 0));
+        return mean > noise ? 2 * noise / mean : 1;
+    }
     Digits50 size(double share, double part_of_way) const { return size_as<Digits50>(share, part_of_way); }
 };
 
@@ -103,7 +116,7 @@ Digits50 function_rms_again(const Motion& motion, std::span<const Digits50> dime
     }
     using Rule = boost::math::quadrature::gauss_kronrod<Digits50, 31>;
     constexpr int most_halvings = 16;
-    const Digits50 precision = 1e-11;
+    const Digits50 precision = std::max(1e-11, e.relative_noise());
     // With share = sin^2 a, square roots at the ends of the range are smooth in a.
     const auto square = [&](const Digits50& a) {
         const auto at = Digits50(sin(a) * sin(a)).convert_to<double>();

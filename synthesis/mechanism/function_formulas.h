@@ -1,9 +1,9 @@
 #pragma once
 /// \file
 /// The quantities of a function generator as smooth components (measured.h), for any mechanism. `Generator` has
-/// `static constexpr std::size_t reads`, how many of the first dimensions it needs, `uses` (measured.h), and `template
-/// <class T> static T error(const std::array<T, reads>&, std::size_t assembly, const T& share, const T& part)`: the
-/// structural error, its output at a share of the input's range less what the part of the output's range asks for.
+/// `static constexpr std::size_t reads`, how many arguments it has, and `template <class T> static T error(const
+/// std::array<T, reads>&, std::size_t assembly, const T& share, const T& part)`: the structural error, its output at a
+/// share of the input's range less what the part of the output's range asks for.
 
 #include <algorithm>
 #include <array>
@@ -90,7 +90,6 @@ std::array<ErrorExtreme, count> greatest_extremes(const FunctionTarget* f,
 template <class Generator>
 struct FunctionMax {
     static constexpr std::size_t reads = Generator::reads;
-    static constexpr auto uses = used_by<Generator>();
     static constexpr std::size_t most = 16;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
@@ -104,7 +103,7 @@ struct FunctionMax {
                 return Generator::error(d, motion.assembly, share, part_of(f, share));
             };
             // To first derivatives the place is a constant, and what is asked for there too.
-            const bool moves = e.stationary && std::is_same_v<T, SecondDual<double, uses.size()>>;
+            const bool moves = e.stationary && std::is_same_v<T, SecondDual<double, reads>>;
             const T error = moves ? at_stationary(x, e.share, along)
                                   : Generator::error(x, motion.assembly, T(e.share),
                                                      T(has_samples(f) ? e.part : part_of(f, e.share)));
@@ -155,7 +154,6 @@ void for_each_node(const FunctionTarget& f, const Use& use) {
 template <class Generator>
 struct FunctionRms {
     static constexpr std::size_t reads = Generator::reads;
-    static constexpr auto uses = used_by<Generator>();
     static constexpr std::size_t most = 1;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
@@ -210,10 +208,8 @@ std::vector<ErrorExtreme> error_extremes(const FunctionTarget* f, const std::arr
 
 /// The registry's function_extremes.
 template <class Generator>
-std::vector<ErrorExtreme> function_extremes_by(const FunctionTarget& f, Form form, std::span<const double> dimensions) {
-    std::array<double, Generator::reads> x;
-    std::copy_n(dimensions.begin(), x.size(), x.begin());
-    return error_extremes<Generator>(&f, x, form.assembly);
+std::vector<ErrorExtreme> function_extremes_by(const FunctionTarget& f, Form form, std::span<const double> arguments) {
+    return error_extremes<Generator>(&f, seeded<double, Generator::reads>(arguments), form.assembly);
 }
 
 inline bool generates_function(const Motion& motion) { return motion.function != nullptr; }
@@ -225,12 +221,12 @@ std::size_t always(const Motion&) {
 
 /// function-max and function-rms of a generator, measured again by `Again` (function_again.h).
 template <class Generator, class Again>
-std::array<Quantity, 2> function_quantities(Unit unit, const char* greatest, const char* mean) {
+std::array<Quantity, 2> function_quantities(const Reads& reads, Unit unit, const char* greatest, const char* mean) {
     return {{{.name = "function-max",
               .unit = unit,
               .meaning = greatest,
               .reduce = Reduce::greatest,
-              .reads = Generator::reads,
+              .reads = reads,
               .defined = generates_function,
               .components = always<FunctionMax<Generator>::most>,
               .measure = measure_by<FunctionMax<Generator>>,
@@ -240,7 +236,7 @@ std::array<Quantity, 2> function_quantities(Unit unit, const char* greatest, con
               .unit = unit,
               .meaning = mean,
               .reduce = Reduce::only,
-              .reads = Generator::reads,
+              .reads = reads,
               .defined = generates_function,
               .components = always<1>,
               .measure = measure_by<FunctionRms<Generator>>,
@@ -272,7 +268,6 @@ enum class TransmissionExtreme { least, greatest, worst };
 template <class Transmission, TransmissionExtreme extreme>
 struct InputTransmission {
     static constexpr std::size_t reads = Transmission::reads;
-    static constexpr auto uses = used_by<Transmission>();
     static constexpr std::size_t most = extreme == TransmissionExtreme::worst ? 8 : 4;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
@@ -288,27 +283,27 @@ struct InputTransmission {
 /// A quantity over the input range by a formula of measured.h; not one of the contract's list, but what stands in for
 /// one there, or what a search needs.
 template <class Formula>
-Quantity input_quantity(const char* name, Unit unit, Reduce reduce) {
+Quantity input_quantity(const char* name, const Reads& reads, Unit unit, Reduce reduce) {
     return {.name = name,
             .unit = unit,
             .meaning = "over the input range",
             .reduce = reduce,
-            .reads = Formula::reads,
+            .reads = reads,
             .defined = has_input_range,
             .components = always<Formula::most>,
             .measure = measure_by<Formula>};
 }
 
 template <class Transmission, TransmissionExtreme extreme>
-Quantity input_transmission_quantity(const char* name) {
+Quantity input_transmission_quantity(const char* name, const Reads& reads) {
     return input_quantity<InputTransmission<Transmission, extreme>>(
-        name, Unit::angle, extreme == TransmissionExtreme::greatest ? Reduce::greatest : Reduce::least);
+        name, reads, Unit::angle, extreme == TransmissionExtreme::greatest ? Reduce::greatest : Reduce::least);
 }
 
 /// What keeps a design assembled over its input range.
 template <class Margin>
-Quantity input_margin_quantity() {
-    return input_quantity<Margin>("assembly margin over the input range", Unit::length, Reduce::least);
+Quantity input_margin_quantity(const Reads& reads) {
+    return input_quantity<Margin>("assembly margin over the input range", reads, Unit::length, Reduce::least);
 }
 
 }  // namespace mechwright

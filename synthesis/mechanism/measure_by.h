@@ -13,34 +13,26 @@
 namespace mechwright {
 
 template <class Formula>
-void measure_by(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+void measure_by(const Motion& motion, std::span<const double> arguments, const Measurement& out) {
     constexpr std::size_t n = Formula::reads;
     constexpr std::size_t pairs = n * (n + 1) / 2;
-    constexpr auto used = used_by<Formula>();
     static_assert(Formula::most <= Quantity::most_components);
     const auto evaluate = [&]<class T>(std::array<T, Formula::most>& at) {
-        return Formula::template components<T>(motion, seeded<T, n, used>(dimensions), at);
+        return Formula::template components<T>(motion, seeded<T, n>(arguments), at);
     };
-    const auto set_gradient = [&](std::size_t k, const std::array<double, used.size()>& partial) {
-        const auto gradient = out.gradient.subspan(k * n, n);
-        if (used.size() < n) std::fill(gradient.begin(), gradient.end(), 0.0);
-        for (std::size_t i = 0; i < used.size(); ++i)
-            gradient[used[i]] = partial[i];
+    const auto set_gradient = [&](std::size_t k, const std::array<double, n>& partial) {
+        std::copy(partial.begin(), partial.end(), out.gradient.subspan(k * n, n).begin());
     };
     if (!out.hessian.empty()) {
-        std::array<SecondDual<double, used.size()>, Formula::most> c;
+        std::array<SecondDual<double, n>, Formula::most> c;
         const std::size_t count = evaluate(c);
         for (std::size_t k = 0; k < count; ++k) {
             out.value[k] = c[k].value;
             if (!out.gradient.empty()) set_gradient(k, c[k].first);
-            const auto hessian = out.hessian.subspan(k * pairs, pairs);
-            if (used.size() < n) std::fill(hessian.begin(), hessian.end(), 0.0);
-            for (std::size_t i = 0, at = 0; i < used.size(); ++i)
-                for (std::size_t j = 0; j <= i; ++j, ++at)
-                    hessian[used[i] * (used[i] + 1) / 2 + used[j]] = c[k].second[at];
+            std::copy(c[k].second.begin(), c[k].second.end(), out.hessian.subspan(k * pairs, pairs).begin());
         }
     } else if (!out.gradient.empty()) {
-        std::array<Dual<double, used.size()>, Formula::most> c;
+        std::array<Dual<double, n>, Formula::most> c;
         const std::size_t count = evaluate(c);
         for (std::size_t k = 0; k < count; ++k) {
             out.value[k] = c[k].value;

@@ -15,24 +15,6 @@
 namespace mechwright {
 
 template <std::size_t N>
-constexpr std::array<std::size_t, N> first_indices() {
-    std::array<std::size_t, N> all{};
-    for (std::size_t i = 0; i < N; ++i)
-        all[i] = i;
-    return all;
-}
-
-/// The indices of the dimensions that a formula depends on: `uses`, in increasing order, where it says so, else all
-/// that it reads.
-template <class Formula>
-constexpr auto used_by() {
-    if constexpr (requires { Formula::uses; })
-        return Formula::uses;
-    else
-        return first_indices<Formula::reads>();
-}
-
-template <std::size_t N>
 inline constexpr auto unit_vectors = [] {
     std::array<std::array<double, N>, N> unit{};
     for (std::size_t i = 0; i < N; ++i)
@@ -40,19 +22,17 @@ inline constexpr auto unit_vectors = [] {
     return unit;
 }();
 
-/// The first N dimensions as numbers of type T; where T is a dual number, those whose indices `used` holds are its
-/// variables, in that order.
-template <class T, std::size_t N, auto used = first_indices<N>()>
-std::array<T, N> seeded(std::span<const double> dimensions) {
+/// N arguments as numbers of type T; where T is a dual number, they are its variables.
+template <class T, std::size_t N>
+std::array<T, N> seeded(std::span<const double> arguments) {
     std::array<T, N> x;
-    for (std::size_t i = 0; i < N; ++i)
-        x[i] = T(dimensions[i]);
-    if constexpr (requires { x[0].partial; })
-        for (std::size_t k = 0; k < used.size(); ++k)
-            x[used[k]].partial = unit_vectors<used.size()>[k];
-    else if constexpr (requires { x[0].first; })
-        for (std::size_t k = 0; k < used.size(); ++k)
-            x[used[k]].first = unit_vectors<used.size()>[k];
+    for (std::size_t i = 0; i < N; ++i) {
+        x[i] = T(arguments[i]);
+        if constexpr (requires { x[i].partial; })
+            x[i].partial = unit_vectors<N>[i];
+        else if constexpr (requires { x[i].first; })
+            x[i].first = unit_vectors<N>[i];
+    }
     return x;
 }
 
@@ -80,12 +60,11 @@ template <class T>
 using Components = std::span<T>;
 
 /// The measure of a formula with `static constexpr std::size_t reads`, `static constexpr std::size_t most` and
-/// `template <class T> static std::size_t components(const Motion&, const std::array<T, reads>&, Components<T> out)`;
-/// where it depends on few of the dimensions it reads, `static constexpr std::array<std::size_t, ...> uses` names them.
+/// `template <class T> static std::size_t components(const Motion&, const std::array<T, reads>&, Components<T> out)`.
 /// Defined in measure_by.h for those who make quantities; others only ask whether a quantity is measured by a formula,
 /// and need not compile it again for that.
 template <class Formula>
-void measure_by(const Motion& motion, std::span<const double> dimensions, const Measurement& out);
+void measure_by(const Motion& motion, std::span<const double> arguments, const Measurement& out);
 
 /// Whether a quantity is measured by this formula: how a closed form recognises what it solves, without its name.
 template <class Formula>

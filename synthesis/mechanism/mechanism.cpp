@@ -1,6 +1,7 @@
 #include "synthesis/mechanism/mechanism.h"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
@@ -34,6 +35,15 @@ Listed& listed() {
     return list;
 }
 
+bool can_read(const Mechanism& m, const Reads& reads, std::size_t most) {
+    return reads.size() <= most &&
+           std::all_of(reads.begin(), reads.end(), [&](std::size_t i) { return i < m.dimensions.size(); });
+}
+
+bool reads(const Quantity& quantity, std::size_t dimension) {
+    return std::find(quantity.reads.begin(), quantity.reads.end(), dimension) != quantity.reads.end();
+}
+
 }  // namespace
 
 std::string why_not_whole(const Mechanism& m) {
@@ -47,19 +57,16 @@ std::string why_not_whole(const Mechanism& m) {
     for (const Quantity& q : m.quantities) {
         const bool measured = q.defined && q.components && q.measure && q.measure_again;
         if (q.path == PathMeasure::none && !measured) return "its quantity " + q.name + " cannot be measured twice";
-        if (q.reads > std::min(m.dimensions.size(), Quantity::most_reads))
-            return "its quantity " + q.name + " reads too many dimensions";
+        if (!can_read(m, q.reads, Reads::most)) return "its quantity " + q.name + " reads dimensions it has not";
     }
     if (m.drawing && (!m.drawing->bodies || !m.drawing->place || !m.drawing->pivots || !m.drawing->limits))
         return "its drawing lacks bodies, places, pivots or limits";
-    if (m.point && (!m.point->miss || !m.point->point ||
-                    m.point->reads > std::min(m.dimensions.size(), PointGuidance::most_reads)))
+    if (m.point && (!m.point->miss || !m.point->point || !can_read(m, m.point->reads, PointGuidance::most_reads)))
         return "its guided point cannot be placed";
-    if (m.body &&
-        (!m.point || !m.body->miss || m.body->reads > std::min(m.dimensions.size(), PointGuidance::most_reads)))
+    if (m.body && (!m.point || !m.body->miss || !can_read(m, m.body->reads, PointGuidance::most_reads)))
         return "its guided body has no pose or no point";
-    if (m.input && (!m.input->margin.measure || m.input->margin.reads > PointGuidance::most_reads + 1 ||
-                    m.input->margin.reads < m.input->start + 2))
+    if (m.input && (!m.input->margin.measure || !can_read(m, m.input->margin.reads, PointGuidance::most_reads + 1) ||
+                    !reads(m.input->margin, m.input->start) || !reads(m.input->margin, m.input->start + 1)))
         return "its input range has no margin of assembly";
     if ((m.function || m.line || m.arc) && !m.input) return "it generates or follows without an input range";
     if (m.function && (!m.function->fit || !m.function->extremes || !m.function->loop_row))
@@ -90,6 +97,57 @@ Shared find_mechanism(std::string_view name) {
     const auto all = mechanisms();
     const auto at = std::find_if(all.begin(), all.end(), [&](const Shared& m) { return m->name == name; });
     return at == all.end() ? nullptr : *at;
+}
+
+Reads::Reads(std::size_t count) : dimensions_(count) { std::iota(dimensions_.begin(), dimensions_.end(), 0); }
+
+Reads::Reads(std::vector<std::size_t> dimensions) : dimensions_(std::move(dimensions)) {
+    for (std::size_t i = 0; i < size(); ++i)
+        are_the_first_ = are_the_first_ && dimensions_[i] == i;
+}
+
+std::span<const double> Reads::of(std::span<const double> dimensions, std::span<double, most> room) const {
+    if (are_the_first_) return dimensions.first(size());
+    for (std::size_t i = 0; i < size(); ++i)
+        room[i] = dimensions[dimensions_[i]];
+    return room.first(size());
+}
+
+std::vector<Digits50> Reads::of(std::span<const Digits50> dimensions) const {
+    std::vector<Digits50> arguments;
+    for (const std::size_t i : dimensions_)
+        arguments.push_back(dimensions[i]);
+    return arguments;
+}
+
+void measure(const Quantity& quantity, const Motion& motion, std::span<const double> dimensions,
+             const Measurement& out) {
+    std::array<double, Reads::most> room;
+    quantity.measure(motion, quantity.reads.of(dimensions, room), out);
+}
+
+Digits50 measure_again(const Quantity& quantity, const Motion& motion, std::span<const Digits50> dimensions) {
+    return quantity.measure_again(motion, quantity.reads.of(dimensions));
+}
+
+void miss_of_point(const Mechanism& mechanism, std::size_t assembly, std::span<const double> dimensions,
+                   double crank_angle, const Vector<double>& target, PathMiss& out) {
+    std::array<double, Reads::most> room;
+    const PointGuidance& point = *mechanism.point;
+    point.miss(mechanism.form(assembly), point.reads.of(dimensions, room), crank_angle, target, out);
+}
+
+void miss_of_body(const Mechanism& mechanism, std::size_t assembly, std::span<const double> dimensions,
+                  double crank_angle, const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) {
+    std::array<double, Reads::most> room;
+    const BodyGuidance& body = *mechanism.body;
+    body.miss(mechanism.form(assembly), body.reads.of(dimensions, room), crank_angle, target, facing, out);
+}
+
+Vector<Digits50> point_again(const Mechanism& mechanism, std::size_t assembly, std::span<const Digits50> dimensions,
+                             const Digits50& crank_angle) {
+    const PointGuidance& point = *mechanism.point;
+    return point.point(mechanism.form(assembly), point.reads.of(dimensions), crank_angle);
 }
 
 Motion motion_of(const Mechanism& mechanism, std::span<const double> dimensions, std::size_t assembly,

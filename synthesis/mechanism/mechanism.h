@@ -116,11 +116,34 @@ struct Motion {
     Form form() const { return {model, assembly}; }
 };
 
-/// Where a measure writes its smooth components. Derivatives are with respect to the first `reads` dimensions of the
-/// mechanism; an empty span is not asked for and costs nothing.
+/// Which dimensions a formula reads, in the order of its arguments.
+class Reads {
+public:
+    Reads() = default;
+    /// The first so many of the mechanism.
+    Reads(std::size_t count);
+    Reads(std::vector<std::size_t> dimensions);
+
+    std::size_t size() const { return dimensions_.size(); }
+    std::size_t operator[](std::size_t argument) const { return dimensions_[argument]; }
+    auto begin() const { return dimensions_.begin(); }
+    auto end() const { return dimensions_.end(); }
+
+    static constexpr std::size_t most = 64;
+    /// The arguments, of all dimensions: these themselves where they are the first, else in `room`.
+    std::span<const double> of(std::span<const double> dimensions, std::span<double, most> room) const;
+    std::vector<Digits50> of(std::span<const Digits50> dimensions) const;
+
+private:
+    std::vector<std::size_t> dimensions_;
+    bool are_the_first_ = true;
+};
+
+/// Where a measure writes its smooth components. Derivatives are with respect to its arguments; an empty span is not
+/// asked for and costs nothing.
 struct Measurement {
     std::span<double> value;     ///< [component]
-    std::span<double> gradient;  ///< [component][dimension]
+    std::span<double> gradient;  ///< [component][argument]
     std::span<double> hessian;   ///< [component][pair], lower triangle by rows
 };
 
@@ -136,16 +159,16 @@ struct Quantity {
     Unit unit;
     std::string meaning;
     Reduce reduce = Reduce::only;
-    std::size_t reads = 0;  ///< how many of the first dimensions it depends on
+    Reads reads{};  ///< the dimensions that it depends on
 
     /// Whether it has a value for designs of this motion's family. What is not defined cannot be required there.
     bool (*defined)(const Motion&) = nullptr;
     /// How many components it has over this motion; at most `most_components`.
     std::size_t (*components)(const Motion&) = nullptr;
-    /// Components by the formulas the optimisers use. `dimensions` are in mechanism order, at least `reads` of them.
-    void (*measure)(const Motion&, std::span<const double> dimensions, const Measurement& out) = nullptr;
+    /// Components by the formulas the optimisers use.
+    void (*measure)(const Motion&, std::span<const double> arguments, const Measurement& out) = nullptr;
     /// The quantity measured again over the continuous motion in extended precision, by another way than `measure`.
-    Digits50 (*measure_again)(const Motion&, std::span<const Digits50> dimensions) = nullptr;
+    Digits50 (*measure_again)(const Motion&, std::span<const Digits50> arguments) = nullptr;
 
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
     bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
@@ -153,8 +176,14 @@ struct Quantity {
     std::string section{};  ///< it has a value only in problems with this section
 
     static constexpr std::size_t most_components = 32;
-    static constexpr std::size_t most_reads = 64;
 };
+
+/// A quantity's components of a design, whose dimensions are in mechanism order.
+void measure(const Quantity& quantity, const Motion& motion, std::span<const double> dimensions,
+             const Measurement& out);
+
+/// The quantity of a design, measured again.
+Digits50 measure_again(const Quantity& quantity, const Motion& motion, std::span<const Digits50> dimensions);
 
 /// A linear condition on the dimensions: sum of coefficient[i] dimension[i] >= 0.
 struct LinearCondition {
@@ -173,12 +202,12 @@ struct Family {
 };
 
 /// The distance from a target to the point that the mechanism guides, at a crank angle; derivatives with respect to the
-/// first `reads` dimensions of PointGuidance, then the crank angle.
+/// arguments of the guidance, then the crank angle.
 struct PathMiss {
     Vector<double> miss;  ///< target - point
     double margin;  ///< assembly margin: < 0 where the mechanism does not assemble; then miss is that of the nearest
                     ///< toggle
-    std::span<double> gradient_x;  ///< reads + 1 each, or empty
+    std::span<double> gradient_x;  ///< one more than arguments each, or empty
     std::span<double> gradient_y;
     std::span<double> hessian_x;  ///< lower triangles by rows, or empty
     std::span<double> hessian_y;
@@ -216,12 +245,12 @@ struct Check {
 
 /// A mechanism that guides a point of one of its links.
 struct PointGuidance {
-    std::size_t reads = 0;  ///< how many of the first dimensions the point depends on; at most `most_reads`
+    Reads reads{};  ///< the dimensions that the point depends on; at most `most_reads`
     PathRoles roles{};
-    void (*miss)(Form, std::span<const double> dimensions, double crank_angle, const Vector<double>& target,
+    void (*miss)(Form, std::span<const double> arguments, double crank_angle, const Vector<double>& target,
                  PathMiss& out) = nullptr;
     /// The point in fifty digits, by another way.
-    Vector<Digits50> (*point)(Form, std::span<const Digits50> dimensions, const Digits50& crank_angle) = nullptr;
+    Vector<Digits50> (*point)(Form, std::span<const Digits50> arguments, const Digits50& crank_angle) = nullptr;
     /// Ranks candidates for a path, many at once; null: they are evaluated one by one.
     PathScreening screening = nullptr;
     /// Whether the guided points of two designs draw one curve though the designs are different: cognates. Null where
@@ -233,8 +262,8 @@ struct PointGuidance {
 
 /// A mechanism that guides a body on the link of its guided point.
 struct BodyGuidance {
-    std::size_t reads = 0;  ///< how many of the first dimensions the pose depends on
-    void (*miss)(Form, std::span<const double> dimensions, double crank_angle, const Vector<double>& target,
+    Reads reads{};  ///< the dimensions that the pose depends on
+    void (*miss)(Form, std::span<const double> arguments, double crank_angle, const Vector<double>& target,
                  const Vector<double>& facing, PoseMiss& out) = nullptr;
 };
 
@@ -253,8 +282,8 @@ struct FunctionGeneration {
     /// Dimensions that come close to the function for the scales that they have; false where there are none. The scales
     /// may be turned by half a turn where that is allowed.
     bool (*fit)(const FunctionTarget&, std::span<double> dimensions, bool turns_input, bool turns_output) = nullptr;
-    /// Where the error of a design is extreme, in order along the range.
-    std::vector<ErrorExtreme> (*extremes)(const FunctionTarget&, Form, std::span<const double> dimensions) = nullptr;
+    /// Where the error of a design is extreme, in order along the range. The arguments are those of function-max.
+    std::vector<ErrorExtreme> (*extremes)(const FunctionTarget&, Form, std::span<const double> arguments) = nullptr;
     /// The loop equation (loop_row.h) over ranges of input and output.
     LoopRow<Interval> (*loop_row)(const Interval& input, const Interval& output) = nullptr;
 };
@@ -264,10 +293,11 @@ struct FollowedShape {
     std::string name;            ///< of its section in problem files and documents
     std::size_t place = 0;       ///< its dimensions start here
     std::size_t parameters = 0;  ///< and are so many, three at most
-    /// The extremes of the distance, in order along the input range.
-    std::vector<ErrorExtreme> (*extremes)(Form, std::span<const double> dimensions) = nullptr;
+    /// The extremes of the distance, in order along the input range. The arguments are those of the deviation.
+    std::vector<ErrorExtreme> (*extremes)(Form, std::span<const double> arguments) = nullptr;
     /// Sets those of its dimensions that are free to what comes close to the path.
-    void (*fit)(Form, std::span<double> dimensions, const std::array<bool, 3>& free) = nullptr;
+    void (*fit)(Form, std::span<const double> arguments, std::span<double> shape,
+                const std::array<bool, 3>& free) = nullptr;
 };
 
 /// How a quantity of a mechanism follows from its dimensions, which have their names in problem files.
@@ -372,6 +402,17 @@ std::shared_ptr<const Mechanism> add_mechanism(Mechanism mechanism);
 
 /// The mechanism of this name, or null.
 std::shared_ptr<const Mechanism> find_mechanism(std::string_view name);
+
+/// What the guided point, or the guided body, of a mechanism misses of a target at a crank angle. The dimensions are in
+/// mechanism order.
+void miss_of_point(const Mechanism& mechanism, std::size_t assembly, std::span<const double> dimensions,
+                   double crank_angle, const Vector<double>& target, PathMiss& out);
+void miss_of_body(const Mechanism& mechanism, std::size_t assembly, std::span<const double> dimensions,
+                  double crank_angle, const Vector<double>& target, const Vector<double>& facing, PoseMiss& out);
+
+/// The guided point in fifty digits, by another way.
+Vector<Digits50> point_again(const Mechanism& mechanism, std::size_t assembly, std::span<const Digits50> dimensions,
+                             const Digits50& crank_angle);
 
 /// The index of a dimension or quantity of this name, or -1.
 int find_dimension(const Mechanism& mechanism, std::string_view name);

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -32,28 +33,36 @@ double rounding_of_error(const Problem& problem, const Design& design) {
 /// Columns of sensitivities are independent if they differ by more than this.
 constexpr double independent_beyond = 1e-7;
 
+const Quantity& deviation_of(const Problem& problem) {
+    const Mechanism& mechanism = *problem.mechanism;
+    return deviation_from(mechanism,
+                          problem.followed ? followed_shape_of(mechanism, *problem.followed)->name : "function");
+}
+
 /// How many of the dimensions left open the error depends on independently: the size of a linkage does not count where
 /// only angles matter.
 int free_dimensions(const Problem& problem, const Design& design) {
-    const Mechanism& mechanism = *problem.mechanism;
-    const Quantity& q = deviation_from(
-        mechanism, problem.followed ? followed_shape_of(mechanism, *problem.followed)->name : "function");
+    const Quantity& q = deviation_of(problem);
     const Motion motion = motion_of(problem, design);
-    const auto count = static_cast<Eigen::Index>(q.components(motion)), reads = static_cast<Eigen::Index>(q.reads);
-    std::vector<double> value(static_cast<std::size_t>(count));
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> gradient(count, reads);
-    q.measure(motion, design.dimensions, {value, {gradient.data(), static_cast<std::size_t>(gradient.size())}, {}});
-    if (!gradient.allFinite()) return 0;
-    for (Eigen::Index i = 0; i < reads; ++i)
-        if (const DimensionRange& range = problem.dimensions[static_cast<std::size_t>(i)]; range.tied()) {
-            gradient.col(static_cast<Eigen::Index>(range.tie.of)) += range.tie.times * gradient.col(i);
-            gradient.col(i).setZero();
-        }
-    for (Eigen::Index i = 0; i < reads; ++i) {
-        const double norm = gradient.col(i).norm();
-        gradient.col(i) *= problem.dimensions[static_cast<std::size_t>(i)].fixed() || norm == 0 ? 0 : 1 / norm;
+    const std::size_t count = q.components(motion);
+    std::vector<double> value(count), gradient(count * q.reads.size());
+    measure(q, motion, design.dimensions, {value, gradient, {}});
+    const auto slopes = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+        gradient.data(), static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(q.reads.size()));
+    if (!slopes.allFinite()) return 0;
+    Eigen::MatrixXd by_dimension =
+        Eigen::MatrixXd::Zero(slopes.rows(), static_cast<Eigen::Index>(problem.dimensions.size()));
+    for (std::size_t i = 0; i < q.reads.size(); ++i) {
+        const DimensionRange& range = problem.dimensions[q.reads[i]];
+        if (range.fixed() && !range.tied()) continue;
+        by_dimension.col(static_cast<Eigen::Index>(range.tied() ? range.tie.of : q.reads[i])) +=
+            (range.tied() ? range.tie.times : 1) * slopes.col(static_cast<Eigen::Index>(i));
     }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> columns(gradient);
+    for (Eigen::Index k = 0; k < by_dimension.cols(); ++k) {
+        const double norm = by_dimension.col(k).norm();
+        by_dimension.col(k) *= problem.dimensions[static_cast<std::size_t>(k)].fixed() || norm == 0 ? 0 : 1 / norm;
+    }
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> columns(by_dimension);
     columns.setThreshold(independent_beyond);
     return static_cast<int>(columns.rank());
 }
@@ -73,13 +82,18 @@ Unit error_unit(const Problem& problem) {
     return kind == DimensionKind::angle ? Unit::angle : Unit::length;
 }
 
+std::vector<ErrorExtreme> every_extreme(const Problem& problem, const Design& design) {
+    const Mechanism& mechanism = *problem.mechanism;
+    const Form form = mechanism.form(design.assembly);
+    std::array<double, Reads::most> room;
+    const auto arguments = deviation_of(problem).reads.of(design.dimensions, room);
+    return problem.followed ? followed_shape_of(mechanism, *problem.followed)->extremes(form, arguments)
+                            : mechanism.function->extremes(*problem.function, form, arguments);
+}
+
 ErrorExtremes error_extremes_of(const Problem& problem, const Design& design) {
     ErrorExtremes e;
-    const Mechanism& mechanism = *problem.mechanism;
-    e.all = problem.followed
-                ? followed_shape_of(mechanism, *problem.followed)
-                      ->extremes(mechanism.form(design.assembly), design.dimensions)
-                : mechanism.function->extremes(*problem.function, mechanism.form(design.assembly), design.dimensions);
+    e.all = every_extreme(problem, design);
     double greatest = 0;
     for (const auto& extreme : e.all)
         greatest = std::max(greatest, std::abs(extreme.error));

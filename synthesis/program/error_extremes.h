@@ -16,6 +16,9 @@ struct ErrorExtremes {
     int free = 0;                   ///< dimensions left open on which the error depends independently
 };
 
+/// Every extreme of the error of a function, a line or an arc, in order along the input range.
+std::vector<ErrorExtreme> every_extreme(const Problem& problem, const Design& design);
+
 /// Of a problem with a function or a line.
 ErrorExtremes error_extremes_of(const Problem& problem, const Design& design);
 

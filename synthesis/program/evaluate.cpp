@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -16,22 +15,21 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 void evaluate_block(const Program& program, const QuantityBlock& block, bool derivatives, Outputs& out) {
-    const std::size_t reads = block.quantity->reads;
-    assert(reads <= Quantity::most_reads);
+    const Reads& reads = block.quantity->reads;
     std::array<double, Quantity::most_components> value;
-    std::array<double, Quantity::most_components * Quantity::most_reads> gradient;
+    std::array<double, Quantity::most_components * Reads::most> gradient;
     Measurement measurement{value, {}, {}};
     if (derivatives) measurement.gradient = gradient;
-    block.quantity->measure(block.motion, out.dimensions, measurement);
+    measure(*block.quantity, block.motion, out.dimensions, measurement);
     const auto first = static_cast<Index>(block.first);
     for (std::size_t k = 0; k < block.count; ++k)
         out.value[first + static_cast<Index>(k)] = value[k];
     if (!derivatives) return;
-    for (std::size_t i = 0; i < reads; ++i) {
-        if (program.variable_of[i] < 0) continue;
-        double* column = &out.jacobian(first, program.variable_of[i]);
+    for (std::size_t i = 0; i < reads.size(); ++i) {
+        if (program.variable_of[reads[i]] < 0) continue;
+        double* column = &out.jacobian(first, program.variable_of[reads[i]]);
         for (std::size_t k = 0; k < block.count; ++k)
-            column[k] += program.times[i] * gradient[k * reads + i];
+            column[k] += program.times[reads[i]] * gradient[k * reads.size() + i];
     }
 }
 
@@ -145,23 +143,21 @@ namespace {
 
 /// The second derivatives of weighted outputs of one block, added to the full matrix.
 void add_block_hessian(const Program& program, const QuantityBlock& block, LagrangianHessian& out) {
-    const std::size_t reads = block.quantity->reads;
-    const std::size_t pairs = reads * (reads + 1) / 2;
-    const std::size_t count = block.count;
-    out.components.resize(count * (1 + reads + pairs));
+    const Reads& reads = block.quantity->reads;
+    const std::size_t n = reads.size(), pairs = n * (n + 1) / 2, count = block.count;
+    out.components.resize(count * (1 + n + pairs));
     const std::span<double> all = out.components;
-    const std::span<double> second = all.subspan(count * (1 + reads));
-    block.quantity->measure(block.motion, out.dimensions,
-                            {all.first(count), all.subspan(count, count * reads), second});
+    const std::span<double> second = all.subspan(count * (1 + n));
+    measure(*block.quantity, block.motion, out.dimensions, {all.first(count), all.subspan(count, count * n), second});
     for (std::size_t k = 0; k < block.count; ++k) {
         const double w = out.weights[static_cast<Index>(block.first + k)];
         if (w == 0) continue;
-        for (std::size_t i = 0, at = k * pairs; i < reads; ++i)
+        for (std::size_t i = 0, at = k * pairs; i < n; ++i)
             for (std::size_t j = 0; j <= i; ++j, ++at) {
-                const std::ptrdiff_t a = program.variable_of[i];
-                const std::ptrdiff_t b = program.variable_of[j];
+                const std::ptrdiff_t a = program.variable_of[reads[i]];
+                const std::ptrdiff_t b = program.variable_of[reads[j]];
                 if (a < 0 || b < 0) continue;
-                const double part = w * program.times[i] * program.times[j] * second[at];
+                const double part = w * program.times[reads[i]] * program.times[reads[j]] * second[at];
                 out.value(a, b) += part;
                 if (i != j) out.value(b, a) += part;
             }

@@ -79,7 +79,7 @@ double longest_length(const Mechanism& mechanism, std::span<const double> dimens
 
 double least_component(const Quantity& margin, const Motion& motion, std::span<const double> dimensions) {
     std::array<double, Quantity::most_components> components{};
-    margin.measure(motion, dimensions, {components, {}, {}});
+    measure(margin, motion, dimensions, {components, {}, {}});
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < margin.components(motion); ++i) {
         if (std::isnan(components[i])) return components[i];
@@ -104,9 +104,7 @@ std::optional<double> quantity_value(const Problem& problem, std::size_t quantit
     } else if (q.defined(motion)) {
         std::array<double, Quantity::most_components> components{};
         const std::size_t count = q.components(motion);
-        Measurement measurement;
-        measurement.value = components;
-        q.measure(motion, design.dimensions, measurement);
+        measure(q, motion, design.dimensions, {components, {}, {}});
         const std::span<const double> all(components.data(), count);
         if (std::any_of(all.begin(), all.end(), [](double c) { return std::isnan(c); })) return std::nullopt;
         value = reduced(q.reduce, all);
@@ -126,16 +124,16 @@ MissedPoint missed_point(const Problem& problem, const Design& design, std::size
     const PathTarget& target = *problem.path;
     if (!target.guides_body()) {
         PathMiss miss{};
-        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions,
-                                       design.path_angles[i], target.points[i], miss);
+        miss_of_point(*problem.mechanism, design.assembly, design.dimensions, design.path_angles[i], target.points[i],
+                      miss);
         return {miss.miss};
     }
     // Where any direction will do, the one that the body has is counted from 0.
     const double asked = target.faces(i) ? target.directions[i] : 0;
     const Vector<double> facing{std::cos(asked), std::sin(asked)};
     PoseMiss miss{};
-    problem.mechanism->body->miss(problem.mechanism->form(design.assembly), design.dimensions, design.path_angles[i],
-                                  target.points[i], facing, miss);
+    miss_of_body(*problem.mechanism, design.assembly, design.dimensions, design.path_angles[i], target.points[i],
+                 facing, miss);
     const Vector<double> faces = facing - miss.turn.miss;
     // The turn is added to the direction asked for, so that both are counted from the same whole turn.
     const double turned = std::atan2(cross(facing, faces), dot(facing, faces));

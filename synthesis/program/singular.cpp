@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
@@ -23,8 +22,7 @@ struct Margins {
     }
 };
 
-void add_conditions(const Problem& problem, const Family& family, const Motion& motion, const Design& design,
-                    Margins& margins) {
+void add_conditions(const Family& family, const Motion& motion, const Design& design, Margins& margins) {
     for (const LinearCondition& condition : family.conditions) {
         double value = 0;
         for (std::size_t i = 0; i < condition.coefficients.size(); ++i)
@@ -32,9 +30,8 @@ void add_conditions(const Problem& problem, const Family& family, const Motion& 
         margins.add(std::string(condition.name), value);
     }
     if (family.assembly_margin)
-        margins.add(
-            is_cam(*problem.mechanism) ? "the follower is held and the cam is not undercut" : "the mechanism assembles",
-            least_component(*family.assembly_margin, motion, design.dimensions));
+        margins.add(family.assembly_margin->meaning,
+                    least_component(*family.assembly_margin, motion, design.dimensions));
 }
 
 void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
@@ -57,8 +54,7 @@ void add_points(const Problem& problem, const Design& design, Margins& margins) 
     std::size_t at = 0;
     for (std::size_t i = 0; i < angles.size(); ++i) {
         PathMiss miss{};
-        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions, angles[i],
-                                       problem.path->points[i], miss);
+        miss_of_point(*problem.mechanism, design.assembly, design.dimensions, angles[i], problem.path->points[i], miss);
         if (miss.margin >= least) continue;
         least = miss.margin;
         at = i;
@@ -73,7 +69,7 @@ std::vector<SingularMargin> singular_margins(const Problem& problem, const Desig
     Margins margins{longest_length(*problem.mechanism, design.dimensions)};
     if (!(margins.longest > 0) || !(motion.from <= motion.to)) return {};
     if (motion.full_turn && motion.family < problem.mechanism->families.size())
-        add_conditions(problem, problem.mechanism->families[motion.family], motion, design, margins);
+        add_conditions(problem.mechanism->families[motion.family], motion, design, margins);
     else if (!motion.full_turn)
         add_over_range(problem, motion, design, margins);
     add_points(problem, design, margins);

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/program/path/stretch.h"
 #include "synthesis/program/quantity_value.h"
 
@@ -20,8 +19,8 @@ double margin_at_targets(const Problem& problem, const Design& design) {
     double least = without_limit;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
         PathMiss miss{};
-        problem.mechanism->point->miss(problem.mechanism->form(design.assembly), design.dimensions,
-                                       design.path_angles[i], problem.path->points[i], miss);
+        miss_of_point(*problem.mechanism, design.assembly, design.dimensions, design.path_angles[i],
+                      problem.path->points[i], miss);
         if (!(miss.margin >= least)) least = miss.margin;
     }
     return least;
@@ -40,12 +39,14 @@ double least_step(const std::vector<double>& angles) {
     return least;
 }
 
-/// The least of a cam's margins of existence, relative to its radius.
-double existence_margin(const Problem& problem, const Design& design) {
-    const Quantity& margin = *problem.mechanism->families[0].assembly_margin;
+/// What a mechanism needs beside conditions on its dimensions to make its full turn, relative to its size.
+void add_margin_of_full_turn(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {
     const Motion motion = motion_of(problem, design);
-    const double relative = least_component(margin, motion, design.dimensions) / design.dimensions[0];
-    return std::isnan(relative) ? -without_limit : relative;
+    const Family& family = problem.mechanism->families[motion.family];
+    if (!family.full_turn || !family.assembly_margin) return;
+    const double relative = least_component(*family.assembly_margin, motion, design.dimensions) /
+                            longest_length(*problem.mechanism, design.dimensions);
+    all.push_back({family.assembly_margin->meaning, std::isnan(relative) ? -without_limit : relative, true});
 }
 
 void add_margins_of_path(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {
@@ -67,8 +68,7 @@ void add_margins_of_path(const Problem& problem, const Design& design, std::vect
 
 std::vector<ValidityMargin> validity_margins(const Problem& problem, const Design& design) {
     std::vector<ValidityMargin> all;
-    if (is_cam(*problem.mechanism))
-        all.push_back({"the follower is held and the cam is not undercut", existence_margin(problem, design), true});
+    add_margin_of_full_turn(problem, design, all);
     all.push_back({"it assembles over the range of crank angles",
                    assembles_over_range(problem, design) ? 0 : -without_limit, false});
     if (problem.path) add_margins_of_path(problem, design, all);

@@ -13,7 +13,7 @@ namespace mechwright {
 struct ValidityMargin {
     std::string_view name;
     double margin;   ///< minus infinity where there is no number for it
-    bool tolerated;  ///< an angle in radians, or a part of a cam's radius: the problem's tolerance may be missing
+    bool tolerated;  ///< an angle in radians, or a part of the longest length: the problem's tolerance may be missing
 };
 
 /// The margins of a design. A cam's follower is held, and the cam is not undercut. A linkage assembles over the crank

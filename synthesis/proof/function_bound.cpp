@@ -6,6 +6,7 @@
 
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/mechanism/loop_row.h"
+#include "synthesis/program/error_extremes.h"
 #include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
@@ -83,7 +84,7 @@ std::string FunctionBound::why_not(const Problem& problem) {
 FunctionBound::FunctionBound(const Problem& problem, const Design& best) {
     loop_row_ = problem.mechanism->function->loop_row;
     const FunctionTarget& f = *problem.function;
-    auto extremes = problem.mechanism->function->extremes(f, problem.mechanism->form(best.assembly), best.dimensions);
+    auto extremes = every_extreme(problem, best);
     error_ = 0;
     for (const ErrorExtreme& e : extremes)
         error_ = std::max(error_, std::abs(e.error));

@@ -121,7 +121,7 @@ std::optional<GuidingLink> guiding_link(const Program& program, std::vector<doub
     const auto guided_point = [&](double along) {
         dimensions[roles.along] = along;
         PathMiss miss{};
-        mechanism.point->miss(mechanism.form(program.variant.assembly), dimensions, crank_angle, {0, 0}, miss);
+        miss_of_point(mechanism, program.variant.assembly, dimensions, crank_angle, {0, 0}, miss);
         margin = miss.margin;
         return -Complex(miss.miss.x, miss.miss.y);
     };
@@ -259,7 +259,11 @@ void fit_followed(const Program& program, VectorXd& x) {
     std::array<bool, 3> free{};
     for (std::size_t k = 0; k < shape.parameters; ++k)
         free[k] = program.variable_of[shape.place + k] >= 0;
-    shape.fit(program.problem->mechanism->form(program.variant.assembly), dimensions, free);
+    std::array<double, Reads::most> room;
+    const Mechanism& mechanism = *program.problem->mechanism;
+    shape.fit(mechanism.form(program.variant.assembly),
+              deviation_from(mechanism, shape.name).reads.of(dimensions, room),
+              std::span(dimensions).subspan(shape.place, shape.parameters), free);
     for (std::size_t k = 0; k < shape.parameters; ++k) {
         if (!free[k]) continue;
         const std::ptrdiff_t v = program.variable_of[shape.place + k];

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "synthesis/exact/closed_form/closed_form.h"
-#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/proof/empty_ranges.h"
 #include "synthesis/proof/known_limits.h"
 
@@ -51,7 +50,8 @@ std::shared_ptr<const Proof> proof_by_size(const Problem& problem) {
 std::shared_ptr<const Proof> why_infeasible(const Problem& problem) {
     if (auto proof = proof_by_limits(problem)) return proof;
     if (auto proof = proof_by_ranges(problem)) return proof;
-    return is_cam(*problem.mechanism) ? proof_by_size(problem) : proof_by_strokes(problem);
+    if (auto proof = proof_by_size(problem)) return proof;
+    return proof_by_strokes(problem);
 }
 
 }  // namespace mechwright

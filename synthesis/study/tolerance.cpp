@@ -51,8 +51,9 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, Pa
     const Mechanism& mechanism = *problem.mechanism;
     const std::optional<PathValues> values = path_values(problem, design);
     if (!values || problem.path->guides_body()) return {};
-    const std::size_t reads = mechanism.point->reads;
-    std::vector<double> x(reads + 1), y(reads + 1), total(mechanism.dimensions.size(), 0.0);
+    const Reads& reads = mechanism.point->reads;
+    const std::size_t n = reads.size();
+    std::vector<double> x(n + 1), y(n + 1), total(mechanism.dimensions.size(), 0.0);
     double weights = 0;
     for (const double w : problem.path->weights)
         weights += w;
@@ -63,12 +64,12 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, Pa
         if (measure == PathMeasure::greatest) factor = distance == values->greatest ? 1 / distance : 0;
         if (factor == 0) continue;
         PathMiss miss{{}, 0, x, y, {}, {}};
-        mechanism.point->miss(mechanism.form(design.assembly), design.dimensions, design.path_angles[i],
-                              problem.path->points[i], miss);
-        for (std::size_t k = 0; k < reads; ++k)
-            total[k] += factor * (miss.miss.x * x[k] + miss.miss.y * y[k]);
+        miss_of_point(mechanism, design.assembly, design.dimensions, design.path_angles[i], problem.path->points[i],
+                      miss);
+        for (std::size_t k = 0; k < n; ++k)
+            total[reads[k]] += factor * (miss.miss.x * x[k] + miss.miss.y * y[k]);
         if (problem.path->prescribed_timing)
-            total[mechanism.point->roles.start] += factor * (miss.miss.x * x[reads] + miss.miss.y * y[reads]);
+            total[mechanism.point->roles.start] += factor * (miss.miss.x * x[n] + miss.miss.y * y[n]);
     }
     return total;
 }
@@ -140,15 +141,16 @@ std::optional<std::vector<double>> sensitivities(const Problem& problem, std::si
     if (q.path != PathMeasure::none) return path_sensitivities(problem, q.path, design);
     const Motion motion = motion_of(problem, design);
     const std::size_t count = q.components(motion);
-    std::vector<double> values(count), gradient(count * q.reads);
-    q.measure(motion, design.dimensions, {values, gradient, {}});
+    std::vector<double> values(count), gradient(count * q.reads.size());
+    measure(q, motion, design.dimensions, {values, gradient, {}});
     std::size_t at = 0;
     if (q.reduce == Reduce::least)
         at = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
     if (q.reduce == Reduce::greatest)
         at = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
     std::vector<double> all(problem.mechanism->dimensions.size(), 0.0);
-    std::copy_n(gradient.begin() + static_cast<std::ptrdiff_t>(at * q.reads), q.reads, all.begin());
+    for (std::size_t i = 0; i < q.reads.size(); ++i)
+        all[q.reads[i]] = gradient[at * q.reads.size() + i];
     const bool finite = std::all_of(all.begin(), all.end(), [](double d) { return std::isfinite(d); });
     return finite ? std::optional(all) : std::nullopt;
 }

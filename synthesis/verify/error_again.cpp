@@ -43,9 +43,9 @@ Digits50 ErrorAgain::of_function(double share, std::vector<Digits50> d) const {
     Motion motion = design_->motion;
     motion.function = &here;
     const Quantity& deviation = deviation_from(mechanism, "function");
-    const Digits50 size = deviation.measure_again(motion, d);
+    const Digits50 size = measure_again(deviation, motion, d);
     d[scale + 2] -= shift_;
-    const Digits50 shifted = deviation.measure_again(motion, d);
+    const Digits50 shifted = measure_again(deviation, motion, d);
     return abs(shifted - abs(shift_ + size)) <= abs(shifted - abs(shift_ - size)) ? size : Digits50(-size);
 }
 
@@ -53,7 +53,7 @@ Digits50 ErrorAgain::of_shape(double share, std::span<const Digits50> d) const {
     const Claim& claim = *design_->claim;
     const std::size_t input = claim.mechanism->input->start;
     const Digits50 crank_angle = d[input] + d[input + 1] * share;
-    const Vector<Digits50> p = claim.mechanism->point->point(claim.mechanism->form(claim.assembly), d, crank_angle);
+    const Vector<Digits50> p = point_again(*claim.mechanism, claim.assembly, d, crank_angle);
     const std::size_t place = followed_shape_of(*claim.mechanism, *claim.followed)->place;
     if (claim.followed->shape == Followed::line) return cos(d[place]) * p.y - sin(d[place]) * p.x - d[place + 1];
     const Vector<Digits50> away = p - Vector<Digits50>{d[place], d[place + 1]};

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "analysis/numbers/golden_section.h"
 namespace mechwright {
 
 namespace {
@@ -148,8 +149,7 @@ struct SampledCurve {
 
 Vector<double> curve_point(const Rebuilt& design, double crank_angle) {
     const Claim& claim = *design.claim;
-    const Vector<Digits50> p =
-        claim.mechanism->point->point(claim.mechanism->form(claim.assembly), design.dimensions, Digits50(crank_angle));
+    const Vector<Digits50> p = point_again(*claim.mechanism, claim.assembly, design.dimensions, Digits50(crank_angle));
     return {plain(p.x), plain(p.y)};
 }
 
@@ -176,20 +176,10 @@ SampledCurve sampled_curve(const Rebuilt& design) {
 /// half the digits of a double: a least value is flat.
 double refined_distance(const Rebuilt& design, const SampledCurve& curve, std::size_t k, const Vector<double>& target) {
     const auto away = [&](double angle) { return distance_between(curve_point(design, angle), target); };
-    constexpr double golden = 0.6180339887498949;
-    double left = curve.crank_angles[k - std::min<std::size_t>(k, 1)];
-    double right = curve.crank_angles[std::min(k + 1, curve.points.size() - 1)];
-    double low = right - golden * (right - left), high = left + golden * (right - left);
-    double at_low = away(low), at_high = away(high);
-    while (right - left > 1e-8) {
-        const bool falls = !(at_low <= at_high);
-        (falls ? left : right) = falls ? low : high;
-        (falls ? low : high) = falls ? high : low;
-        (falls ? at_low : at_high) = falls ? at_high : at_low;
-        (falls ? high : low) = falls ? left + golden * (right - left) : right - golden * (right - left);
-        (falls ? at_high : at_low) = away(falls ? high : low);
-    }
-    return std::min(at_low, at_high);
+    const double left = curve.crank_angles[k - std::min<std::size_t>(k, 1)];
+    const double right = curve.crank_angles[std::min(k + 1, curve.points.size() - 1)];
+    constexpr int steps = 40;  // the steps of a curve are below 0.01 rad, to 1e-10 rad
+    return away(greatest_between([&](double angle) { return -away(angle); }, left, right, steps));
 }
 
 /// The least distance of the curve from a target: every sample is refined that is nearer than its neighbours and could

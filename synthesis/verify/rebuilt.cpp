@@ -40,7 +40,7 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     const ClaimedPath& path = *claim.path;
     const auto point = [&](const std::vector<Digits50>& dimensions, const Digits50& crank_angle) {
-        return claim.mechanism->point->point(claim.mechanism->form(claim.assembly), dimensions, crank_angle);
+        return point_again(*claim.mechanism, claim.assembly, dimensions, crank_angle);
     };
     RebuiltPath result;
     result.size = design.longest;
@@ -106,7 +106,7 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
     // Over a given range in which the mechanism comes apart nothing has a value.
     if (!quantity.defined(design.motion) || (design.claim->crank_range && !all_passed(design.of_motion)))
         return std::nullopt;
-    const Digits50 value = quantity.measure_again(design.motion, design.dimensions);
+    const Digits50 value = measure_again(quantity, design.motion, design.dimensions);
     if (!isfinite(value)) return std::nullopt;
     switch (quantity.unit) {
         case Unit::angle: return Measured{value, angular};
@@ -172,7 +172,7 @@ Digits50 Measurements::end_rounding(std::size_t quantity) {
     inside.from += step;
     inside.to -= step;
     if (!(inside.from < inside.to)) return 0;
-    const Digits50 there = q.measure_again(inside, design->dimensions);
+    const Digits50 there = measure_again(q, inside, design->dimensions);
     return isfinite(there) ? Digits50(abs(there - value->value)) : Digits50(0);
 }
 

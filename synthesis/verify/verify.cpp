@@ -251,7 +251,7 @@ Check check_accuracy_points(const Rebuilt& design) {
     const FunctionTarget points = at_accuracy_points(*claim.function);
     Motion motion = design.motion;
     motion.function = &points;
-    const Digits50 error = deviation_from(*claim.mechanism, "function").measure_again(motion, design.dimensions);
+    const Digits50 error = measure_again(deviation_from(*claim.mechanism, "function"), motion, design.dimensions);
     return {"meets the function at the accuracy points", error <= met_within,
             isfinite(error) ? fmt::format("the greatest error is {} rad, allowed is {}", shown_small(error),
                                           shown_small(met_within))

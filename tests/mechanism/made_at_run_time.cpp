@@ -290,6 +290,28 @@ TEST(MadeAtRunTime, MayHaveSettingsOfItsOwn) {
     EXPECT_FALSE(parse_problem(text + "11\n", "trammel.toml").ok());
 }
 
+// The same trammel with its dimensions in another order: formulas name those that they read.
+TEST(MadeAtRunTime, ReadsItsDimensionsInTheOrderThatItNames) {
+    make_trammels();
+    Mechanism m = trammel("reordered-trammel", 0);
+    std::swap(m.dimensions[1], m.dimensions[2]);
+    std::swap(m.dimensions[5], m.dimensions[6]);
+    m.point->reads = std::vector<std::size_t>{0, 2, 1, 3, 4, 6};
+    m.point->roles = {2, 1, 3, 4, 6, 5};
+    add_mechanism(m);
+    const Result plain = solve(read_without_error(path_problem("trammel")).problem, {});
+    const ReadProblem read = read_without_error(path_problem("reordered-trammel"));
+    const Result result = solve(read.problem, {});
+    ASSERT_TRUE(plain.best && result.best);
+    EXPECT_TRUE(result.verified());
+    EXPECT_LT(result.best->objective, 1e-5);
+    const std::vector<double>&there = plain.best->design.dimensions, &here = result.best->design.dimensions;
+    EXPECT_NEAR(here[0], there[0], 1e-6);
+    EXPECT_NEAR(std::abs((here[2] - here[0]) * here[2] + here[1] * here[1]), 100.0 * 50, 1e-3);
+    for (const Check& check : verify(document(read.problem, result)))
+        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
+}
+
 TEST(Mechanisms, AreWhole) {
     for (const auto& mechanism : mechanisms())
         EXPECT_EQ(why_not_whole(*mechanism), "") << mechanism->meaning;

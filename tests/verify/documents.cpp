@@ -30,7 +30,7 @@ double value_of_quantity(const Quantity& quantity, const Motion& motion, const s
     const std::size_t count = quantity.components(motion);
     Measurement out;
     out.value = components;
-    quantity.measure(motion, dimensions, out);
+    measure(quantity, motion, dimensions, out);
     const auto end = components.begin() + static_cast<std::ptrdiff_t>(count);
     double value = components[0];
     if (quantity.reduce == Reduce::least) value = *std::min_element(components.begin(), end);

@@ -103,7 +103,7 @@ Json document_over(const Mechanism& mechanism, const Both& b, const Motion& moti
     if (!mechanism.assemblies.empty()) json["design"]["assembly"] = mechanism.assemblies[b.assembly];
     for (const Quantity& q : mechanism.quantities) {
         if (q.path != PathMeasure::none || !q.section.empty() || !q.defined(motion)) continue;
-        const Digits50 value = q.measure_again(motion, digits);
+        const Digits50 value = measure_again(q, motion, digits);
         if (isfinite(value) && value < 1e6) json["quantities"][std::string(q.name)] = value.convert_to<double>();
     }
     return json;

@@ -42,7 +42,7 @@ double measured(const Quantity& quantity, const Motion& motion, const std::vecto
     std::array<double, Quantity::most_components> components;
     Measurement out;
     out.value = components;
-    quantity.measure(motion, dimensions, out);
+    measure(quantity, motion, dimensions, out);
     const std::span<const double> all(components.data(), quantity.components(motion));
     return quantity.reduce == Reduce::least ? *std::min_element(all.begin(), all.end())
                                             : *std::max_element(all.begin(), all.end());
@@ -64,7 +64,7 @@ void expect_measured_alike(const Mechanism& mechanism, const Motion& motion, con
     for (const Quantity& quantity : mechanism.quantities) {
         if (quantity.path != PathMeasure::none || !quantity.defined(motion)) continue;
         const double value = measured(quantity, motion, dimensions);
-        const double again = quantity.measure_again(motion, precise_of(dimensions)).convert_to<double>();
+        const double again = measure_again(quantity, motion, precise_of(dimensions)).convert_to<double>();
         const PossibleValues possible = possible_values(quantity.name);
         RC_ASSERT(again >= possible.least && again <= possible.greatest);
         const double rounding = quantity.unit == Unit::length ? 1e-13 * longest
@@ -117,7 +117,7 @@ Digits50 full(std::string_view mechanism, const std::vector<Digits50>& dimension
     Motion motion;
     motion.to = 2 * std::numbers::pi;
     motion.settings[working_share] = 0.6;
-    return m.quantities[static_cast<std::size_t>(index)].measure_again(motion, dimensions);
+    return measure_again(m.quantities[static_cast<std::size_t>(index)], motion, dimensions);
 }
 
 TEST(RamAgain, FindsStrokeAndRatioOfSliderCranksToFortyDigits) {

@@ -14,14 +14,14 @@ GivenDesign::GivenDesign(std::shared_ptr<const Problem> kind, std::vector<double
 double GivenDesign::quantity(std::size_t index) const {
     const Quantity& q = problem->mechanism->quantities[index];
     std::array<double, Quantity::most_components> components;
-    q.measure(motion, dimensions, {components, {}, {}});
+    measure(q, motion, dimensions, {components, {}, {}});
     const auto found = std::span(components).first(q.components(motion));
     return q.reduce == Reduce::least ? std::ranges::min(found) : std::ranges::max(found);
 }
 
 Digits50 GivenDesign::quantity_again(std::size_t index) const {
     const std::vector<Digits50> exact(dimensions.begin(), dimensions.end());
-    return problem->mechanism->quantities[index].measure_again(motion, exact);
+    return measure_again(problem->mechanism->quantities[index], motion, exact);
 }
 
 std::shared_ptr<const Problem> problem_of(std::string_view text) {

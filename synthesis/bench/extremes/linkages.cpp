@@ -128,8 +128,11 @@ ExtremeCase straightness() {
         dimensions[2] = dimensions[3] = 2.5 + 0.3 * drawn(k, 1);
         dimensions[problem->mechanism->point->roles.along] = 2 * dimensions[2];
         dimensions[problem->mechanism->input->start] += 0.3 * drawn(k, 2);
-        problem->mechanism->line->fit(problem->mechanism->form(0), dimensions, {true, true, false});
-        dimensions[problem->mechanism->line->place + 1] += 0.004 * (drawn(k, 3) - 0.5);
+        const FollowedShape& line = *problem->mechanism->line;
+        std::array<double, Reads::most> room;
+        line.fit(problem->mechanism->form(0), deviation_from(*problem->mechanism, line.name).reads.of(dimensions, room),
+                 std::span(dimensions).subspan(line.place, line.parameters), {true, true, false});
+        dimensions[line.place + 1] += 0.004 * (drawn(k, 3) - 0.5);
         designs.emplace_back(problem, std::move(dimensions));
     }
     return case_of("deviation from a line", std::move(designs), "line-deviation", sampled_deviation);

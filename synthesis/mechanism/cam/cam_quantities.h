@@ -178,7 +178,7 @@ template <template <class> class F>
 Quantity existence_margin() {
     return {"existence margin",
             Unit::length,
-            "what the cam can be changed by before it is none",
+            "the follower is held and the cam is not undercut",
             Reduce::least,
             dimension_count<F>,
             has_program,

@@ -43,18 +43,19 @@ struct CouplerPath {
 
 /// A body on the coupler as a guided body.
 struct CouplerPose {
-    static constexpr std::size_t reads = 15;
+    static constexpr std::size_t reads = 10;
+    static Reads dimensions() { return std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 14}; }
 
-    /// x: the dimensions of the four-bar in their order, then the crank angle.
+    /// x: as above, the angle of the body before the crank angle.
     template <class T>
     static PoseMissAndMargin<T> miss(std::size_t assembly, const std::array<T, reads + 1>& x,
                                      const Vector<double>& target, const Vector<double>& facing) {
         using std::cos, std::sin;
         const FourBar<T> links{x[0], x[1], x[2], x[3]};
-        const auto p = pose(links, x[15], assembly_of(assembly));
+        const auto p = pose(links, x[10], assembly_of(assembly));
         const Vector<T> local = position(links, CouplerPoint<T>{x[4], x[5]}, p);
         const Placement<T> placement{{x[6], x[7]}, x[8]};
-        const T turn = x[8] + x[14];
+        const T turn = x[8] + x[9];
         const Vector<T> faces = turned(p.coupler, Vector<T>{cos(turn), sin(turn)});
         return {{mechwright::miss(local, placement, Vector<T>{T(target.x), T(target.y)}),
                  std::min(value_of(p.margins.stretch), value_of(p.margins.fold))},
@@ -66,16 +67,15 @@ struct CouplerPose {
                                   const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) {
         const FourBar<double> links{x[0], x[1], x[2], x[3]};
         const CouplerPoint<double> point{x[4], x[5]};
-        const auto p = pose(links, x[15], assembly_of(assembly));
+        const auto p = pose(links, x[10], assembly_of(assembly));
         if (p.transmission_sine == 0) return false;
         out.place.margin = out.turn.margin = std::min(p.margins.stretch, p.margins.fold);
-        std::fill(out.place.gradient_x.begin() + 9, out.place.gradient_x.begin() + 15, 0.0);
-        std::fill(out.place.gradient_y.begin() + 9, out.place.gradient_y.begin() + 15, 0.0);
-        place_with_gradient(position(links, point, p), position_gradient(links, point, p), x, 15, target, out.place);
-        const double turn = x[8] + x[14];
+        out.place.gradient_x[9] = out.place.gradient_y[9] = 0;
+        place_with_gradient(position(links, point, p), position_gradient(links, point, p), x, 10, target, out.place);
+        const double turn = x[8] + x[9];
         const Vector<double> faces = turned(p.coupler, Vector<double>{std::cos(turn), std::sin(turn)});
         const LinkTurn<double> coupler = coupler_turn(links, p);
-        face_with_gradient(faces, coupler.links, coupler.crank_angle, {8, 14}, 15, facing, out.turn);
+        face_with_gradient(faces, coupler.links, coupler.crank_angle, {8, 9}, 10, facing, out.turn);
         return true;
     }
 };

@@ -66,22 +66,24 @@ std::size_t assembly_margin_components(const Motion& motion) { return 2 * transm
 
 std::array<Quantity, 2> rocker_function() {
     return function_quantities<RockerAngle, RockerAngleAgain>(
-        Unit::angle, "greatest difference of the rocker angle from the function",
+        read_by_function(), Unit::angle, "greatest difference of the rocker angle from the function",
         "root mean square difference of the rocker angle from the function");
 }
 
 constexpr std::size_t line_angle = 15;
 constexpr std::size_t arc_x = 17;
 std::array<Quantity, 2> coupler_line() {
-    return line_quantities<CouplerPath, four_bar_path_point, input_start, line_angle>();
+    return line_quantities<CouplerPath, four_bar_path_point>(input_start, line_angle);
 }
 
-std::array<Quantity, 2> coupler_arc() { return arc_quantities<CouplerPath, four_bar_path_point, input_start, arc_x>(); }
+std::array<Quantity, 2> coupler_arc() { return arc_quantities<CouplerPath, four_bar_path_point>(input_start, arc_x); }
 
 std::vector<Quantity> over_input() {
-    return {input_transmission_quantity<RockerTransmission, TransmissionExtreme::least>("transmission-angle-min"),
-            input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max"),
-            input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst")};
+    const Reads reads = read_over_input();
+    return {
+        input_transmission_quantity<RockerTransmission, TransmissionExtreme::least>("transmission-angle-min", reads),
+        input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max", reads),
+        input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst", reads)};
 }
 
 std::vector<Quantity> of_the_links() {
@@ -147,7 +149,7 @@ std::vector<Quantity> quantities() {
 Quantity assembly_margin() {
     return {.name = "assembly margin",
             .unit = Unit::length,
-            .meaning = "least length by which the loop closes",
+            .meaning = "the mechanism assembles",
             .reduce = Reduce::least,
             .reads = links,
             .defined = of_known_range,
@@ -263,11 +265,11 @@ std::shared_ptr<const Mechanism> four_bar_mechanism() {
                                .point = four_bar_path_point,
                                .screening = four_bar_screening,
                                .draws_same_curve = are_cognates},
-        .body = BodyGuidance{CouplerPose::reads, pose_miss_by<CouplerPose>},
-        .input = InputRange{input_start, input_margin_quantity<InputMargin>(), over_input()},
+        .body = BodyGuidance{CouplerPose::dimensions(), pose_miss_by<CouplerPose>},
+        .input = InputRange{input_start, input_margin_quantity<InputMargin>(read_over_input()), over_input()},
         .function = FunctionGeneration{fit_function, function_extremes_by<RockerAngle>, rocker_loop_row<Interval>},
-        .line = followed_shape<CouplerPath, LineShape, input_start, line_angle>(),
-        .arc = followed_shape<CouplerPath, ArcShape, input_start, arc_x>()});
+        .line = followed_shape<CouplerPath, LineShape>(line_angle),
+        .arc = followed_shape<CouplerPath, ArcShape>(arc_x)});
     return mechanism;
 }
 

@@ -19,32 +19,35 @@
 namespace mechwright::four_bar {
 
 /// Where the scales stand among the dimensions.
-enum ScaleIndex : std::size_t { input_start = 10, input_range, output_start, output_range, function_reads };
+enum ScaleIndex : std::size_t { input_start = 10, input_range, output_start, output_range };
+
+/// The arguments of the generator, and of what is judged over the input range: the links, then the scales.
+inline Reads read_by_function() {
+    return std::vector<std::size_t>{0, 1, 2, 3, input_start, input_range, output_start, output_range};
+}
+inline Reads read_over_input() { return std::vector<std::size_t>{0, 1, 2, 3, input_start, input_range}; }
+inline constexpr std::size_t read_over_input_count = 6;
 
 /// The generator of function_formulas.h: the rocker angle less the angle that the function asks for, in (-pi, pi].
 struct RockerAngle {
-    static constexpr std::size_t reads = function_reads;
-    static constexpr std::array<std::size_t, 8> uses{0, 1, 2, 3, input_start, input_range, output_start, output_range};
+    static constexpr std::size_t reads = 8;
     template <class T>
     static T error(const std::array<T, reads>& x, std::size_t assembly, const T& share, const T& part) {
         using std::atan2, std::cos, std::sin;
-        const auto p = pose(FourBar<T>{x[0], x[1], x[2], x[3]}, T(x[input_start] + x[input_range] * share),
+        const auto p = pose(FourBar<T>{x[0], x[1], x[2], x[3]}, T(x[4] + x[5] * share),
                             assembly == 0 ? Assembly::open : Assembly::crossed);
-        const T asked = x[output_start] + x[output_range] * part;
+        const T asked = x[6] + x[7] * part;
         const Vector<T> direction{cos(asked), sin(asked)};
         return atan2(cross(direction, p.rocker), dot(direction, p.rocker));
     }
 };
 
-/// The links and the input range.
-inline constexpr std::array<std::size_t, 6> used_over_input{0, 1, 2, 3, input_start, input_range};
-
 /// The half crank angles at which margins and transmission angle can be extreme: both ends of the input range, and
 /// where the crank passes the ground line; where it does not pass, the end nearer to it, so that nothing jumps when it
 /// begins to.
 template <class T>
-std::array<HalfTurn<T>, 4> input_places(const std::array<T, function_reads>& x) {
-    const T first = x[input_start], last = x[input_start] + x[input_range];
+std::array<HalfTurn<T>, 4> input_places(const std::array<T, read_over_input_count>& x) {
+    const T first = x[4], last = x[4] + x[5];
     const auto nearest = [&](double angle, const HalfTurn<T>& there) {
         if (passes(value_of(first), value_of(last), angle)) return there;
         return half_turn(nearer_to_first(value_of(first), value_of(last), angle) ? first : last);
@@ -54,8 +57,7 @@ std::array<HalfTurn<T>, 4> input_places(const std::array<T, function_reads>& x) 
 
 /// What must be >= 0 for the linkage to assemble over the whole input range.
 struct InputMargin {
-    static constexpr std::size_t reads = function_reads;
-    static constexpr auto uses = used_over_input;
+    static constexpr std::size_t reads = read_over_input_count;
     static constexpr std::size_t most = 8;
     template <class T>
     static std::size_t components(const Motion&, const std::array<T, reads>& x, Components<T> out) {
@@ -71,8 +73,7 @@ struct InputMargin {
 
 /// The transmission angles of InputTransmission.
 struct RockerTransmission {
-    static constexpr std::size_t reads = function_reads;
-    static constexpr auto uses = used_over_input;
+    static constexpr std::size_t reads = read_over_input_count;
     template <class T>
     static std::array<T, 4> angles(std::size_t, const std::array<T, reads>& x) {
         const auto at = input_places(x);
@@ -104,12 +105,12 @@ bool fit_function(const FunctionTarget& f, std::span<double> dimensions, bool tu
 
 /// The rocker angle by the pose of linkage_again.h (function_again.h).
 struct RockerAngleAgain {
-    static constexpr std::size_t scales = input_start;
+    static constexpr std::size_t scales = 4;
     again::Linkage<Digits50> fine;
     again::Linkage<double> rough;
 
-    RockerAngleAgain(std::size_t assembly, std::span<const Digits50> dimensions)
-        : fine(again::linkage(assembly, dimensions)), rough(again::rounded<double>(fine)) {}
+    RockerAngleAgain(std::size_t assembly, std::span<const Digits50> arguments)
+        : fine(again::linkage(assembly, arguments)), rough(again::rounded<double>(fine)) {}
 
     template <class T>
     T error(const T& input, const T& asked) const {

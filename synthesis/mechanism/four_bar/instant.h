@@ -11,18 +11,16 @@ namespace mechwright::four_bar {
 enum class OfLink { coupler, rocker };
 enum class Rate { velocity, acceleration };
 
-inline constexpr std::size_t crank_start = 9;
-
-/// Angular velocity of a link over that of the crank, or its change with the crank angle.
+/// Angular velocity of a link over that of the crank, or its change with the crank angle. Arguments: the links and the
+/// crank angle.
 template <OfLink link, Rate rate>
 struct InstantRate {
-    static constexpr std::size_t reads = crank_start + 1;
-    static constexpr std::array<std::size_t, 5> uses{0, 1, 2, 3, crank_start};
+    static constexpr std::size_t reads = links + 1;
     static constexpr std::size_t most = 1;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
         const FourBar<T> m{x[0], x[1], x[2], x[3]};
-        const auto p = pose(m, x[crank_start], assembly_of(motion));
+        const auto p = pose(m, x[links], assembly_of(motion));
         const auto v = velocity(m, p);
         if constexpr (rate == Rate::velocity) {
             out[0] = link == OfLink::coupler ? v.coupler : v.rocker;
@@ -37,20 +35,22 @@ struct InstantRate {
 /// The same in fifty digits: velocities from the loop rebuilt by circle intersection (linkage_again.h), accelerations
 /// by differences of these.
 template <OfLink link, Rate rate>
-Digits50 instant_rate_again(const Motion& motion, std::span<const Digits50> dimensions) {
-    const auto m = again::linkage(motion.assembly, dimensions);
+Digits50 instant_rate_again(const Motion& motion, std::span<const Digits50> arguments) {
+    const auto m = again::linkage(motion.assembly, arguments);
     const auto ratio = [&](const Digits50& crank_angle) {
         const auto p = again::pose(m, crank_angle);
         if (!p.assembled()) return std::numeric_limits<Digits50>::quiet_NaN();
         const Vector<Digits50>& other = link == OfLink::coupler ? p.rocker : p.coupler;
         return Digits50(m.crank * cross(other, p.crank) / cross(p.coupler, p.rocker));
     };
-    const Digits50& at = dimensions[crank_start];
+    const Digits50& at = arguments[links];
     if constexpr (rate == Rate::velocity) return ratio(at);
     // Of fifty digits the difference keeps forty, and is wrong by its square.
     const Digits50 step = 1e-10;
     return (ratio(at + step) - ratio(at - step)) / (2 * step);
 }
+
+inline constexpr std::size_t crank_start = 9;  ///< among the dimensions
 
 template <OfLink link, Rate rate>
 Quantity instant_quantity(const char* name, const char* meaning) {
@@ -58,7 +58,7 @@ Quantity instant_quantity(const char* name, const char* meaning) {
     return {.name = name,
             .unit = Unit::none,
             .meaning = meaning,
-            .reads = Formula::reads,
+            .reads = std::vector<std::size_t>{0, 1, 2, 3, crank_start},
             .defined = [](const Motion& motion) { return motion.has_instant; },
             .components = [](const Motion&) { return Formula::most; },
             .measure = measure_by<Formula>,

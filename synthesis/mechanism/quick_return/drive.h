@@ -120,7 +120,7 @@ template <template <class> class Drive>
 Quantity assembly_margin_quantity() {
     return {.name = "assembly margin",
             .unit = Unit::length,
-            .meaning = "least length by which the mechanism closes",
+            .meaning = "the mechanism assembles",
             .reduce = Reduce::least,
             .reads = Layout<Drive>::reads,
             .defined = of_known_range,

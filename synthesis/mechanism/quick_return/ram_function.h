@@ -18,29 +18,31 @@
 namespace mechwright::quick_return {
 
 /// Where the scales stand among the dimensions of the slider-crank.
-enum ScaleIndex : std::size_t { input_start = 10, input_range, output_start, output_range, function_reads };
+enum ScaleIndex : std::size_t { input_start = 10, input_range, output_start, output_range };
+
+/// The arguments of the generator, and of what is judged over the input range: the links, then the scales.
+inline Reads read_by_function() {
+    return std::vector<std::size_t>{0, 1, 2, input_start, input_range, output_start, output_range};
+}
+inline Reads read_over_input() { return std::vector<std::size_t>{0, 1, 2, input_start, input_range}; }
+inline constexpr std::size_t read_over_input_count = 5;
 
 /// The generator of function_formulas.h: the position of the ram less the one that the function asks for.
 struct RamPosition {
-    static constexpr std::size_t reads = function_reads;
-    static constexpr std::array<std::size_t, 7> uses{0, 1, 2, input_start, input_range, output_start, output_range};
+    static constexpr std::size_t reads = 7;
     template <class T>
     static T error(const std::array<T, reads>& x, std::size_t, const T& share, const T& part) {
         const SliderCrank<T> m{x[0], x[1], x[2]};
-        return pose(m, T(x[input_start] + x[input_range] * share)).position -
-               (x[output_start] + x[output_range] * part);
+        return pose(m, T(x[3] + x[4] * share)).position - (x[5] + x[6] * part);
     }
 };
-
-/// The links and the input range.
-inline constexpr std::array<std::size_t, 5> used_over_input{0, 1, 2, input_start, input_range};
 
 /// The crank directions in which margins and transmission angle can be extreme: both ends of the input range, and where
 /// the crank stands square to the slide; where it does not pass there, the end nearer to that.
 template <class T>
-std::array<Vector<T>, 4> input_places(const std::array<T, function_reads>& x) {
+std::array<Vector<T>, 4> input_places(const std::array<T, read_over_input_count>& x) {
     using std::cos, std::sin;
-    const T first = x[input_start], last = x[input_start] + x[input_range];
+    const T first = x[3], last = x[3] + x[4];
     const auto end = [&](const T& angle) { return Vector<T>{cos(angle), sin(angle)}; };
     const auto nearest = [&](double angle, const Vector<T>& there) {
         if (passes(value_of(first), value_of(last), angle)) return there;
@@ -52,8 +54,7 @@ std::array<Vector<T>, 4> input_places(const std::array<T, function_reads>& x) {
 
 /// What must be >= 0 for the rod to reach the slide over the whole input range.
 struct RamInputMargin {
-    static constexpr std::size_t reads = function_reads;
-    static constexpr auto uses = used_over_input;
+    static constexpr std::size_t reads = read_over_input_count;
     static constexpr std::size_t most = 8;
     template <class T>
     static std::size_t components(const Motion&, const std::array<T, reads>& x, Components<T> out) {
@@ -69,8 +70,7 @@ struct RamInputMargin {
 
 /// The transmission angles of InputTransmission, wherever they can be least.
 struct RodTransmission {
-    static constexpr std::size_t reads = function_reads;
-    static constexpr auto uses = used_over_input;
+    static constexpr std::size_t reads = read_over_input_count;
     template <class T>
     static std::array<T, 4> angles(std::size_t, const std::array<T, reads>& x) {
         const auto at = input_places(x);
@@ -83,15 +83,15 @@ struct RodTransmission {
 
 /// The position of the ram from the right triangle of rod and slide (function_again.h).
 struct RamPositionAgain {
-    static constexpr std::size_t scales = input_start;
-    std::span<const Digits50> dimensions;
+    static constexpr std::size_t scales = 3;
+    std::span<const Digits50> arguments;
 
-    RamPositionAgain(std::size_t, std::span<const Digits50> all) : dimensions(all) {}
+    RamPositionAgain(std::size_t, std::span<const Digits50> all) : arguments(all) {}
 
     template <class T>
     T error(const T& input, const T& asked) const {
         using std::cos, std::sin, std::sqrt;
-        const T crank(dimensions[0]), rod(dimensions[1]), offset(dimensions[2]);
+        const T crank(arguments[0]), rod(arguments[1]), offset(arguments[2]);
         const T height = offset - crank * sin(input);
         const T run_square = (rod - height) * (rod + height);
         if (!(run_square >= 0)) return std::numeric_limits<T>::quiet_NaN();

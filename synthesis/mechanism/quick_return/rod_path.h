@@ -37,17 +37,18 @@ struct RodPath {
 
 /// A body on the rod as a guided body.
 struct RodPose {
-    static constexpr std::size_t reads = 10;
+    static constexpr std::size_t reads = 9;
+    static Reads dimensions() { return std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 9}; }
 
-    /// x: as above, crank-start, body-angle, crank angle.
+    /// x: as above, the angle of the body before the crank angle.
     template <class T>
     static PoseMissAndMargin<T> miss(std::size_t, const std::array<T, reads + 1>& x, const Vector<double>& target,
                                      const Vector<double>& facing) {
         using std::cos, std::sin;
         const SliderCrank<T> m{x[0], x[1], x[2]};
-        const auto p = pose(m, x[10]);
+        const auto p = pose(m, x[9]);
         const Placement<T> placement{{x[5], x[6]}, x[7]};
-        const T turn = x[7] + x[9];
+        const T turn = x[7] + x[8];
         const Vector<T> faces = turned(p.rod, Vector<T>{cos(turn), sin(turn)});
         return {{mechwright::miss(position(m, CouplerPoint<T>{x[3], x[4]}, p), placement,
                                   Vector<T>{T(target.x), T(target.y)}),
@@ -60,16 +61,15 @@ struct RodPose {
                                   const Vector<double>& facing, PoseMiss& out) {
         const SliderCrank<double> m{x[0], x[1], x[2]};
         const CouplerPoint<double> point{x[3], x[4]};
-        const auto p = pose(m, x[10]);
+        const auto p = pose(m, x[9]);
         if (p.rod.x == 0) return false;
         out.place.margin = out.turn.margin = std::min(p.left, p.right);
-        std::fill(out.place.gradient_x.begin() + 8, out.place.gradient_x.begin() + 10, 0.0);
-        std::fill(out.place.gradient_y.begin() + 8, out.place.gradient_y.begin() + 10, 0.0);
-        place_with_gradient(position(m, point, p), position_gradient(m, point, p), x, 10, target, out.place);
-        const double turn = x[7] + x[9];
+        out.place.gradient_x[8] = out.place.gradient_y[8] = 0;
+        place_with_gradient(position(m, point, p), position_gradient(m, point, p), x, 9, target, out.place);
+        const double turn = x[7] + x[8];
         const Vector<double> faces = turned(p.rod, Vector<double>{std::cos(turn), std::sin(turn)});
         const RodTurn<double> rod = rod_turn(m, p);
-        face_with_gradient(faces, rod.dimensions, rod.crank_angle, {7, 9}, 10, facing, out.turn);
+        face_with_gradient(faces, rod.dimensions, rod.crank_angle, {7, 8}, 9, facing, out.turn);
         return true;
     }
 };

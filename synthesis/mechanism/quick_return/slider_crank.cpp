@@ -43,8 +43,10 @@ std::vector<Dimension> dimensions() {
 }
 
 std::vector<Quantity> over_input() {
-    return {input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min"),
-            input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst")};
+    const Reads reads = read_over_input();
+    return {
+        input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min", reads),
+        input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst", reads)};
 }
 constexpr std::size_t line_angle = 14;
 constexpr std::size_t arc_x = 16;
@@ -115,12 +117,12 @@ std::vector<Quantity> all_quantities() {
     for (const Quantity& q : pose_quantities())
         all.push_back(q);
     for (const Quantity& q : function_quantities<RamPosition, RamPositionAgain>(
-             Unit::length, "greatest difference of the ram's position from the function",
+             read_by_function(), Unit::length, "greatest difference of the ram's position from the function",
              "root mean square difference of the ram's position from the function"))
         all.push_back(q);
-    for (const Quantity& q : line_quantities<RodPath, rod_path_point, input_start, line_angle>())
+    for (const Quantity& q : line_quantities<RodPath, rod_path_point>(input_start, line_angle))
         all.push_back(q);
-    for (const Quantity& q : arc_quantities<RodPath, rod_path_point, input_start, arc_x>())
+    for (const Quantity& q : arc_quantities<RodPath, rod_path_point>(input_start, arc_x))
         all.push_back(q);
     return all;
 }
@@ -149,11 +151,11 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism() {
                                .roles = {3, 4, 5, 6, 7, 8, 9},
                                .miss = path_miss_by<RodPath>,
                                .point = rod_path_point},
-        .body = BodyGuidance{RodPose::reads, pose_miss_by<RodPose>},
-        .input = InputRange{input_start, input_margin_quantity<RamInputMargin>(), over_input()},
+        .body = BodyGuidance{RodPose::dimensions(), pose_miss_by<RodPose>},
+        .input = InputRange{input_start, input_margin_quantity<RamInputMargin>(read_over_input()), over_input()},
         .function = FunctionGeneration{fit_ram_function, function_extremes_by<RamPosition>, ram_loop_row<Interval>},
-        .line = followed_shape<RodPath, LineShape, input_start, line_angle>(),
-        .arc = followed_shape<RodPath, ArcShape, input_start, arc_x>()});
+        .line = followed_shape<RodPath, LineShape>(line_angle),
+        .arc = followed_shape<RodPath, ArcShape>(arc_x)});
     return mechanism;
 }
 

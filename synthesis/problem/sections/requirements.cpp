@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
@@ -102,22 +103,22 @@ void read_requirement(const toml::node& node, const Section& file, Problem& prob
 void compare_with_variables(const Problem& problem, const std::vector<Bounds>& bounds, Place place,
                             Messages& messages) {
     std::size_t equalities = 0;
-    std::size_t reads = 0;
+    std::set<std::size_t> variables;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const Quantity& quantity = problem.mechanism->quantities[i];
         if (!bounds[i].equal || quantity.path != PathMeasure::none) continue;
         ++equalities;
-        reads = std::max(reads, quantity.reads);
+        for (const std::size_t d : quantity.reads) {
+            const Tie& tie = problem.dimensions[d].tie;
+            if (!problem.dimensions[d].fixed()) variables.insert(tie.times != 0 ? tie.of : d);
+        }
     }
-    std::size_t variables = 0;
-    for (std::size_t i = 0; i < std::min(reads, problem.dimensions.size()); ++i)
-        if (!problem.dimensions[i].fixed() && !problem.dimensions[i].tied()) ++variables;
-    if (equalities > variables && !messages.failed)
+    if (equalities > variables.size() && !messages.failed)
         add_warning(messages, place,
                     fmt::format("{} quantities are required to equal a value, but only {} of the dimensions they "
                                 "depend on are free: in general no design meets them all; give more dimensions a "
                                 "range, or drop requirements",
-                                equalities, variables));
+                                equalities, variables.size()));
 }
 
 }  // namespace

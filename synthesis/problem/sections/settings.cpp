@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/sections/sections.h"
 
 namespace mechwright::reading {
@@ -75,9 +75,10 @@ void read_units(Section& file, Problem& problem, Messages& messages) {
 void read_motion(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> section = read_section(file, "motion", messages);
     if (!section) return;
-    if (problem.mechanism != nullptr && is_cam(*problem.mechanism) && has(*section, "crank_range"))
+    if (problem.mechanism != nullptr && has(*section, "crank_range") &&
+        std::ranges::all_of(problem.mechanism->families, &Family::full_turn))
         add_error(messages, place_of(*section, "crank_range"),
-                  "a cam is judged over its full turn: leave crank_range out");
+                  fmt::format("a {} is judged over its full turn: leave crank_range out", problem.mechanism->name));
     if (const auto range = read_numbers(*section, "crank_range", messages)) {
         if (range->size() != 2) {
             add_error(messages, place_of(*section, "crank_range"),

@@ -80,14 +80,14 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     const Mechanism& mechanism = *program.problem->mechanism;
     const PathTarget& target = *program.problem->path;
     const PathAngle angle = path_angle(program, dimensions, x, point);
-    const std::size_t reads = target.guides_body() ? mechanism.body->reads : mechanism.point->reads;
+    const Reads& reads = target.guides_body() ? mechanism.body->reads : mechanism.point->reads;
     auto& r = t.residuals;
-    t.arguments = reads + 1;
+    t.arguments = reads.size() + 1;
     PoseMiss miss{into(r[0], r[1], order), into(r[2], r[3], order)};
     if (target.guides_body()) {
         const double direction = target.faces(point) ? target.directions[point] : 0;
-        mechanism.body->miss(mechanism.form(program.variant.assembly), dimensions, angle.angle, program.targets[point],
-                             {std::cos(direction), std::sin(direction)}, miss);
+        miss_of_body(mechanism, program.variant.assembly, dimensions, angle.angle, program.targets[point],
+                     {std::cos(direction), std::sin(direction)}, miss);
         t.count = 4;
         r[2].value = miss.turn.miss.x;
         r[3].value = miss.turn.miss.y;
@@ -95,8 +95,7 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
         scale(r[2], length, t.arguments, order);
         scale(r[3], length, t.arguments, order);
     } else {
-        mechanism.point->miss(mechanism.form(program.variant.assembly), dimensions, angle.angle, program.targets[point],
-                              miss.place);
+        miss_of_point(mechanism, program.variant.assembly, dimensions, angle.angle, program.targets[point], miss.place);
         t.count = 2;
     }
     r[0].value = miss.place.miss.x;
@@ -106,11 +105,13 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     for (const Residual& residual : t.all())
         t.square += residual.value * residual.value;
     if (order == 0) return;
-    std::copy_n(program.variable_of.begin(), reads, t.variable.begin());
-    t.variable[reads] = angle.variable;
     std::array<double, most_arguments> times;
-    std::copy_n(program.times.begin(), reads, times.begin());
-    times[reads] = program.untimed_path() ? 1 : program.times[program.problem->mechanism->point->roles.start];
+    for (std::size_t i = 0; i < reads.size(); ++i) {
+        t.variable[i] = program.variable_of[reads[i]];
+        times[i] = program.times[reads[i]];
+    }
+    t.variable[reads.size()] = angle.variable;
+    times[reads.size()] = program.untimed_path() ? 1 : program.times[program.problem->mechanism->point->roles.start];
     if (std::all_of(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(t.arguments),
                     [](double f) { return f == 1; }))
         return;

@@ -34,22 +34,26 @@ struct Arguments {
 
 Arguments arguments_at(const Program& program, std::span<const double> dimensions, const VectorXd& x) {
     const Mechanism& mechanism = *program.problem->mechanism;
-    const std::size_t reads = margin_of(*program.problem).reads;
-    assert(reads <= most_reads);
+    const Reads& reads = margin_of(*program.problem).reads;
     Arguments all;
-    for (std::size_t i = 0; i < reads; ++i) {
-        all.value[i] = dimensions[i];
-        all.of[i] = {{program.variable_of[i], -1}, {program.times[i], 0}};
-    }
     const StretchEnds ends = stretch_ends(program, x);
     const PathAngle first = path_angle(program, dimensions, x, ends.first);
     const PathAngle last = path_angle(program, dimensions, x, ends.last);
     const double by_variable = program.untimed_path() ? 1 : program.times[mechanism.point->roles.start];
     const std::size_t start = mechanism.input->start, range = start + 1;
-    all.value[start] = first.angle;
-    all.of[start] = {{first.variable, -1}, {by_variable, 0}};
-    all.value[range] = last.angle - first.angle;
-    all.of[range] = {{last.variable, first.variable}, {by_variable, -by_variable}};
+    for (std::size_t i = 0; i < reads.size(); ++i) {
+        const std::size_t d = reads[i];
+        if (d == start) {
+            all.value[i] = first.angle;
+            all.of[i] = {{first.variable, -1}, {by_variable, 0}};
+        } else if (d == range) {
+            all.value[i] = last.angle - first.angle;
+            all.of[i] = {{last.variable, first.variable}, {by_variable, -by_variable}};
+        } else {
+            all.value[i] = dimensions[d];
+            all.of[i] = {{program.variable_of[d], -1}, {program.times[d], 0}};
+        }
+    }
     return all;
 }
 
@@ -78,17 +82,15 @@ CrankStretch stretch_of(const Problem& problem, std::span<const double> path_ang
 
 double least_margin_along(const Problem& problem, const Design& design) {
     const Quantity& margin = margin_of(problem);
-    assert(margin.reads <= most_reads);
-    std::array<double, most_reads> arguments{};
-    std::copy_n(design.dimensions.begin(), margin.reads, arguments.begin());
+    std::vector<double> dimensions = design.dimensions;
     const CrankStretch stretch = stretch_of(problem, design.path_angles);
-    arguments[problem.mechanism->input->start] = stretch.first;
-    arguments[problem.mechanism->input->start + 1] = stretch.last - stretch.first;
+    dimensions[problem.mechanism->input->start] = stretch.first;
+    dimensions[problem.mechanism->input->start + 1] = stretch.last - stretch.first;
     std::array<double, most_components> value;
     Motion motion;
     motion.assembly = design.assembly;
     motion.model = problem.mechanism->model.data();
-    margin.measure(motion, arguments, {value, {}, {}});
+    measure(margin, motion, dimensions, {value, {}, {}});
     return *std::min_element(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(margin.components(motion)));
 }
 
@@ -109,7 +111,7 @@ StretchEnds stretch_ends(const Program& program, const VectorXd& x) {
 
 void evaluate_stretch(const Program& program, const VectorXd& x, bool derivatives, Outputs& out) {
     const QuantityBlock& block = *program.stretch;
-    const std::size_t reads = block.quantity->reads;
+    const std::size_t reads = block.quantity->reads.size();
     assert(block.count <= most_components);
     const Arguments arguments = arguments_at(program, out.dimensions, x);
     std::array<double, most_components> value;
@@ -129,7 +131,7 @@ void evaluate_stretch(const Program& program, const VectorXd& x, bool derivative
 
 void add_stretch_hessian(const Program& program, const VectorXd& x, LagrangianHessian& out) {
     const QuantityBlock& block = *program.stretch;
-    const std::size_t reads = block.quantity->reads;
+    const std::size_t reads = block.quantity->reads.size();
     const std::size_t pairs = reads * (reads + 1) / 2;
     const Arguments arguments = arguments_at(program, out.dimensions, x);
     std::array<double, most_components> value;
