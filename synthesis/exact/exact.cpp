@@ -9,7 +9,7 @@
 #include "synthesis/exact/places.h"
 #include "synthesis/exact/poses/poses.h"
 #include "synthesis/exact/poses/slider_crank_poses.h"
-#include "synthesis/mechanism/quick_return/quick_return.h"
+#include "synthesis/mechanism/slider_crank/slider_crank.h"
 
 namespace mechwright {
 

@@ -7,8 +7,11 @@
 #include <stdexcept>
 
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/crank_shaper/crank_shaper.h"
+#include "synthesis/mechanism/drag_link/drag_link.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
-#include "synthesis/mechanism/quick_return/quick_return.h"
+#include "synthesis/mechanism/slider_crank/slider_crank.h"
+#include "synthesis/mechanism/whitworth/whitworth.h"
 
 namespace mechwright {
 

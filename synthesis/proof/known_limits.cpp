@@ -12,7 +12,8 @@
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/mechanism/possible_values.h"
-#include "synthesis/mechanism/quick_return/quick_return.h"
+#include "synthesis/mechanism/slider_crank/slider_crank.h"
+#include "synthesis/mechanism/whitworth/whitworth.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/variant.h"
 

@@ -10,7 +10,10 @@
 #include <vector>
 
 #include "analysis/quick_return.h"
+#include "synthesis/mechanism/crank_shaper/layout.h"
+#include "synthesis/mechanism/drag_link/layout.h"
 #include "synthesis/mechanism/quick_return/drive.h"
+#include "synthesis/mechanism/whitworth/layout.h"
 #include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 

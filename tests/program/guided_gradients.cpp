@@ -8,7 +8,7 @@
 #include <random>
 
 #include "synthesis/mechanism/four_bar/coupler_path.h"
-#include "synthesis/mechanism/quick_return/rod_path.h"
+#include "synthesis/mechanism/slider_crank/rod_path.h"
 
 namespace mechwright::testing {
 

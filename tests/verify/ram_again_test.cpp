@@ -5,9 +5,15 @@
 #include <array>
 #include <vector>
 
+#include "synthesis/mechanism/crank_shaper/again.h"
+#include "synthesis/mechanism/crank_shaper/layout.h"
+#include "synthesis/mechanism/drag_link/again.h"
+#include "synthesis/mechanism/drag_link/layout.h"
 #include "synthesis/mechanism/possible_values.h"
-#include "synthesis/mechanism/quick_return/again.h"
-#include "synthesis/mechanism/quick_return/layout.h"
+#include "synthesis/mechanism/slider_crank/again.h"
+#include "synthesis/mechanism/slider_crank/layout.h"
+#include "synthesis/mechanism/whitworth/again.h"
+#include "synthesis/mechanism/whitworth/layout.h"
 #include "tests/properties/drives.h"
 
 namespace mechwright::test {

@@ -7,8 +7,11 @@
 #include "analysis/slider_crank/best_slider_crank.h"
 #include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/exact/family_size.h"
+#include "synthesis/mechanism/crank_shaper/layout.h"
 #include "synthesis/mechanism/quick_return/formulas.h"
 #include "synthesis/mechanism/quick_return/transmission.h"
+#include "synthesis/mechanism/slider_crank/layout.h"
+#include "synthesis/mechanism/whitworth/layout.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/proof/known_limits.h"
 

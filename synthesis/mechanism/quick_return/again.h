@@ -14,7 +14,10 @@
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/mechanism/quick_return/ram_again.h"
 
-namespace mechwright::quick_return {
+namespace mechwright::quick_return::again {
+
+/// Families of every motion of a ram.
+enum RamFamily : std::size_t { two_strokes, limited };
 
 template <class Geometry>
 struct RamAgain {
@@ -44,19 +47,4 @@ struct RamAgain {
     static std::vector<Check> check_motion(const Motion& motion, Dimensions dimensions);
 };
 
-using SliderCrankAgain = RamAgain<again::SliderCrankGeometry>;
-using CrankShaperAgain = RamAgain<again::CrankShaperGeometry>;
-using WhitworthAgain = RamAgain<again::WhitworthGeometry>;
-using DragLinkAgain = RamAgain<again::DragLinkGeometry>;
-
-/// The ways in which each can move (Mechanism::ways_again).
-std::vector<Way> slider_crank_ways(bool full_turn);
-std::vector<Way> crank_shaper_ways(bool full_turn);
-std::vector<Way> whitworth_ways(bool full_turn);
-std::vector<Way> drag_link_ways(bool full_turn);
-
-/// The point of a slider-crank's rod in the drawing at a crank angle (radians, counted from the slide); NaN where the
-/// mechanism does not assemble.
-Vector<Digits50> rod_path_point(Form form, std::span<const Digits50> dimensions, const Digits50& crank_angle);
-
-}  // namespace mechwright::quick_return
+}  // namespace mechwright::quick_return::again

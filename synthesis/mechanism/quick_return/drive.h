@@ -51,7 +51,7 @@ std::size_t count_of(const Motion& motion) {
 template <template <class> class Drive, std::size_t at_ram, std::size_t each>
 std::size_t transmission_count(const Motion& motion) {
     const std::size_t rods = motion.family == full_turn ? at_ram : detail::limited_places;
-    if constexpr (!std::is_same_v<Drive<double>, DragLink<double>>) return rods;
+    if constexpr (!HasFourBar<Drive<double>>) return rods;
     const std::size_t extremes = motion.full_turn ? 1 : four_bar::transmission_extremes_of(motion).count;
     return rods + each * extremes;
 }
@@ -59,7 +59,7 @@ std::size_t transmission_count(const Motion& motion) {
 template <template <class> class Drive>
 std::size_t assembly_margin_count(const Motion& motion) {
     if (motion.family == full_turn) return 3;
-    if constexpr (!std::is_same_v<Drive<double>, DragLink<double>>) return 2 * detail::limited_places;
+    if constexpr (!HasFourBar<Drive<double>>) return 2 * detail::limited_places;
     return 2 * detail::limited_places + 2 * four_bar::transmission_extremes_of(motion).count;
 }
 

@@ -15,7 +15,7 @@ namespace mechwright::quick_return {
 template <template <class> class Drive>
 struct TimeRatio {
     static constexpr std::size_t reads = Layout<Drive>::reads;
-    static constexpr std::size_t most = std::is_same_v<Drive<double>, CrankShaper<double>> ? 1 : 2;
+    static constexpr std::size_t most = Layout<Drive>::outward_is_slow ? 1 : 2;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
         const Strokes<T> s = strokes(Layout<Drive>::make(x, motion.assembly));

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// How the dimensions of a ram-driving mechanism stand in the registry, and which of them are its links.
+/// How the dimensions of a ram-driving mechanism stand in the registry, and in what the formulas of its kind differ
+/// from those of the others. Each kind has its own layout in its folder.
 
 #include <array>
 #include <cstddef>
@@ -10,49 +11,27 @@
 namespace mechwright::quick_return {
 
 /// `reads`: how many of the first dimensions the motion of the ram depends on; `links`: the indices of the link
-/// lengths; `make`: the mechanism of these dimensions.
+/// lengths; `make`: the mechanism of these dimensions. Where over a full turn there are conditions that are not linear
+/// in the dimensions, `conditions_of_full_turn` gives what must be >= 0.
 template <template <class> class Drive>
 struct Layout;
 
-template <>
-struct Layout<SliderCrank> {
-    static constexpr std::size_t reads = 3;
-    static constexpr std::array<std::size_t, 2> links{0, 1};
-    template <class T>
-    static SliderCrank<T> make(const std::array<T, reads>& x, std::size_t) {
-        return {x[0], x[1], x[2]};
+/// What holds for drives whose arm turns fully.
+struct UsualRam {
+    /// Whether the outward stroke always is the slow one.
+    static constexpr bool outward_is_slow = false;
+    /// How much rod is left, seen from both of its sides, where it is steepest in a full turn.
+    template <class Drive>
+    static auto least_rod_margins(const Drive& m) {
+        const auto margin = rod_margins(output_of(m));
+        return std::array{margin.crank_right, margin.crank_left};
     }
 };
 
-template <>
-struct Layout<CrankShaper> {
-    static constexpr std::size_t reads = 5;
-    static constexpr std::array<std::size_t, 4> links{0, 1, 2, 3};
-    template <class T>
-    static CrankShaper<T> make(const std::array<T, reads>& x, std::size_t) {
-        return {x[0], x[1], x[2], x[3], x[4]};
-    }
-};
-
-template <>
-struct Layout<Whitworth> {
-    static constexpr std::size_t reads = 5;
-    static constexpr std::array<std::size_t, 4> links{0, 1, 2, 3};
-    template <class T>
-    static Whitworth<T> make(const std::array<T, reads>& x, std::size_t) {
-        return {x[0], x[1], x[2], x[3], x[4]};
-    }
-};
-
-template <>
-struct Layout<DragLink> {
-    static constexpr std::size_t reads = 9;
-    static constexpr std::array<std::size_t, 6> links{0, 1, 2, 3, 4, 6};
-    template <class T>
-    static DragLink<T> make(const std::array<T, reads>& x, std::size_t assembly) {
-        return {
-            {x[0], x[1], x[2], x[3]}, x[4], x[5], x[6], x[7], x[8], assembly == 0 ? Assembly::open : Assembly::crossed};
-    }
+/// A drive with a four-bar at its input.
+template <class Drive>
+concept HasFourBar = requires(const Drive& m) {
+    m.links.coupler;
 };
 
 /// Families of every ram-driving mechanism: two strokes in each full turn, or any other motion.

@@ -69,7 +69,7 @@ bool rod_is_square(const Drive& m, double crank_angle) {
 /// rod square to the slide, or the four-bar of a drag link at a toggle.
 template <class Drive>
 bool is_dead_position(const Drive& m, double crank_angle) {
-    if constexpr (std::is_same_v<Drive, DragLink<double>>)
+    if constexpr (HasFourBar<Drive>)
         if (is_toggle(m.links, half_turn(crank_angle))) return true;
     return rod_is_square(m, crank_angle);
 }

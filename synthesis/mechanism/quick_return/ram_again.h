@@ -5,9 +5,13 @@
 /// Taylor series in the crank angle, so that no formula for a velocity stands here. Differences that would lose digits
 /// in double are formed in fifty digits first, so that the samples that look for brackets can be trusted.
 
-#include <span>
+#include <fmt/format.h>
 
-#include "synthesis/mechanism/four_bar/linkage_again.h"
+#include <span>
+#include <string>
+#include <vector>
+
+#include "synthesis/mechanism/mechanism.h"
 #include "synthesis/mechanism/quick_return/jet.h"
 
 namespace mechwright::quick_return::again {
@@ -74,106 +78,18 @@ Vector<Jet<T>> slot_direction(const T& difference, const T& crank, const Jet<T>&
     return {along / reach, across / reach};
 }
 
-/// Each geometry: the numbers that its arm's direction follows from, `arm_direction` itself, and the rod, all of
-/// dimensions whose lengths are divided by `unit`.
-struct SliderCrankGeometry {
-    static constexpr std::array<std::size_t, 2> links{0, 1};
-    static constexpr std::array<std::size_t, 2> lengths{0, 1};
+/// Each kind's geometry stands in its folder: the numbers that its arm's direction follows from, `arm_direction`
+/// itself, and the rod, all of dimensions whose lengths are divided by `unit`; whether it works, what is checked of its
+/// input, and what must be >= 0 there.
 
-    template <class T>
-    struct Input {};
-    template <class To, class From>
-    static Input<To> rounded_input(const Input<From>&) {
-        return {};
-    }
-    static Input<Digits50> input(std::size_t, std::span<const Digits50>, const Digits50&) { return {}; }
-    static Rod<Digits50> rod(std::span<const Digits50> d, const Digits50& unit) {
-        return rod_of(d[0] / unit, d[1] / unit, d[2] / unit);
-    }
-    template <class T>
-    static Vector<Jet<T>> arm_direction(const Input<T>&, const Jet<T>& crank_angle) {
-        const auto angle = sine_cosine(crank_angle);
-        return {angle.cosine, angle.sine};
-    }
-};
-
-/// The slide points to the left of the line of centres.
-struct CrankShaperGeometry {
-    static constexpr std::array<std::size_t, 4> links{0, 1, 2, 3};
-    static constexpr std::array<std::size_t, 5> lengths{0, 1, 2, 3, 4};
-
-    template <class T>
-    struct Input {
-        T difference, crank;
-    };
-    template <class To, class From>
-    static Input<To> rounded_input(const Input<From>& m) {
-        return {To(m.difference), To(m.crank)};
-    }
-    static Input<Digits50> input(std::size_t, std::span<const Digits50> d, const Digits50& unit) {
-        return {(d[0] - d[1]) / unit, d[1] / unit};
-    }
-    static Rod<Digits50> rod(std::span<const Digits50> d, const Digits50& unit) {
-        return rod_of(d[2] / unit, d[3] / unit, -d[4] / unit);
-    }
-    template <class T>
-    static Vector<Jet<T>> arm_direction(const Input<T>& m, const Jet<T>& crank_angle) {
-        const auto slot = slot_direction(m.difference, m.crank, crank_angle);
-        return {slot.y, -slot.x};
-    }
-};
-
-/// The arm lies opposite the slot.
-struct WhitworthGeometry {
-    static constexpr std::array<std::size_t, 4> links{0, 1, 2, 3};
-    static constexpr std::array<std::size_t, 4> lengths{0, 1, 2, 3};
-
-    template <class T>
-    struct Input {
-        T difference, crank, slide_cosine, slide_sine;
-    };
-    template <class To, class From>
-    static Input<To> rounded_input(const Input<From>& m) {
-        return {To(m.difference), To(m.crank), To(m.slide_cosine), To(m.slide_sine)};
-    }
-    static Input<Digits50> input(std::size_t, std::span<const Digits50> d, const Digits50& unit) {
-        return {(d[0] - d[1]) / unit, d[1] / unit, cos(d[4]), sin(d[4])};
-    }
-    static Rod<Digits50> rod(std::span<const Digits50> d, const Digits50& unit) {
-        return rod_of(d[2] / unit, d[3] / unit, 0);
-    }
-    template <class T>
-    static Vector<Jet<T>> arm_direction(const Input<T>& m, const Jet<T>& crank_angle) {
-        return seen_from(-slot_direction(m.difference, m.crank, crank_angle), m.slide_cosine, m.slide_sine);
-    }
-};
-
-/// The arm turns with the rocker of a four-bar.
-struct DragLinkGeometry {
-    static constexpr std::array<std::size_t, 6> links{0, 1, 2, 3, 4, 6};
-    static constexpr std::array<std::size_t, 6> lengths{0, 1, 2, 3, 4, 6};
-
-    template <class T>
-    struct Input {
-        four_bar::again::Linkage<T> linkage;
-        T turn_cosine, turn_sine;  ///< from arm angle to slide angle
-    };
-    template <class To, class From>
-    static Input<To> rounded_input(const Input<From>& m) {
-        return {four_bar::again::rounded<To>(m.linkage), To(m.turn_cosine), To(m.turn_sine)};
-    }
-    static Input<Digits50> input(std::size_t assembly, std::span<const Digits50> d, const Digits50&) {
-        const Digits50 turn = d[7] - d[5];
-        return {four_bar::again::linkage(assembly, d.first(4)), cos(turn), sin(turn)};
-    }
-    static Rod<Digits50> rod(std::span<const Digits50> d, const Digits50& unit) {
-        return rod_of(d[4] / unit, d[6] / unit, d[8] / unit);
-    }
-    template <class T>
-    static Vector<Jet<T>> arm_direction(const Input<T>& m, const Jet<T>& crank_angle) {
-        const auto p = four_bar::again::pose(four_bar::again::rounded<Jet<T>>(m.linkage), crank_angle);
-        const Jet<T> per_follower = Jet<T>(T(1)) / Jet<T>(m.linkage.rocker);
-        return seen_from(per_follower * p.rocker, m.turn_cosine, m.turn_sine);
+/// What a kind of mechanism leaves out where it has nothing of its own.
+struct UsualGeometry {
+    static constexpr std::size_t input_margins = 0;
+    static constexpr bool has_four_bar = false;
+    static std::vector<Check> checks_of_input(const Motion&, std::span<const Digits50>) { return {}; }
+    /// The detail of a check of two lengths.
+    static std::string by(const Digits50& length) {
+        return fmt::format("by {:.9g} (length)", length.convert_to<double>());
     }
 };
 
@@ -207,12 +123,11 @@ struct Rebuilt {
     bool rod_is_square(const RamState<Digits50>& s) const {
         return !(std::min(s.right.c[0], s.left.c[0]) > rounding * (rod.arm + rod.rod + abs(rod.offset)));
     }
-    /// Whether that is so, or the four-bar of a drag link is at a toggle: the ram is infinitely fast.
+    /// Whether that is so, or the input is at a toggle: the ram is infinitely fast.
     bool is_dead_position(const RamState<Digits50>& s, const Digits50& crank_angle) const {
-        if constexpr (std::is_same_v<Geometry, DragLinkGeometry>) {
-            const auto p = four_bar::again::pose(input.linkage, crank_angle);
-            if (abs(p.stretch) < rounding || abs(p.fold) < rounding) return true;
-        }
+        if constexpr (Geometry::input_margins > 0)
+            for (const Digits50& margin : Geometry::margins_of_input(input, crank_angle))
+                if (abs(margin) < rounding) return true;
         return rod_is_square(s);
     }
 

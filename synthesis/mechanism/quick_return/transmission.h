@@ -22,29 +22,18 @@ T angle_at_ram(const T& margin, const T& rod) {
 /// Transmission angles at the ram over a full turn, seen from one side of the rod: the least one, and for an arm that
 /// turns fully the least one seen from the other side. An angle beyond a right one is not the least of the two.
 template <template <class> class Drive, class T>
-std::size_t least_at_ram(const Drive<T>& m, Components<T> out) {
-    const SliderCrank<T> output = output_of(m);
-    const RodMargins<T> margin = rod_margins(output);
-    out[0] = angle_at_ram(margin.crank_right, output.rod);
-    out[1] = angle_at_ram(margin.crank_left, output.rod);
-    return 2;
-}
-
-template <class T>
-std::size_t least_at_ram(const CrankShaper<T>& m, Components<T> out) {
-    const CrankShaperMargins<T> margin = margins(m);
-    out[0] = angle_at_ram(margin.reaches_upright, m.rod);
-    out[1] = angle_at_ram(margin.reaches_ends, m.rod);
-    return 2;
+std::array<T, 2> least_at_ram(const Drive<T>& m) {
+    const std::array<T, 2> margins = Layout<Drive>::least_rod_margins(m);
+    const T rod = output_of(m).rod;
+    return {angle_at_ram(margins[0], rod), angle_at_ram(margins[1], rod)};
 }
 
 /// The greatest angle at the ram over a full turn: a right angle where the rod comes to lie along the slide. Each of
 /// the two least ones above lies that far from it which its slope is; beyond a right angle the slope has the other
 /// sign.
-template <class Drive, class T>
-T greatest_at_ram(const Drive& m, const T&) {
-    std::array<T, 2> least;
-    least_at_ram(m, Components<T>(least));
+template <template <class> class Drive, class T>
+T greatest_at_ram(const Drive<T>& m) {
+    const std::array<T, 2> least = least_at_ram(m);
     const T right_angle(0.5 * pi<double>());
     if (least[0] > right_angle) return T(2) * right_angle - least[0];
     if (least[1] > right_angle) return T(2) * right_angle - least[1];
@@ -88,7 +77,7 @@ bool rod_along_slide(const Motion& motion, const Drive<double>& plain) {
 /// Components of the four-bar at the input of a drag link, by one of the four-bar's own formulas; none for the others.
 template <template <class> class Drive, class Formula, class T>
 std::size_t of_four_bar(const Motion& motion, const std::array<T, Layout<Drive>::reads>& x, Components<T> out) {
-    if constexpr (std::is_same_v<Drive<double>, DragLink<double>>)
+    if constexpr (HasFourBar<Drive<double>>)
         return Formula::template components<T>(motion, {x[0], x[1], x[2], x[3]}, out);
     else
         return 0;
@@ -96,8 +85,10 @@ std::size_t of_four_bar(const Motion& motion, const std::array<T, Layout<Drive>:
 
 template <template <class> class Drive, class T>
 std::size_t least_over(const Motion& motion, const std::array<T, Layout<Drive>::reads>& x, Components<T> out) {
-    return motion.family == full_turn ? least_at_ram(Layout<Drive>::make(x, motion.assembly), out)
-                                      : at_ram_in_range<Drive>(motion, x, out);
+    if (motion.family != full_turn) return at_ram_in_range<Drive>(motion, x, out);
+    const std::array<T, 2> least = least_at_ram(Layout<Drive>::make(x, motion.assembly));
+    std::copy(least.begin(), least.end(), out.begin());
+    return least.size();
 }
 
 }  // namespace detail
@@ -122,7 +113,7 @@ struct TransmissionAngleMax {
         const auto m = Layout<Drive>::make(x, motion.assembly);
         std::size_t count = 1;
         if (motion.family == full_turn) {
-            out[0] = detail::greatest_at_ram(m, x[0]);
+            out[0] = detail::greatest_at_ram(m);
         } else {
             count = detail::at_ram_in_range<Drive>(motion, x, out);
             if (detail::rod_along_slide<Drive>(motion, converted<double>(m))) out[0] = T(0.5 * pi<double>());
@@ -153,13 +144,11 @@ struct AssemblyMargin {
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
         const auto m = Layout<Drive>::make(x, motion.assembly);
-        if constexpr (std::is_same_v<Drive<double>, CrankShaper<double>>) {
+        if constexpr (requires { Layout<Drive>::conditions_of_full_turn(m); }) {
             if (motion.family == full_turn) {
-                const CrankShaperMargins<T> margin = margins(m);
-                out[0] = margin.reaches_ends;
-                out[1] = margin.pulls_at_outer;
-                out[2] = margin.pulls_at_inner;
-                return 3;
+                const auto margins = Layout<Drive>::conditions_of_full_turn(m);
+                std::copy(margins.begin(), margins.end(), out.begin());
+                return margins.size();
             }
         }
         const Drive<double> plain = converted<double>(m);

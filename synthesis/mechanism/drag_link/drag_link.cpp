@@ -1,13 +1,12 @@
+#include "synthesis/mechanism/drag_link/drag_link.h"
+
 #include <cmath>
 
 #include "analysis/four_bar/exact_turn.h"
+#include "synthesis/mechanism/drag_link/again.h"
+#include "synthesis/mechanism/drag_link/layout.h"
 #include "synthesis/mechanism/measure_by.h"
-#include "synthesis/mechanism/quick_return/again.h"
-#include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
-#include "synthesis/mechanism/quick_return/explained.h"
-#include "synthesis/mechanism/quick_return/quick_return.h"
-#include "synthesis/mechanism/quick_return/tasks.h"
 
 namespace mechwright {
 

@@ -1,17 +1,16 @@
+#include "synthesis/mechanism/slider_crank/slider_crank.h"
+
 #include <cmath>
 
 #include "analysis/four_bar/exact_turn.h"
 #include "analysis/numbers/interval.h"
 #include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/measure_by.h"
-#include "synthesis/mechanism/quick_return/again.h"
-#include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
-#include "synthesis/mechanism/quick_return/explained.h"
-#include "synthesis/mechanism/quick_return/quick_return.h"
-#include "synthesis/mechanism/quick_return/ram_function.h"
-#include "synthesis/mechanism/quick_return/rod_path.h"
-#include "synthesis/mechanism/quick_return/tasks.h"
+#include "synthesis/mechanism/slider_crank/again.h"
+#include "synthesis/mechanism/slider_crank/layout.h"
+#include "synthesis/mechanism/slider_crank/ram_function.h"
+#include "synthesis/mechanism/slider_crank/rod_path.h"
 
 namespace mechwright {
 

@@ -1,13 +1,12 @@
+#include "synthesis/mechanism/whitworth/whitworth.h"
+
 #include <cmath>
 
 #include "synthesis/mechanism/measure_by.h"
-#include "synthesis/mechanism/quick_return/again.h"
-#include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
-#include "synthesis/mechanism/quick_return/explained.h"
-#include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/slotted_row.h"
-#include "synthesis/mechanism/quick_return/tasks.h"
+#include "synthesis/mechanism/whitworth/again.h"
+#include "synthesis/mechanism/whitworth/layout.h"
 
 namespace mechwright {
 

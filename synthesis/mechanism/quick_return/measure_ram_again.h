@@ -1,21 +1,19 @@
-#include "synthesis/mechanism/quick_return/again.h"
+#pragma once
+/// \file
+/// The measures of again.h as templates on the geometry. Included by the files that make them for a kind of mechanism.
 
 #include <algorithm>
 #include <limits>
 
 #include "synthesis/mechanism/four_bar/measure_again.h"
+#include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/ram_places.h"
 
-namespace mechwright::quick_return {
+namespace mechwright::quick_return::again {
 
-namespace {
+inline const Digits50 nothing = std::numeric_limits<Digits50>::quiet_NaN();
 
-using namespace again;
-
-const Digits50 nothing = std::numeric_limits<Digits50>::quiet_NaN();
-constexpr std::size_t two_strokes = 0;  // family
-
-const Digits50& full_turn_angle() { return boost::math::constants::two_pi<Digits50>(); }
+inline const Digits50& full_turn_angle() { return boost::math::constants::two_pi<Digits50>(); }
 
 /// A place where a measure of the ram can be extreme.
 struct Candidate {
@@ -62,7 +60,7 @@ Limits limits(const Rebuilt<Geometry>& m, const Motion& motion) {
 }
 
 /// The angle from one crank angle on to another, in [0, 2 pi).
-Digits50 ahead(const Digits50& from, const Digits50& to) {
+inline Digits50 ahead(const Digits50& from, const Digits50& to) {
     const Digits50 angle = to - from;
     return angle - full_turn_angle() * floor(angle / full_turn_angle());
 }
@@ -73,7 +71,7 @@ struct SlowStroke {
     Digits50 first, last;  ///< positions
 };
 
-SlowStroke slow_stroke(const Limits& l) {
+inline SlowStroke slow_stroke(const Limits& l) {
     const Digits50 outward = ahead(l.inner_at, l.outer_at);
     const Digits50 inward = full_turn_angle() - outward;
     if (outward >= inward) return {l.inner_at, outward, l.inner, l.outer};
@@ -151,11 +149,6 @@ AtRam at_ram(const Rebuilt<Geometry>& m, const Motion& motion) {
 }
 
 template <class Geometry>
-constexpr bool has_four_bar = std::is_same_v<Geometry, DragLinkGeometry>;
-
-}  // namespace
-
-template <class Geometry>
 Digits50 RamAgain<Geometry>::stroke(const Motion& motion, Dimensions dimensions) {
     if (!is_motion(motion)) return nothing;
     const Rebuilt<Geometry> m(motion.assembly, dimensions);
@@ -176,7 +169,7 @@ template <class Geometry>
 Digits50 RamAgain<Geometry>::transmission_angle_min(const Motion& motion, Dimensions dimensions) {
     if (!is_motion(motion)) return nothing;
     const Digits50 least = at_ram(Rebuilt<Geometry>(motion.assembly, dimensions), motion).least;
-    if constexpr (has_four_bar<Geometry>)
+    if constexpr (Geometry::has_four_bar)
         return std::min<Digits50>(least, four_bar::transmission_angle_min_again(motion, dimensions));
     return least;
 }
@@ -185,7 +178,7 @@ template <class Geometry>
 Digits50 RamAgain<Geometry>::transmission_angle_max(const Motion& motion, Dimensions dimensions) {
     if (!is_motion(motion)) return nothing;
     const Digits50 most = at_ram(Rebuilt<Geometry>(motion.assembly, dimensions), motion).greatest;
-    if constexpr (has_four_bar<Geometry>)
+    if constexpr (Geometry::has_four_bar)
         return std::max<Digits50>(most, four_bar::transmission_angle_max_again(motion, dimensions));
     return most;
 }
@@ -194,7 +187,7 @@ template <class Geometry>
 Digits50 RamAgain<Geometry>::transmission_angle_worst(const Motion& motion, Dimensions dimensions) {
     if (!is_motion(motion)) return nothing;
     const Digits50 least = at_ram(Rebuilt<Geometry>(motion.assembly, dimensions), motion).least;
-    if constexpr (has_four_bar<Geometry>)
+    if constexpr (Geometry::has_four_bar)
         return std::min<Digits50>(least, four_bar::transmission_angle_worst_again(motion, dimensions));
     return least;
 }
@@ -241,21 +234,4 @@ Digits50 RamAgain<Geometry>::total_length(const Motion&, Dimensions dimensions) 
     return sum;
 }
 
-Vector<Digits50> rod_path_point(Form form, std::span<const Digits50> dimensions, const Digits50& crank_angle) {
-    const Rebuilt<SliderCrankGeometry> m(form.assembly, dimensions);
-    const auto s = m.at(crank_angle);
-    if (!(s.right.c[0] >= 0 && s.left.c[0] >= 0)) return {nothing, nothing};
-    const Vector<Digits50> along{s.run.c[0] / m.rod.rod, s.height.c[0] / m.rod.rod};
-    const Vector<Digits50> pin{dimensions[0] * cos(crank_angle), dimensions[0] * sin(crank_angle)};
-    const Vector<Digits50> local = pin + turned(Vector<Digits50>{dimensions[3], dimensions[4]}, along);
-    return Vector<Digits50>{dimensions[5], dimensions[6]} +
-           turned(local, Vector<Digits50>{cos(dimensions[7]), sin(dimensions[7])});
-}
-
-// check_motion stands in check_ram.cpp, and is instantiated there.
-template struct RamAgain<SliderCrankGeometry>;
-template struct RamAgain<CrankShaperGeometry>;
-template struct RamAgain<WhitworthGeometry>;
-template struct RamAgain<DragLinkGeometry>;
-
-}  // namespace mechwright::quick_return
+}  // namespace mechwright::quick_return::again

@@ -1,23 +1,22 @@
+#pragma once
+/// \file
+/// The checks of again.h as a template on the geometry. Included by the files that make them for a kind of mechanism.
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "synthesis/mechanism/four_bar/measure_again.h"
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/ram_places.h"
 
-namespace mechwright::quick_return {
+namespace mechwright::quick_return::again {
 
-namespace {
+inline constexpr double rounding = 1e-12;   // of crank angles, and of margins over the unit of length
+inline constexpr double no_margin = 1e-30;  // places are found to forty digits
 
-using namespace again;
+inline std::string number(const Digits50& value) { return fmt::format("{:.9g}", value.convert_to<double>()); }
 
-constexpr double rounding = 1e-12;  // of crank angles, and of margins over the unit of length
-constexpr double zero = 1e-30;      // places are found to forty digits
-
-std::string number(const Digits50& value) { return fmt::format("{:.9g}", value.convert_to<double>()); }
-
-std::string degrees(const Digits50& radians) {
+inline std::string degrees(const Digits50& radians) {
     const Digits50 angle = radians * 180 / boost::math::constants::pi<Digits50>();
     return number(abs(angle) < rounding ? Digits50(0) : angle) + " deg";
 }
@@ -58,7 +57,7 @@ std::vector<RodPlace> rod_places(const Rebuilt<Geometry>& m, const Motion& motio
     return all;
 }
 
-Check check_reach(const std::vector<RodPlace>& all, const Digits50& unit) {
+inline Check check_reach(const std::vector<RodPlace>& all, const Digits50& unit) {
     const auto least = std::min_element(all.begin(), all.end(),
                                         [](const RodPlace& a, const RodPlace& b) { return a.margin < b.margin; });
     const bool reaches =
@@ -69,12 +68,12 @@ Check check_reach(const std::vector<RodPlace>& all, const Digits50& unit) {
                     : "the rod is too short by " + number(-unit * least->margin) + " (length)" + where};
 }
 
-Check check_branch(const std::vector<RodPlace>& all, bool reaches) {
+inline Check check_branch(const std::vector<RodPlace>& all, bool reaches) {
     const auto least = std::min_element(all.begin(), all.end(), [](const RodPlace& a, const RodPlace& b) {
         return a.dead_end != b.dead_end ? b.dead_end : a.margin < b.margin;
     });
     const bool ends = std::any_of(all.begin(), all.end(), [](const RodPlace& p) { return p.dead_end; });
-    Check check{"rod stays on one branch", reaches && least->margin > zero, {}};
+    Check check{"rod stays on one branch", reaches && least->margin > no_margin, {}};
     if (!reaches)
         check.detail = "it does not reach the slide over the whole motion";
     else if (!check.passed)
@@ -95,30 +94,9 @@ Check check_strokes(const Rebuilt<Geometry>& m, const Motion& motion) {
     return {"makes two strokes in each turn", turns.size() == 2, "the ram turns back at crank angles " + where};
 }
 
-/// Whether a slotted arm swings or turns fully as its mechanism's name says.
-template <class Geometry>
-std::vector<Check> checks_of_input(const Motion&, std::span<const Digits50> d) {
-    if constexpr (std::is_same_v<Geometry, CrankShaperGeometry>)
-        return {{"crank is shorter than the centre distance", d[1] < d[0], "by " + number(d[0] - d[1]) + " (length)"}};
-    if constexpr (std::is_same_v<Geometry, WhitworthGeometry>)
-        return {{"crank is longer than the centre distance", d[1] > d[0], "by " + number(d[1] - d[0]) + " (length)"}};
-    return {};
-}
-
-template <>
-std::vector<Check> checks_of_input<DragLinkGeometry>(const Motion& motion, std::span<const Digits50> d) {
-    std::vector<Check> checks = four_bar_check_motion(motion, d.first(4));
-    checks.erase(checks.begin());  // its dimensions are checked with the others
-    for (Check& check : checks)
-        check.name = "four-bar " + check.name;
-    return checks;
-}
-
-bool passed(const std::vector<Check>& checks) {
+inline bool passed(const std::vector<Check>& checks) {
     return std::all_of(checks.begin(), checks.end(), [](const Check& c) { return c.passed; });
 }
-
-}  // namespace
 
 template <class Geometry>
 std::vector<Check> RamAgain<Geometry>::check_motion(const Motion& motion, Dimensions dimensions) {
@@ -130,22 +108,16 @@ std::vector<Check> RamAgain<Geometry>::check_motion(const Motion& motion, Dimens
                                                   : "the crank angles of the motion are not finite"});
         return checks;
     }
-    for (Check& check : checks_of_input<Geometry>(motion, dimensions))
+    for (Check& check : Geometry::checks_of_input(motion, dimensions))
         checks.push_back(std::move(check));
     if (!passed(checks)) return checks;
     const Rebuilt<Geometry> m(motion.assembly, dimensions);
     const auto places = rod_places(m, motion);
     checks.push_back(check_reach(places, m.unit));
     checks.push_back(check_branch(places, checks.back().passed));
-    constexpr std::size_t two_strokes = 0;  // family
     if (motion.family == two_strokes && motion.full_turn && checks.back().passed)
         checks.push_back(check_strokes(m, motion));
     return checks;
 }
 
-template std::vector<Check> RamAgain<SliderCrankGeometry>::check_motion(const Motion&, Dimensions);
-template std::vector<Check> RamAgain<CrankShaperGeometry>::check_motion(const Motion&, Dimensions);
-template std::vector<Check> RamAgain<WhitworthGeometry>::check_motion(const Motion&, Dimensions);
-template std::vector<Check> RamAgain<DragLinkGeometry>::check_motion(const Motion&, Dimensions);
-
-}  // namespace mechwright::quick_return
+}  // namespace mechwright::quick_return::again

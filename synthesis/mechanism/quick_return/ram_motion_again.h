@@ -1,3 +1,7 @@
+#pragma once
+/// \file
+/// The motion of again.h as a template on the geometry. Included by the files that make it for a kind of mechanism.
+
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <limits>
@@ -8,15 +12,10 @@
 #include "synthesis/mechanism/quick_return/again.h"
 #include "synthesis/mechanism/quick_return/ram_places.h"
 
-namespace mechwright::quick_return {
+namespace mechwright::quick_return::again {
 
-namespace {
-
-using namespace again;
-
-constexpr std::size_t two_strokes = 0, limited = 1;  // families
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double as_wide_within = 1e-9;  // radians
+inline constexpr double turn = 2 * std::numbers::pi;
+inline constexpr double as_wide_within = 1e-9;  // radians
 
 /// What has to be at least 0 for the mechanism to assemble: how much rod is left on both sides of the slide, and at a
 /// drag link how far its four-bar is from being stretched and folded.
@@ -24,19 +23,15 @@ template <class Geometry>
 struct Margins {
     Rebuilt<Geometry> m;
 
-    static constexpr std::size_t count = std::is_same_v<Geometry, DragLinkGeometry> ? 4 : 2;
+    static constexpr std::size_t count = 2 + Geometry::input_margins;
 
     double at(std::size_t k, double x) const { return margin(k, m.plain_input, x); }
     Digits50 at(std::size_t k, const Digits50& x) const { return margin(k, m.input, x); }
 
     template <class Input, class T>
     T margin(std::size_t k, const Input& input, const T& crank_angle) const {
-        if constexpr (count == 4) {
-            if (k >= 2) {
-                const auto pose = four_bar::again::pose(input.linkage, crank_angle);
-                return k == 2 ? pose.stretch : pose.fold;
-            }
-        }
+        if constexpr (count > 2)
+            if (k >= 2) return Geometry::margins_of_input(input, crank_angle)[k - 2];
         const auto state = m.at(crank_angle);
         return k == 0 ? state.right.c[0] : state.left.c[0];
     }
@@ -64,18 +59,6 @@ struct Margins {
     }
 };
 
-/// Whether the input turns or swings as the mechanism's name says, and the rod never stops it.
-template <class Geometry>
-bool works(std::span<const Digits50> d) {
-    if constexpr (std::is_same_v<Geometry, SliderCrankGeometry>) return d[0] + abs(d[2]) <= d[1];
-    if constexpr (std::is_same_v<Geometry, CrankShaperGeometry>) return d[1] < d[0];
-    if constexpr (std::is_same_v<Geometry, WhitworthGeometry>) return d[1] > d[0] && d[2] <= d[3];
-    if constexpr (std::is_same_v<Geometry, DragLinkGeometry>)
-        return d[0] + d[1] <= d[2] + d[3] && d[0] + abs(d[2] - d[3]) <= d[1] && d[4] + abs(d[8]) <= d[6];
-}
-
-}  // namespace
-
 template <class Geometry>
 Motion RamAgain<Geometry>::motion(Form form, Dimensions dimensions,
                                   const std::optional<Vector<Digits50>>& crank_range) {
@@ -96,7 +79,7 @@ Motion RamAgain<Geometry>::motion(Form form, Dimensions dimensions,
                                          : std::all_of(assembled.begin(), assembled.end(), [](bool b) { return b; });
     if (everywhere) {
         motion.full_turn = true;
-        if (works<Geometry>(dimensions) && turning_points(margins.m, motion).size() == 2) motion.family = two_strokes;
+        if (Geometry::works(dimensions) && turning_points(margins.m, motion).size() == 2) motion.family = two_strokes;
         return motion;
     }
     motion.full_turn = false;
@@ -117,9 +100,4 @@ Motion RamAgain<Geometry>::motion(Form form, Dimensions dimensions,
     return motion;
 }
 
-template Motion RamAgain<SliderCrankGeometry>::motion(Form, Dimensions, const std::optional<Vector<Digits50>>&);
-template Motion RamAgain<CrankShaperGeometry>::motion(Form, Dimensions, const std::optional<Vector<Digits50>>&);
-template Motion RamAgain<WhitworthGeometry>::motion(Form, Dimensions, const std::optional<Vector<Digits50>>&);
-template Motion RamAgain<DragLinkGeometry>::motion(Form, Dimensions, const std::optional<Vector<Digits50>>&);
-
-}  // namespace mechwright::quick_return
+}  // namespace mechwright::quick_return::again

@@ -1,13 +1,12 @@
+#include "synthesis/mechanism/crank_shaper/crank_shaper.h"
+
 #include <cmath>
 
+#include "synthesis/mechanism/crank_shaper/again.h"
+#include "synthesis/mechanism/crank_shaper/layout.h"
 #include "synthesis/mechanism/measure_by.h"
-#include "synthesis/mechanism/quick_return/again.h"
-#include "synthesis/mechanism/quick_return/drawing.h"
 #include "synthesis/mechanism/quick_return/drive.h"
-#include "synthesis/mechanism/quick_return/explained.h"
-#include "synthesis/mechanism/quick_return/quick_return.h"
 #include "synthesis/mechanism/quick_return/slotted_row.h"
-#include "synthesis/mechanism/quick_return/tasks.h"
 
 namespace mechwright {
 

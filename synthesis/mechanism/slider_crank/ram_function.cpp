@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/quick_return/ram_function.h"
+#include "synthesis/mechanism/slider_crank/ram_function.h"
 
 namespace mechwright::quick_return {
 

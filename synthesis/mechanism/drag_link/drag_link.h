@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// The registry entry of the drag link, and the parts that it is made of.
+
+#include "synthesis/mechanism/mechanism.h"
+
+namespace mechwright {
+
+std::shared_ptr<const Mechanism> drag_link_mechanism();
+
+/// How its quantities follow from its dimensions, where this is not said of every mechanism alike.
+std::vector<QuantityFormula> drag_link_formulas();
+
+/// The tasks that `mechwright new` begins with it.
+std::vector<Task> drag_link_tasks();
+
+/// How it is drawn: in the frame of its slide.
+Drawing drag_link_drawing();
+
+}  // namespace mechwright

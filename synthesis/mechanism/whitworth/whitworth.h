@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// The registry entry of Whitworth's drive, and the parts that it is made of.
+
+#include "synthesis/mechanism/mechanism.h"
+
+namespace mechwright {
+
+std::shared_ptr<const Mechanism> whitworth_mechanism();
+
+/// Whether a mechanism is of the kind.
+bool is_whitworth(const Mechanism& mechanism);
+
+/// How its quantities follow from its dimensions, where this is not said of every mechanism alike.
+std::vector<QuantityFormula> whitworth_formulas();
+
+/// The tasks that `mechwright new` begins with it.
+std::vector<Task> whitworth_tasks();
+
+/// How it is drawn: in the frame of its slide.
+Drawing whitworth_drawing();
+
+}  // namespace mechwright
