@@ -43,8 +43,8 @@ std::string why_points_coincide(const PathTarget& path) {
     return {};
 }
 
-std::vector<homotopy::Place> places_of(const PathTarget& path) {
-    std::vector<homotopy::Place> places;
+std::vector<homotopy::GuidedPlace> places_of(const PathTarget& path) {
+    std::vector<homotopy::GuidedPlace> places;
     for (std::size_t i = 0; i < path.points.size(); ++i)
         places.push_back(
             {{path.points[i].x, path.points[i].y}, path.faces(i) ? std::optional(path.directions[i]) : std::nullopt});
@@ -59,7 +59,8 @@ struct RealSolution {
 /// The real ones, each from its certificate where there is one.
 std::vector<RealSolution> real_solutions(const std::vector<homotopy::GuidanceValues>& all,
                                          const homotopy::GuidanceTarget& target,
-                                         const std::vector<homotopy::Place>& places, int jobs, const RunEnd& end) {
+                                         const std::vector<homotopy::GuidedPlace>& places, int jobs,
+                                         const RunEnd& end) {
     std::vector<RealSolution> real;
     for (const homotopy::GuidanceValues& solution : all)
         if (homotopy::is_real(solution)) real.push_back({solution});
@@ -91,7 +92,7 @@ std::string why_no_places(const Problem& problem) {
 }
 
 ExactDesigns place_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
-    const std::vector<homotopy::Place> places = places_of(*problem.path);
+    const std::vector<homotopy::GuidedPlace> places = places_of(*problem.path);
     const homotopy::GuidanceTarget target = homotopy::guidance_target(places);
     const homotopy::GuidanceSystem& system = target.system;
     const bool given = options.start_system && options.start_system->system.poses == system.poses;

@@ -39,7 +39,7 @@ struct Linearised {
 };
 
 /// A point, its values, and how it compares.
-struct Place {
+struct MinimaxPoint {
     VectorXd x;
     Linearised at;
     double objective = unlimited;
@@ -122,7 +122,7 @@ struct Minimax {
     }
 
     /// The point with all that follows from its dimensions; false where the mechanism does not assemble.
-    bool settle(VectorXd x, Place& place) {
+    bool settle(VectorXd x, MinimaxPoint& place) {
         ++evaluations;
         if (by_distance) meet_points(x);
         settle_epigraphs(program, x);
@@ -239,7 +239,7 @@ bool asks_for_one_worst(const Program& program) {
 LocalOutcome minimax(const Program& program, const VectorXd& start, const LocalLimits& limits) {
     LocalOutcome outcome;
     Minimax method(program);
-    Place here, there, nearer;
+    MinimaxPoint here, there, nearer;
     if (!method.settle(within_bounds(program, start), here)) return outcome;
     method.unit = std::max(std::abs(here.at.greatest()), least_unit);
     double reach = first_reach, earlier = unlimited;

@@ -23,7 +23,7 @@ namespace reading {
 namespace {
 
 /// Messages about another file come where the problem names it, in the order of their places there.
-auto key(const Entry& entry) { return std::tuple(entry.order, Place{entry.message.line, entry.message.column}); }
+auto key(const Entry& entry) { return std::tuple(entry.order, FilePlace{entry.message.line, entry.message.column}); }
 
 void keep_first(Messages& messages) {
     auto& entries = messages.entries;
@@ -34,19 +34,19 @@ void keep_first(Messages& messages) {
 }
 
 /// The number of the node at a place, or -1 where there is none.
-int node_number(const NodeNames& nodes, Place place) {
+int node_number(const NodeNames& nodes, FilePlace place) {
     const auto found = nodes.numbers.find(place.node);
     return found == nodes.numbers.end() ? -1 : found->second;
 }
 
-Message message_at(const Messages& messages, Place place, std::string text, bool warning) {
+Message message_at(const Messages& messages, FilePlace place, std::string text, bool warning) {
     if (messages.nodes == nullptr) return {messages.file, place.line, place.column, std::move(text), warning};
     const int number = node_number(*messages.nodes, place);
     const auto name = number < 0 ? std::string() : messages.nodes->names[static_cast<std::size_t>(number)];
     return {messages.file, 0, 0, std::move(text), warning, name};
 }
 
-void add(Messages& messages, Place order, Message message) {
+void add(Messages& messages, FilePlace order, Message message) {
     if (messages.nodes != nullptr) order = {node_number(*messages.nodes, order), 0};
     constexpr std::size_t most_kept = 10 * Messages::most_shown;  // bounds memory for files of nothing but errors
     messages.failed |= !message.warning;
@@ -56,22 +56,23 @@ void add(Messages& messages, Place order, Message message) {
 
 }  // namespace
 
-void add_error(Messages& messages, Place place, std::string text) {
+void add_error(Messages& messages, FilePlace place, std::string text) {
     add(messages, place, message_at(messages, place, std::move(text), false));
 }
 
-void add_warning(Messages& messages, Place place, std::string text) {
+void add_warning(Messages& messages, FilePlace place, std::string text) {
     add(messages, place, message_at(messages, place, std::move(text), true));
 }
 
-std::string told(const Messages& messages, Place place) {
+std::string told(const Messages& messages, FilePlace place) {
     if (messages.nodes == nullptr) return fmt::format("in line {}", place.line);
     return message_at(messages, place, {}, false).name;
 }
 
-void add_error(Messages& messages, std::string text) { add_error(messages, Place{0, 0}, std::move(text)); }
+void add_error(Messages& messages, std::string text) { add_error(messages, FilePlace{0, 0}, std::move(text)); }
 
-void add_error_elsewhere(Messages& messages, Place named_at, const std::string& file, Place place, std::string text) {
+void add_error_elsewhere(Messages& messages, FilePlace named_at, const std::string& file, FilePlace place,
+                         std::string text) {
     add(messages, named_at, {file, place.line, place.column, std::move(text)});
 }
 

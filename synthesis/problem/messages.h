@@ -13,15 +13,15 @@
 namespace mechwright::reading {
 
 /// Line and column, counted from 1 in characters; in a table that has no text the node alone says where.
-struct Place {
+struct FilePlace {
     int line = 1;
     int column = 1;
     const void* node = nullptr;
 
-    friend auto operator<=>(const Place& a, const Place& b) {
+    friend auto operator<=>(const FilePlace& a, const FilePlace& b) {
         return std::pair(a.line, a.column) <=> std::pair(b.line, b.column);
     }
-    friend bool operator==(const Place& a, const Place& b) { return (a <=> b) == 0; }
+    friend bool operator==(const FilePlace& a, const FilePlace& b) { return (a <=> b) == 0; }
 };
 
 /// What the nodes of a table that has no text are called, in the order in which they were made.
@@ -31,7 +31,8 @@ struct NodeNames {
 };
 
 struct Entry {
-    Place order;  ///< what the message is sorted by: its place in the problem file, or that of the other file's name
+    FilePlace
+        order;  ///< what the message is sorted by: its place in the problem file, or that of the other file's name
     Message message;
 };
 
@@ -47,17 +48,18 @@ struct Messages {
     static constexpr std::size_t most_shown = 100;  ///< more than anyone reads at once
 };
 
-void add_error(Messages& messages, Place place, std::string text);
-void add_warning(Messages& messages, Place place, std::string text);
+void add_error(Messages& messages, FilePlace place, std::string text);
+void add_warning(Messages& messages, FilePlace place, std::string text);
 
 /// How a message speaks of another place: "in line 7", or the name of the value that stands there.
-std::string told(const Messages& messages, Place place);
+std::string told(const Messages& messages, FilePlace place);
 
 /// An error about the problem file as a whole.
 void add_error(Messages& messages, std::string text);
 
 /// An error in, or about (place 0:0), another file that is named at `named_at` in the problem file.
-void add_error_elsewhere(Messages& messages, Place named_at, const std::string& file, Place place, std::string text);
+void add_error_elsewhere(Messages& messages, FilePlace named_at, const std::string& file, FilePlace place,
+                         std::string text);
 
 /// At most `most_shown` messages by their places, then one that says how many there are beyond.
 std::vector<Message> sorted(Messages&& messages);

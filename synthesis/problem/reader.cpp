@@ -82,7 +82,7 @@ namespace {
 template <class MakeVaried>
 void read_whole(const toml::table& table, const MakeVaried& varied, Problem& problem, Messages& messages) {
     if (table.empty())
-        return add_error(messages, Place{},
+        return add_error(messages, FilePlace{},
                          "the file is empty: a problem needs at least schema = 1, mechanism = \"...\" and a section "
                          "[dimensions]");
     read_problem_table(table, problem, messages);

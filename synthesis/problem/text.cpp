@@ -89,12 +89,12 @@ int count_characters(std::string_view text) {
 }
 
 std::optional<BadText> find_bad_text(std::string_view bytes) {
-    Place place;
+    FilePlace place;
     while (!bytes.empty()) {
         const std::size_t length = character_length(bytes);
         if (length == 0) return BadText{place, "this byte is not UTF-8 text"};
         if (bytes[0] == '\0') return BadText{place, "a NUL byte: this is a binary file, not text"};
-        place = bytes[0] == '\n' ? Place{place.line + 1, 1} : Place{place.line, place.column + 1};
+        place = bytes[0] == '\n' ? FilePlace{place.line + 1, 1} : FilePlace{place.line, place.column + 1};
         bytes.remove_prefix(length);
     }
     return {};

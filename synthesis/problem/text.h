@@ -32,7 +32,7 @@ int count_characters(std::string_view text);
 std::string_view needed_of(double number);
 
 struct BadText {
-    Place place;
+    FilePlace place;
     std::string_view why;
 };
 

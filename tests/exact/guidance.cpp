@@ -98,7 +98,7 @@ TEST_P(Guidance, HasAStartSystemThatIsReadAsItIsWritten) {
 
 struct Made {
     PathLinkage<double> linkage;
-    std::vector<Place> places;
+    std::vector<GuidedPlace> places;
 };
 
 /// Places of a random four-bar, so many of them poses, anywhere among the others.

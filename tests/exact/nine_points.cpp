@@ -21,7 +21,7 @@ const GuidanceSystem nine_points{};
 constexpr std::size_t nine_point_triplets = 1442;
 
 GuidanceTarget target_of(const Points& points) {
-    std::vector<Place> places;
+    std::vector<GuidedPlace> places;
     for (const Complex<double>& point : points)
         places.push_back({point, {}});
     return guidance_target(places);

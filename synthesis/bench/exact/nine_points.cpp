@@ -33,9 +33,9 @@ std::vector<GuidancePath> in_lanes(const NinePoints& points, const TrackingOptio
 }  // namespace
 
 NinePoints nine_points() {
-    const std::vector<Place> places{{{0.25, 0}, {}},    {{0.52, 0.10}, {}}, {{0.80, 0.70}, {}},
-                                    {{1.20, 1.00}, {}}, {{1.40, 1.30}, {}}, {{1.10, 1.48}, {}},
-                                    {{0.70, 1.40}, {}}, {{0.20, 1.00}, {}}, {{0.02, 0.40}, {}}};
+    const std::vector<GuidedPlace> places{{{0.25, 0}, {}},    {{0.52, 0.10}, {}}, {{0.80, 0.70}, {}},
+                                          {{1.20, 1.00}, {}}, {{1.40, 1.30}, {}}, {{1.10, 1.48}, {}},
+                                          {{0.70, 1.40}, {}}, {{0.20, 1.00}, {}}, {{0.02, 0.40}, {}}};
     const GuidanceTarget target = guidance_target(places);
     return {places, target, &start_system(target.system)};
 }

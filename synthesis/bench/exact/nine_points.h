@@ -13,7 +13,7 @@ namespace mechwright::bench {
 inline constexpr std::size_t nine_point_paths = 1442;
 
 struct NinePoints {
-    std::vector<homotopy::Place> places;
+    std::vector<homotopy::GuidedPlace> places;
     homotopy::GuidanceTarget target;
     const homotopy::StartSystem* start;
 };

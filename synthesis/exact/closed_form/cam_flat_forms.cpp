@@ -44,7 +44,7 @@ std::pair<double, CamPlace> least_over_turn(const Motion& motion, std::span<cons
     for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i) {
         const PlacedSegment placed = placed_segment<F>(motion, dimensions, i);
         const auto deficit = [&]<class T>(const Lift<T>& lift) { return T(-formula(lift)); };
-        const Place at = greatest_places<1>(placed.segment, i, placed.start_lift, deficit)[0];
+        const SegmentPlace at = greatest_places<1>(placed.segment, i, placed.start_lift, deficit)[0];
         const double value = formula(lift_at(placed.segment, at.piece, at.u, placed.start_lift));
         if (value < least.first) least = {value, {i, at.piece, at.u}};
     }

@@ -94,7 +94,7 @@ bool covers(const Problem& problem) {
 /// A half-plane of the region that the cam centre has to lie in, and where it comes from.
 struct Row {
     std::optional<AngleLimit> limit;  ///< none: where the guide may stand
-    Place place{};                    ///< on the segment of the limit
+    SegmentPlace place{};             ///< on the segment of the limit
     HalfPlane<double> plane;
 };
 
@@ -156,7 +156,8 @@ Centre closest_centre(const Problem& problem, const Motion& motion, std::span<co
                 const auto row = row_of(follower, limit.sign, tangent, lift);
                 return T(row.level - row.normal.x * T(at.x) - row.normal.y * T(at.y));
             };
-            const Place place = greatest_places<1>(placed.segment, limit.segment, placed.start_lift, violation)[0];
+            const SegmentPlace place =
+                greatest_places<1>(placed.segment, limit.segment, placed.start_lift, violation)[0];
             const auto row =
                 row_of(follower, limit.sign, tangent, lift_at(placed.segment, place.piece, place.u, placed.start_lift));
             const double missed = row.level - dot(row.normal, at);

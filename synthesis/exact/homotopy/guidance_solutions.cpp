@@ -179,15 +179,15 @@ GuidanceSolutions solve_guidance(const StartSystem& start, const GuidanceParamet
     return found;
 }
 
-GuidanceTarget guidance_target(const std::vector<Place>& places) {
+GuidanceTarget guidance_target(const std::vector<GuidedPlace>& places) {
     GuidanceTarget target;
-    const auto is_pose = [](const Place& place) { return place.direction.has_value(); };
+    const auto is_pose = [](const GuidedPlace& place) { return place.direction.has_value(); };
     const auto first = std::find_if(places.begin(), places.end(), is_pose);
     // With points alone the first of them is as good as a pose.
     const std::size_t reference = first == places.end() ? 0 : static_cast<std::size_t>(first - places.begin());
     target.origin = places[reference].point;
     double sum = 0;
-    for (const Place& place : places)
+    for (const GuidedPlace& place : places)
         sum += norm(place.point - target.origin);
     // A power of two: scaling costs no digits.
     if (sum > 0) target.size = std::exp2(std::round(0.5 * std::log2(sum / static_cast<double>(places.size() - 1))));
@@ -211,10 +211,11 @@ GuidanceTarget guidance_target(const std::vector<Place>& places) {
     return target;
 }
 
-GuidanceSystem::Parameters<Digits50> exact_parameters(const GuidanceTarget& target, const std::vector<Place>& places) {
+GuidanceSystem::Parameters<Digits50> exact_parameters(const GuidanceTarget& target,
+                                                      const std::vector<GuidedPlace>& places) {
     using S = GuidanceSystem;
     const auto reference = std::find(target.places.begin(), target.places.end(), std::nullopt) - target.places.begin();
-    const Place& first = places[static_cast<std::size_t>(reference)];
+    const GuidedPlace& first = places[static_cast<std::size_t>(reference)];
     S::Parameters<Digits50> exact{};
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!target.places[i]) continue;

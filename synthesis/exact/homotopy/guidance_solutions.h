@@ -41,16 +41,17 @@ struct GuidanceTarget {
 };
 
 /// A place with the angle (radians) in which a body faces there, if that is asked for.
-struct Place {
+struct GuidedPlace {
     Complex<double> point;
     std::optional<double> direction;
 };
 
 /// Places of a system with as many poses. What they have too few or too many of is for the caller to see.
-GuidanceTarget guidance_target(const std::vector<Place>& places);
+GuidanceTarget guidance_target(const std::vector<GuidedPlace>& places);
 
 /// The parameters in fifty digits, of the same places.
-GuidanceSystem::Parameters<Digits50> exact_parameters(const GuidanceTarget& target, const std::vector<Place>& places);
+GuidanceSystem::Parameters<Digits50> exact_parameters(const GuidanceTarget& target,
+                                                      const std::vector<GuidedPlace>& places);
 
 /// Whether the conjugates of a solution are those of its numbers, but for rounding: then it is a four-bar.
 bool is_real(const GuidanceValues& solution);

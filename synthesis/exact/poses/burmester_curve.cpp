@@ -61,17 +61,17 @@ bool correct(const Conditions& c, Point& z) {
 }
 
 /// A step along the curve, in parts where it bends; nothing where it cannot be followed.
-struct Place {
+struct CurvePlace {
     Point at;
     Point tangent;
 };
 
-std::optional<Place> advanced(const Conditions& c, Place place, double step) {
+std::optional<CurvePlace> advanced(const Conditions& c, CurvePlace place, double step) {
     constexpr double least_part = 1e-4, sharpest_bend = 0.95;  // cosine
     double left = step, part = step;
     while (left > 1e-12 * step) {
         part = std::min(part, left);
-        Place next{place.at + part * place.tangent, {}};
+        CurvePlace next{place.at + part * place.tangent, {}};
         const bool on_curve = correct(c, next.at);
         if (on_curve) next.tangent = tangent_at(c, next.at, place.tangent);
         if (on_curve && next.tangent.dot(place.tangent) > sharpest_bend && (next.at - place.at).norm() < 1.5 * part) {
@@ -92,7 +92,7 @@ struct Traced {
 
 Traced traced(const Conditions& c, const Point& start, const Point& sense, double step, double reach) {
     Traced out;
-    Place place{start, tangent_at(c, start, sense)};
+    CurvePlace place{start, tangent_at(c, start, sense)};
     for (std::size_t k = 0; k < most_steps; ++k) {
         const auto next = advanced(c, place, step);
         if (!next || next->at.norm() > reach) break;

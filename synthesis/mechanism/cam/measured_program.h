@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-#include "synthesis/mechanism/cam/places.h"
+#include "synthesis/mechanism/cam/segment_places.h"
 #include "synthesis/mechanism/measured.h"
 
 namespace mechwright::cam {
@@ -96,7 +96,7 @@ struct Located {
 
 /// Compiled once for each follower and type of numbers, whatever is measured there.
 template <template <class> class Follower, class T>
-[[gnu::noinline]] Located<Follower, T> located(const Motion& motion, const Place& place,
+[[gnu::noinline]] Located<Follower, T> located(const Motion& motion, const SegmentPlace& place,
                                                const std::array<T, local_count>& x, const T& u) {
     Located<Follower, T> at{local_of<Follower, T>(motion, place.segment, x),
                             lift_at(at.local.segment, place.piece, u, at.local.start_lift)};
@@ -119,7 +119,7 @@ struct Sum {
 
 /// A measure at places, times factors, added up: one component of a quantity.
 struct Term {
-    Place place;
+    SegmentPlace place;
     double factor;
 };
 
@@ -128,7 +128,7 @@ struct Term {
 template <template <class> class Follower, class Value>
 void add_term(const Motion& motion, std::span<const double> dimensions, const Term& term, const Value& value,
               std::size_t component, const Measurement& out) {
-    const Place& place = term.place;
+    const SegmentPlace& place = term.place;
     const auto shares = shares_of<Follower>(program_of(motion), place.segment);
     const auto plain = local_values(shares, dimensions);
     const auto at = [&]<class T>(const std::array<T, local_count>& x, const T& u) {

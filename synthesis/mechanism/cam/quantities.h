@@ -150,9 +150,9 @@ struct FaceLength {
 
 private:
     /// One place in each segment, the farthest first.
-    static std::array<Place, most> ends(const Motion& motion, std::span<const double> dimensions, double sign) {
+    static std::array<SegmentPlace, most> ends(const Motion& motion, std::span<const double> dimensions, double sign) {
         struct Found {
-            Place place;
+            SegmentPlace place;
             double along;
         };
         std::array<Found, MotionProgram::most_segments> all;
@@ -162,13 +162,13 @@ private:
             const auto along = [&]<class T>(const Lift<T>& lift) {
                 return T(sign) * ContactAlongFace::value(follower_of<Follower, T>(dimensions, motion.assembly), lift);
             };
-            const Place place = greatest_places<1>(placed.segment, i, placed.start_lift, along)[0];
+            const SegmentPlace place = greatest_places<1>(placed.segment, i, placed.start_lift, along)[0];
             all[i] = {place, along(lift_at(placed.segment, place.piece, place.u, placed.start_lift))};
         }
         std::sort(all.begin(), all.begin() + count, [](const Found& a, const Found& b) {
             return a.along != b.along ? a.along > b.along : a.place.segment < b.place.segment;
         });
-        std::array<Place, most> places{};
+        std::array<SegmentPlace, most> places{};
         for (std::size_t i = 0; i < std::min(most, count); ++i)
             places[i] = all[i].place;
         return places;

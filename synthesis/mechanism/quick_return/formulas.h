@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "synthesis/mechanism/quick_return/places.h"
+#include "synthesis/mechanism/quick_return/ram_extreme_places.h"
 
 namespace mechwright::quick_return {
 
@@ -69,7 +69,7 @@ std::size_t absolute_values(const Motion& motion, const Drive& drive, const std:
     const auto places = stationary_places<stationary_points>(
         extremes, motion.from, [&](double angle) { return std::abs(measure(plain, angle)); });
     std::size_t count = 0;
-    for (const Place& place : places)
+    for (const RamPlace& place : places)
         out[count++] = abs(value_at(x, place, measure));
     if (motion.full_turn) return count;
     for (const double end : {motion.from, motion.to})

@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "synthesis/mechanism/four_bar/formulas.h"
-#include "synthesis/mechanism/quick_return/places.h"
+#include "synthesis/mechanism/quick_return/ram_extreme_places.h"
 
 namespace mechwright::quick_return {
 
@@ -67,7 +67,7 @@ bool rod_along_slide(const Motion& motion, const Drive<double>& plain) {
     const auto inside = stationary_places<turning_points>(rod_extremes(plain, range_of(motion)), motion.from, slope);
     double least = std::min(slope(motion.from), slope(motion.to));
     double greatest = std::max(slope(motion.from), slope(motion.to));
-    for (const Place& place : inside) {
+    for (const RamPlace& place : inside) {
         least = std::min(least, slope(place.angle));
         greatest = std::max(greatest, slope(place.angle));
     }
@@ -162,13 +162,13 @@ struct AssemblyMargin {
         const auto right = [&]<class U>(const std::array<U, reads>& dimensions, const U& crank_angle) {
             return ram_of(pose_at(Layout<Drive>::make(dimensions, motion.assembly), crank_angle)).right;
         };
-        const auto add = [&](const Place& place) {
+        const auto add = [&](const RamPlace& place) {
             out[count++] = value_at(x, place, left);
             out[count++] = value_at(x, place, right);
         };
         add({motion.from, false});
         add({motion.to, false});
-        for (const Place& place : inside)
+        for (const RamPlace& place : inside)
             add(place);
         return count + detail::of_four_bar<Drive, four_bar::AssemblyMargin>(motion, x, out.subspan(count));
     }

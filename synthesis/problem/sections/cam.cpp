@@ -286,7 +286,7 @@ void require_closure(Problem& problem, std::string_view quantity, double value) 
     problem.requirements.push_back({static_cast<std::size_t>(index), value, {}, {}});
 }
 
-void check_turn(Problem& problem, Place place, Messages& messages) {
+void check_turn(Problem& problem, FilePlace place, Messages& messages) {
     Sum sum;
     for (std::size_t i = 0; i < program_of(*problem.mechanism)->segments.size(); ++i)
         sum.add(problem.dimensions[cam_angle_dimension(*problem.mechanism, i)], 1);
@@ -305,7 +305,7 @@ void check_turn(Problem& problem, Place place, Messages& messages) {
         require_closure(problem, "turn", full_turn);
 }
 
-void check_lifts(Problem& problem, const std::vector<Place>& places, Messages& messages) {
+void check_lifts(Problem& problem, const std::vector<FilePlace>& places, Messages& messages) {
     const bool angular = cam_kind(*problem.mechanism).oscillating;
     const auto shown = [&](double lift) {
         return fmt::format("{:.10g}", angular ? shown_angle(problem.units, lift) : lift);
@@ -406,7 +406,7 @@ void read_segments(Section& file, Problem& problem, Messages& messages) {
             fmt::format("{} segments are too many: a cam can have {}", list->size(), MotionProgram::most_segments));
     auto program = std::make_shared<MotionProgram>();
     std::size_t coefficients = 0;
-    std::vector<Place> places;
+    std::vector<FilePlace> places;
     bool whole = true;
     for (const toml::node& entry : *list) {
         const std::string title = fmt::format("segment {}", places.size() + 1);

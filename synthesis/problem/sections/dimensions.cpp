@@ -25,7 +25,7 @@ std::optional<double> required_number(Section& section, std::string_view key, Me
 
 void check_range(const Section& range, const Dimension& dimension, const DimensionRange& read, Messages& messages) {
     const bool length = dimension.kind == DimensionKind::length;
-    const Place min = place_of(range, "min");
+    const FilePlace min = place_of(range, "min");
     if (read.min > read.max)
         return add_error(messages, min,
                          fmt::format("'min' {} is greater than 'max' {} in {}", read.min, read.max, range.title));

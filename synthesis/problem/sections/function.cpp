@@ -19,7 +19,7 @@ void read_x(Section& function, FunctionTarget& target, Messages& messages) {
         return add_error(messages, function.place, "an expression needs its range: write x = [from, to]");
     const auto range = read_numbers(function, "x", messages);
     if (!range) return;
-    const Place place = place_of(function, "x");
+    const FilePlace place = place_of(function, "x");
     if (range->size() != 2)
         return add_error(
             messages, place,
@@ -82,7 +82,7 @@ void read_accuracy_points(Section& function, FunctionTarget& target, Messages& m
     constexpr std::string_view key = "accuracy_points";
     const toml::node* node = find(function, key);
     if (node == nullptr) return;
-    const Place place = place_of(*node);
+    const FilePlace place = place_of(*node);
     if (target.expression.empty())
         return add_error(
             messages, place,

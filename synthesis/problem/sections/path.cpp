@@ -22,7 +22,7 @@ bool same_length(const Section& path, std::string_view key, std::size_t length, 
     return false;
 }
 
-Place element_place(const Section& path, std::string_view key, std::size_t i) {
+FilePlace element_place(const Section& path, std::string_view key, std::size_t i) {
     return place_of((*path.table->get_as<toml::array>(key))[i]);
 }
 

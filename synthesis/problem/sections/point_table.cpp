@@ -143,7 +143,7 @@ void read_point_table(std::string_view text, PointList& list, Messages& messages
     const bool header = !rows.empty() && is_header(split(rows[0].text, separator_of(rows[0].text)));
     const std::size_t first = header ? 1 : 0;
     if (count - first > most_points) {
-        const Place beyond{rows[first + most_points].line, 1};
+        const FilePlace beyond{rows[first + most_points].line, 1};
         return add_point_error(
             list, beyond,
             fmt::format("{} points are too many: thin the list to at most {}", count - first, most_points), messages);

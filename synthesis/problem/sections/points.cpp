@@ -69,7 +69,7 @@ void read_named_file(Section& path, const toml::node& node, const Problem& probl
 void check_points(PointList& list, Messages& messages) {
     if (list.points.empty()) {
         if (!list.whole) return;  // something has been said about it
-        add_point_error(list, list.file.empty() ? list.named_at : Place{},
+        add_point_error(list, list.file.empty() ? list.named_at : FilePlace{},
                         "empty point list: a path needs at least one point", messages);
         list.whole = false;
     }
@@ -83,13 +83,13 @@ void check_points(PointList& list, Messages& messages) {
 
 }  // namespace
 
-void add_point(PointList& list, const std::optional<Vector<double>>& point, Place place) {
+void add_point(PointList& list, const std::optional<Vector<double>>& point, FilePlace place) {
     constexpr double wrong = std::numeric_limits<double>::quiet_NaN();
     list.points.push_back(point.value_or(Vector<double>{wrong, wrong}));
     list.places.push_back(place);
 }
 
-void add_point_error(const PointList& list, Place place, std::string text, Messages& messages) {
+void add_point_error(const PointList& list, FilePlace place, std::string text, Messages& messages) {
     if (list.file.empty())
         add_error(messages, place, std::move(text));
     else

@@ -17,19 +17,19 @@ constexpr std::size_t most_points = 10000;
 /// Points and where each of them stands.
 struct PointList {
     std::vector<Vector<double>> points{};
-    std::vector<Place> places{};
-    std::string file{};  ///< the file with the points, as messages show it; empty if they stand in the problem file
-    Place named_at{};    ///< the list, or the file's name, in the problem file
-    bool whole = false;  ///< every point could be read, and there is one
+    std::vector<FilePlace> places{};
+    std::string file{};    ///< the file with the points, as messages show it; empty if they stand in the problem file
+    FilePlace named_at{};  ///< the list, or the file's name, in the problem file
+    bool whole = false;    ///< every point could be read, and there is one
 };
 
 /// A point that cannot be read keeps its place in the list, so that the numbers of the others stay right.
-void add_point(PointList& list, const std::optional<Vector<double>>& point, Place place);
+void add_point(PointList& list, const std::optional<Vector<double>>& point, FilePlace place);
 
 /// The points of a table with two columns.
 void read_point_table(std::string_view text, PointList& list, Messages& messages);
 
 /// An error about a point, in whichever file it stands.
-void add_point_error(const PointList& list, Place place, std::string text, Messages& messages);
+void add_point_error(const PointList& list, FilePlace place, std::string text, Messages& messages);
 
 }  // namespace mechwright::reading

@@ -17,7 +17,7 @@ namespace {
 struct Bounds {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
-    Place last{0, 0};  ///< of the last requirement on it; 0:0: there is none
+    FilePlace last{0, 0};  ///< of the last requirement on it; 0:0: there is none
     bool equal = false;
 };
 
@@ -59,7 +59,7 @@ void narrow(Bounds& bounds, const Values& values, const Section& section, std::s
             Messages& messages) {
     const double min = values.equal.value_or(values.min.value_or(bounds.min));
     const double max = values.equal.value_or(values.max.value_or(bounds.max));
-    const Place earlier = bounds.last;
+    const FilePlace earlier = bounds.last;
     bounds.min = std::max(bounds.min, min);
     bounds.max = std::min(bounds.max, max);
     bounds.equal |= min == max;
@@ -100,7 +100,7 @@ void read_requirement(const toml::node& node, const Section& file, Problem& prob
 
 /// In general position n equalities take n variables, of those that the quantities depend on. Path quantities are left
 /// out: a path has variables of its own.
-void compare_with_variables(const Problem& problem, const std::vector<Bounds>& bounds, Place place,
+void compare_with_variables(const Problem& problem, const std::vector<Bounds>& bounds, FilePlace place,
                             Messages& messages) {
     std::size_t equalities = 0;
     std::set<std::size_t> variables;

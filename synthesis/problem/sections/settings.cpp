@@ -35,7 +35,7 @@ double read_positive(Section& section, std::string_view key, double preset, Mess
 }
 
 void check_crank_range(const Section& motion, double from, double to, double turn, Messages& messages) {
-    const Place place = place_of(motion, "crank_range");
+    const FilePlace place = place_of(motion, "crank_range");
     if (from >= to)
         add_error(messages, place,
                   fmt::format("crank_range must rise: its first angle {} must be less than its second {}", from, to));

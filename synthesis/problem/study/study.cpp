@@ -192,7 +192,7 @@ void read_cases(Section& section, Study& study, Messages& messages) {
 void read_axes(Section& section, Study& study, Messages& messages) {
     AxisReader reader{study, messages};
     read_cases(section, study, messages);
-    std::vector<std::pair<Place, std::string_view>> keys;
+    std::vector<std::pair<FilePlace, std::string_view>> keys;
     for (const auto& [key, node] : *section.table)
         if (!is_own(key.str())) keys.emplace_back(key_place(section, key.str()), key.str());
     std::sort(keys.begin(), keys.end());

@@ -130,7 +130,7 @@ std::string said(const Study& study, std::span<const AxisValue> values) {
 
 }  // namespace
 
-void check_ends(VariedProblem&& varied, Place study_place, const Study& study, Messages& messages) {
+void check_ends(VariedProblem&& varied, FilePlace study_place, const Study& study, Messages& messages) {
     for (const bool last : {false, true}) {
         std::vector<AxisValue> values;
         for (const StudyAxis& axis : study.axes)
@@ -144,10 +144,10 @@ void check_ends(VariedProblem&& varied, Place study_place, const Study& study, M
         messages.unreadable |= read.unreadable;
         for (const Message& message : read.messages)
             if (!message.warning)
-                add_error(
-                    messages,
-                    message.line > 0 && messages.nodes == nullptr ? Place{message.line, message.column} : study_place,
-                    fmt::format("[study] {}: {}", said(study, values), message.text));
+                add_error(messages,
+                          message.line > 0 && messages.nodes == nullptr ? FilePlace{message.line, message.column}
+                                                                        : study_place,
+                          fmt::format("[study] {}: {}", said(study, values), message.text));
         if (messages.failed) return;
     }
 }

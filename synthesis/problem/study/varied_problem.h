@@ -57,7 +57,7 @@ double number_of(const FollowingValue& following, const Study& study, std::span<
 namespace reading {
 
 /// Reads the first and the last point of a study: what is wrong there is wrong with the study.
-void check_ends(VariedProblem&& varied, Place study_place, const Study& study, Messages& messages);
+void check_ends(VariedProblem&& varied, FilePlace study_place, const Study& study, Messages& messages);
 
 }  // namespace reading
 

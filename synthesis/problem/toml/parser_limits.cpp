@@ -20,7 +20,7 @@ constexpr int most_sections = 10000;
 struct Scan {
     std::string_view text;
     std::size_t at = 0;
-    Place place{};
+    FilePlace place{};
     int dots = 0;               ///< since the last separator
     int sections = 0;           ///< headers and dotted keys
     std::string open{};         ///< brackets and braces
@@ -153,7 +153,7 @@ std::string objection(const Scan& scan) {
 std::optional<Objection> find_objection(std::string_view text) {
     Scan scan{.text = text};
     while (scan.at < text.size()) {
-        const Place before = scan.place;
+        const FilePlace before = scan.place;
         const std::size_t statement = scan.statement;
         take_token(scan);
         if (std::string why = objection(scan); !why.empty()) return Objection{before, std::move(why), statement};

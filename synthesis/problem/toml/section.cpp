@@ -11,7 +11,7 @@ namespace mechwright::reading {
 
 namespace {
 
-Place to_place(const toml::source_region& source, const toml::node& node) {
+FilePlace to_place(const toml::source_region& source, const toml::node& node) {
     return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column), &node};
 }
 
@@ -31,7 +31,7 @@ std::optional<T> read_value(Section& section, std::string_view key, std::string_
 
 }  // namespace
 
-Place place_of(const toml::node& node) { return to_place(node.source(), node); }
+FilePlace place_of(const toml::node& node) { return to_place(node.source(), node); }
 
 std::string_view kind_of(const toml::node& node) {
     switch (node.type()) {
@@ -53,12 +53,12 @@ const toml::node* find(Section& section, std::string_view key) {
 
 bool has(const Section& section, std::string_view key) { return section.table->contains(key); }
 
-Place place_of(const Section& section, std::string_view key) {
+FilePlace place_of(const Section& section, std::string_view key) {
     const toml::node* node = section.table->get(key);
     return node == nullptr ? section.place : place_of(*node);
 }
 
-Place key_place(const Section& section, std::string_view key) {
+FilePlace key_place(const Section& section, std::string_view key) {
     const auto entry = section.table->find(key);
     return to_place(entry->first.source(), entry->second);
 }

@@ -21,13 +21,13 @@ namespace mechwright::reading {
 struct Section {
     const toml::table* table = nullptr;
     std::string title;  ///< as messages name it: "[path]"
-    Place place;
+    FilePlace place;
     std::span<const Key> known{};              ///< every key that it can have; empty where the mechanism says that
     std::vector<std::string_view> keys{};      ///< asked for so far
     std::vector<std::string_view> reported{};  ///< keys that are wrong here and have been reported as such
 };
 
-Place place_of(const toml::node& node);
+FilePlace place_of(const toml::node& node);
 
 /// "a number", "a string", "a list", ...
 std::string_view kind_of(const toml::node& node);
@@ -38,10 +38,10 @@ const toml::node* find(Section& section, std::string_view key);
 bool has(const Section& section, std::string_view key);
 
 /// Where the key itself stands. The section must have it.
-Place key_place(const Section& section, std::string_view key);
+FilePlace key_place(const Section& section, std::string_view key);
 
 /// Where the value of a key stands; if there is none, where the section does.
-Place place_of(const Section& section, std::string_view key);
+FilePlace place_of(const Section& section, std::string_view key);
 
 /// "'key' in [section]"
 std::string name_of(const Section& section, std::string_view key);

@@ -18,7 +18,7 @@ struct SplitLine {
     std::string_view after;
 };
 
-SplitLine split_at(std::string_view text, Place place) {
+SplitLine split_at(std::string_view text, FilePlace place) {
     for (int line = 1; line < place.line; ++line) {
         const std::size_t end = text.find('\n');
         if (end == std::string_view::npos) break;
@@ -39,7 +39,7 @@ std::string_view without_trailing(std::string_view text, std::string_view charac
     return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-Place back_over(Place place, std::string_view longer, std::string_view shorter) {
+FilePlace back_over(FilePlace place, std::string_view longer, std::string_view shorter) {
     return {place.line, place.column - count_characters(longer.substr(shorter.size()))};
 }
 
@@ -52,13 +52,13 @@ std::string_view leading(std::string_view text, std::string_view characters) {
 int indentation(std::string_view line) { return static_cast<int>(leading(line, " \t").size()); }
 
 /// The parser stops behind a number; this is where it starts.
-Place number_start(std::string_view text, Place place) {
+FilePlace number_start(std::string_view text, FilePlace place) {
     const std::string_view before = split_at(text, place).before;
     return back_over(place, before, without_trailing(before, plain_characters));
 }
 
 /// The parser notices a key that stands twice at its value; this is where the key starts.
-Place key_start(std::string_view text, Place place) {
+FilePlace key_start(std::string_view text, FilePlace place) {
     const std::string_view before = split_at(text, place).before;
     std::string_view key = without_trailing(before, "= \t");
     if (key.size() == before.size() || key.empty()) return place;
@@ -81,7 +81,7 @@ bool says(std::string_view description, std::string_view words) {
     return description.find(words) != std::string_view::npos;
 }
 
-void report_duplicate(std::string_view text, Place place, std::string_view description, Messages& messages) {
+void report_duplicate(std::string_view text, FilePlace place, std::string_view description, Messages& messages) {
     if (!says(description, "table header") && !says(description, "dotted")) place = key_start(text, place);
     if (says(description, "table header")) place.column = indentation(split_at(text, place).before) + 1;
     std::string_view name = quoted_part(description);
@@ -92,7 +92,7 @@ void report_duplicate(std::string_view text, Place place, std::string_view descr
                           other_form ? ", in another form" : ""));
 }
 
-void report_number(std::string_view text, Place place, std::string_view description, Messages& messages) {
+void report_number(std::string_view text, FilePlace place, std::string_view description, Messages& messages) {
     const std::string_view range = says(description, "integer")
                                        ? "whole numbers go up to 9223372036854775807; for a larger one write a "
                                          "decimal point"
@@ -101,7 +101,7 @@ void report_number(std::string_view text, Place place, std::string_view descript
               fmt::format("{} is outside the range of numbers: {}", quoted(quoted_part(description)), range));
 }
 
-bool decimal_comma(std::string_view text, Place place) {
+bool decimal_comma(std::string_view text, FilePlace place) {
     const auto [before, after] = split_at(text, place);
     constexpr std::string_view digits = "0123456789";
     return after.size() >= 2 && after[0] == ',' && digits.find(after[1]) != std::string_view::npos && !before.empty() &&
@@ -130,7 +130,7 @@ constexpr std::array<Remedy, 13> remedies{{
     {"expected a comment or whitespace, saw", "only one key = value, or one [section], can stand on a line"},
 }};
 
-std::string explanation(std::string_view text, Place place, std::string_view description) {
+std::string explanation(std::string_view text, FilePlace place, std::string_view description) {
     const std::string_view after = split_at(text, place).after;
     if (decimal_comma(text, place)) return "write a decimal point, not a comma";
     if (says(description, "control characters") && !after.empty() && after[0] != '\r')
@@ -145,7 +145,7 @@ std::string explanation(std::string_view text, Place place, std::string_view des
 
 }  // namespace
 
-void report_syntax_error(std::string_view text, Place place, std::string_view description, Messages& messages) {
+void report_syntax_error(std::string_view text, FilePlace place, std::string_view description, Messages& messages) {
     if (says(description, "cannot redefine") || says(description, "into existing inline table"))
         return report_duplicate(text, place, description, messages);
     if (says(description, "not representable") || says(description, "could not be interpreted"))

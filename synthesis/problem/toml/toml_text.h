@@ -16,7 +16,7 @@ namespace mechwright::reading {
 std::optional<toml::table> parse_toml(std::string_view text, Messages& messages);
 
 struct Objection {
-    Place place;
+    FilePlace place;
     std::string text;
     std::size_t statement;  ///< the bytes before the statement that it is about
 };
@@ -25,6 +25,6 @@ struct Objection {
 std::optional<Objection> find_objection(std::string_view text);
 
 /// A TOML syntax error in our words. `place` is where the parser stopped; `description` is what it says.
-void report_syntax_error(std::string_view text, Place place, std::string_view description, Messages& messages);
+void report_syntax_error(std::string_view text, FilePlace place, std::string_view description, Messages& messages);
 
 }  // namespace mechwright::reading

@@ -15,7 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr std::size_t parameters = 4;
-using Place = std::array<double, parameters>;  ///< each in [0, 1]
+using UnitCubePoint = std::array<double, parameters>;  ///< each in [0, 1]
 
 constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
@@ -40,7 +40,7 @@ struct TimedPath {
     bool fixed(std::size_t i) const { return range(i, false)[0] == range(i, false)[1]; }
 
     /// The least sum for ground, coupler and rocker in cranks and a start.
-    double sum_at(const Place& place) const {
+    double sum_at(const UnitCubePoint& place) const {
         const PathRoles& roles = claim.mechanism->point->roles;
         constexpr double widest = 3;  // of the logarithms of ratios
         std::array<double, 3> link{};
@@ -107,9 +107,9 @@ struct TimedPath {
 };
 
 /// Evenly spread places (additive recurrence of the root of x^5 = x + 1).
-Place spread(int number) {
+UnitCubePoint spread(int number) {
     constexpr double root = 1.1673039782614187;
-    Place place{};
+    UnitCubePoint place{};
     double step = 1;
     for (double& p : place) {
         step /= root;
@@ -131,8 +131,8 @@ SearchedLinkages search_timed_path(const Rebuilt& design) {
     for (const Vector<double>& p : claim.path->points)
         path.points.emplace_back(p.x, p.y);
     SearchedLinkages found{none, 0};
-    std::vector<std::pair<double, Place>> best;
-    const auto sum_at = [&](const Place& place) {
+    std::vector<std::pair<double, UnitCubePoint>> best;
+    const auto sum_at = [&](const UnitCubePoint& place) {
         ++found.linkages;
         const double sum = path.sum_at(place);
         found.least = std::min(found.least, sum);
@@ -144,11 +144,11 @@ SearchedLinkages search_timed_path(const Rebuilt& design) {
     best.resize(descents);
     // Downhill along the axes, with steps that grow where they help and shrink where none does.
     for (auto& [sum, place] : best) {
-        Place step;
+        UnitCubePoint step;
         step.fill(0.02);
         for (int i = 0; i < most_steps && std::isfinite(sum); ++i) {
             const auto k = static_cast<std::size_t>(i) % parameters;
-            Place there = place;
+            UnitCubePoint there = place;
             there[k] = std::clamp(place[k] + step[k], 0.0, 1.0);
             const double value = sum_at(there);
             if (value < sum) {

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/cam/places.h"
+#include "synthesis/mechanism/cam/segment_places.h"
 
 #include <algorithm>
 #include <cassert>
@@ -32,14 +32,14 @@ std::span<const double> sample_parts() {
 /// The greatest of the places that were offered, the greatest first.
 struct Greatest {
     struct Found {
-        Place place;
+        SegmentPlace place;
         double value;
     };
     std::size_t count;  ///< that are wanted
     std::size_t kept = 0;
     std::array<Found, most_places> best{};
 
-    void offer(const Place& place, double value) {
+    void offer(const SegmentPlace& place, double value) {
         // The same place as the end of the piece before.
         for (std::size_t i = 0; i < kept; ++i)
             if (best[i].place.u == place.u && std::abs(best[i].value - value) <= 1e-9 * std::abs(value)) return;
@@ -60,7 +60,7 @@ struct Greatest {
 }  // namespace
 
 void find_greatest(const Segment<double>& segment, std::size_t index, double start_lift, const Sought& f,
-                   std::span<Place> places) {
+                   std::span<SegmentPlace> places) {
     assert(places.size() <= most_places);
     Greatest greatest{places.size()};
     const auto offer = [&](std::size_t piece, double u, bool stationary) {

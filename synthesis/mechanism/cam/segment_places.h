@@ -14,7 +14,7 @@
 namespace mechwright::cam {
 
 /// A place on a segment: on an analytic piece, at part u of the segment.
-struct Place {
+struct SegmentPlace {
     std::size_t segment;
     std::size_t piece;
     double u;
@@ -34,12 +34,12 @@ inline constexpr std::size_t most_places = 4;
 /// The places of a segment at which f(lift) is greatest, the greatest first: as many as `places` has room for, at most
 /// `most_places`; where there are fewer local maxima the first one is repeated.
 void find_greatest(const Segment<double>& segment, std::size_t index, double start_lift, const Sought& f,
-                   std::span<Place> places);
+                   std::span<SegmentPlace> places);
 
 /// The same for a template f on the number type.
 template <std::size_t count, class Function>
-std::array<Place, count> greatest_places(const Segment<double>& segment, std::size_t index, double start_lift,
-                                         const Function& f) {
+std::array<SegmentPlace, count> greatest_places(const Segment<double>& segment, std::size_t index, double start_lift,
+                                                const Function& f) {
     static_assert(count <= most_places);
     const Sought sought{&f,
                         [](const void* function, const Lift<double>& lift) -> double {
@@ -48,7 +48,7 @@ std::array<Place, count> greatest_places(const Segment<double>& segment, std::si
                         [](const void* function, const Lift<Dual<double, 1>>& lift) -> double {
                             return (*static_cast<const Function*>(function))(lift).partial[0];
                         }};
-    std::array<Place, count> places;
+    std::array<SegmentPlace, count> places;
     find_greatest(segment, index, start_lift, sought, places);
     return places;
 }

@@ -16,7 +16,7 @@ namespace mechwright::quick_return {
 inline CrankRange<double> range_of(const Motion& motion) { return {motion.full_turn, motion.from, motion.to}; }
 
 /// A place on the motion: a point where the measure is stationary, or one that is fixed.
-struct Place {
+struct RamPlace {
     double angle;
     bool stationary;
 };
@@ -24,7 +24,7 @@ struct Place {
 /// So many places in increasing order: where there are fewer stationary points, the last place is repeated; where there
 /// are more, those stay at which the measure (of the crank angle) is greatest and least.
 template <std::size_t count, class Measure>
-std::array<Place, count> stationary_places(const RamExtremes& extremes, double otherwise, const Measure& measure) {
+std::array<RamPlace, count> stationary_places(const RamExtremes& extremes, double otherwise, const Measure& measure) {
     struct Found {
         double angle;
         double value;
@@ -44,15 +44,15 @@ std::array<Place, count> stationary_places(const RamExtremes& extremes, double o
         found = chosen;
         kept = count;
     }
-    std::array<Place, count> places;
+    std::array<RamPlace, count> places;
     for (std::size_t i = 0; i < count; ++i)
-        places[i] = kept == 0 ? Place{otherwise, false} : Place{found[std::min(i, kept - 1)].angle, true};
+        places[i] = kept == 0 ? RamPlace{otherwise, false} : RamPlace{found[std::min(i, kept - 1)].angle, true};
     return places;
 }
 
 /// The value of a measure at a place as a function of the dimensions: f(dimensions, crank angle).
 template <class T, std::size_t N, class Function>
-T value_at(const std::array<T, N>& x, const Place& place, const Function& f) {
+T value_at(const std::array<T, N>& x, const RamPlace& place, const Function& f) {
     return place.stationary ? at_stationary(x, place.angle, f) : f(x, T(place.angle));
 }
 
