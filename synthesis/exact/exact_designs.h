@@ -12,6 +12,10 @@
 
 namespace mechwright {
 
+/// Of solutions that rounding does not part, or that belong to families: nothing is proven of the others either.
+inline constexpr std::string_view some_are_singular =
+    "the targets are special: some solutions coincide as far as doubles tell, and a better one may be among them";
+
 struct ExactDesigns {
     std::vector<Solution> designs;         ///< without a defect that shows at the targets, best first
     std::vector<ExcludedDesign> excluded;  ///< with one

@@ -111,7 +111,8 @@ ExactDesigns place_designs(const Problem& problem, const RunOptions& options, co
                 add_design(out, exact_design(problem, *linkage));
     }
     rank(problem, out);
-    if (!found.complete() || out.stopped) return out;
+    if (found.singular > 0) out.note = some_are_singular;
+    if (!found.complete() || found.singular > 0 || out.stopped) return out;
     const std::size_t points = problem.path->points.size() - problem.path->poses();
     out.proof = proof_by(
         fmt::format("homotopy: all {} {} through {} are accounted for, {} of them real", out.counts->tracked,

@@ -198,6 +198,22 @@ TEST(FewerTargets, AndAPivotOnALineAreMet) {
     expect_met(problem, *result.best);
 }
 
+// Three of these poses of a crank-rocker lie within half a degree of its crank. Doubles do not part all dyads: that
+// linkage, whose worst transmission angle is 28.35 deg, may be missed, but then nothing is said to be complete.
+TEST(FivePoses, ThatNearlyCoincideAreNotSaidToHaveAllTheirLinkages) {
+    const Problem problem = guided(with_body, R"([poses]
+poses = [[-95.1341968522854, -82.4487010015453, 247.67188006389],
+         [-94.8711124774533, -77.4440679598696, 243.257646408257],
+         [-94.8590534356027, -77.3013176496133, 243.138053188077],
+         [-94.8247140134716, -76.9098430104213, 242.811630837533],
+         [-94.4723359452367, -73.6898835642029, 240.205773180852]])");
+    const Result result = all_solutions(problem);
+    ASSERT_TRUE(result.best);
+    const auto worst = value_named(problem, result.best->design, "transmission-angle-worst");
+    EXPECT_TRUE(!result.search.complete() || *worst > 28 * degree) << *worst / degree;
+    EXPECT_EQ(result.search.complete(), result.search.solutions->singular == 0);
+}
+
 /// Places that lie specially: whatever is found meets them, and the run comes to an end.
 TEST(SpecialTargets, ComeToAnEndWithATrueAccount) {
     const std::vector<std::string> special{

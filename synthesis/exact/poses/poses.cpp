@@ -107,7 +107,7 @@ std::vector<RealDyad> counted(const std::vector<Displacement>& displacements,
     counts.distinct += found.dyads.size();
     counts.at_infinity += found.at_infinity;
     counts.singular += found.singular;
-    complete = complete && found.isolated && found.dyads.size() + found.at_infinity + found.singular == 4;
+    complete = complete && found.isolated && found.dyads.size() + found.at_infinity == 4;
     std::vector<RealDyad> dyads;
     for (const ComplexDyad& dyad : found.dyads) {
         const auto real = real_dyad(dyad);
@@ -221,6 +221,8 @@ std::string why_not_so_many(std::size_t count, std::string_view targets) {
 ExactDesigns finished(const Problem& problem, ExactDesigns out) {
     if (out.counts && out.counts->distinct + out.counts->at_infinity + out.counts->singular < out.counts->tracked)
         out.note = not_independent;
+    else if (out.counts && out.counts->singular > 0)
+        out.note = some_are_singular;
     rank(problem, out);
     return out;
 }
