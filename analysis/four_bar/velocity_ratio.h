@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include "analysis/four_bar/limits.h"
@@ -28,6 +29,19 @@ template <class T>
 T velocity_ratio_slope(const FourBar<T>& m, const T& crank_angle, Assembly assembly) {
     const auto p = pose(m, crank_angle, assembly);
     return acceleration(m, p, velocity(m, p)).rocker;
+}
+
+/// The velocity ratio at a toggle: infinite, with the sign that it has close by. It has the sign of cross(coupler, e)
+/// of the open linkage, e being the direction of the crank. With the dyad stretched, or folded and its coupler the
+/// longer, the coupler points from the crank pin to the rocker pivot, folded with the rocker the longer away from it,
+/// and cross(rocker pivot - crank pin, e) = ground sin(crank angle). Derivation.
+inline double velocity_ratio_at_toggle(const FourBar<double>& m, double crank_angle, Assembly assembly) {
+    const auto margins = assembly_margins(m, half_turn(crank_angle));
+    const bool stretched = std::abs(margins.stretch) < std::abs(margins.fold);
+    const bool towards_pivot = stretched || m.coupler >= m.rocker;
+    const bool positive = (std::sin(crank_angle) > 0) == towards_pivot;
+    const double infinity = std::numeric_limits<double>::infinity();
+    return positive == (assembly == Assembly::open) ? infinity : -infinity;
 }
 
 /// Crank angles at which the velocity ratio can be extreme, in increasing order: six stationary points, two ends, two

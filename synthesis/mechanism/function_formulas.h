@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -41,7 +42,24 @@ inline const std::array<double, 129>& shares_of_range() {
     return shares;
 }
 
-/// Reports to `found` all extremes of the error in their order along the range: its ends, and where its slope vanishes.
+/// Whether an error is an angle in (-pi, pi], which jumps by a turn where the output is half a turn off. The generator
+/// then says `static constexpr bool wraps = true`.
+template <class Generator>
+concept WrapsAround = requires {
+    requires Generator::wraps;
+};
+
+/// The last share before the error jumps by a turn, of one that does between two shares.
+template <class Error>
+double share_before_jump(const Error& error, double before, double after) {
+    const double first = error(before);
+    for (double middle = 0.5 * (before + after); before < middle && middle < after; middle = 0.5 * (before + after))
+        (std::abs(error(middle) - first) > std::numbers::pi ? after : before) = middle;
+    return before;
+}
+
+/// Reports to `found` all extremes of the error in their order along the range: its ends, where its slope vanishes, and
+/// where it is half a turn.
 template <class Generator, class Found>
 void for_each_extreme(const FunctionTarget* f, const std::array<double, Generator::reads>& x, std::size_t assembly,
                       const Found& found) {
@@ -54,12 +72,27 @@ void for_each_extreme(const FunctionTarget* f, const std::array<double, Generato
     const auto error = [&](double share) { return Generator::error(x, assembly, share, part_of(f, share)); };
     std::array<D, Generator::reads> constant;
     std::copy(x.begin(), x.end(), constant.begin());
+    const std::span<const double> grid = shares_of_range();
+    ErrorExtreme last{0, 0, error(0), false};
+    const auto pass = [&](double share, double value) {
+        if (WrapsAround<Generator> && std::abs(value - last.error) > std::numbers::pi) {
+            const double jump = share_before_jump(error, std::min(last.share, share), std::max(last.share, share));
+            found(ErrorExtreme{jump, 0, error(jump), false});
+        }
+        last = {share, 0, value, false};
+    };
+    std::size_t next = 0;
     const auto slope = [&](double share) {
         const D at = D::variable(share, 0);
-        return Generator::error(constant, assembly, at, part_of(f, at)).partial[0];
+        const D e = Generator::error(constant, assembly, at, part_of(f, at));
+        if (next < grid.size() && share == grid[next]) {
+            pass(share, e.value);
+            ++next;
+        }
+        return e.partial[0];
     };
-    found(ErrorExtreme{0, 0, error(0), false});
-    zeros_on_grid(slope, shares_of_range(), [&](double share) {
+    found(last);
+    zeros_on_grid(slope, grid, [&](double share) {
         if (share > 0 && share < 1) found(ErrorExtreme{share, 0, error(share), true});
     });
     found(ErrorExtreme{1, 1, error(1), false});

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
 #include "synthesis/mechanism/function_formulas.h"
 
 namespace mechwright {
@@ -40,6 +45,43 @@ TEST(FunctionExtremes, AtAnEndAreThatEnd) {
     EXPECT_EQ(found[0].share, 0);
     EXPECT_NEAR(found[1].share, 0.4, 1e-12);
     EXPECT_EQ(found[2].share, 1);
+}
+
+/// A generator that is off by an angle that grows to x0 + x1 in the middle of the range, from x0 at its ends.
+struct Bulge {
+    static constexpr std::size_t reads = 2;
+    static constexpr bool wraps = true;
+    template <class T>
+    static T error(const std::array<T, 2>& x, std::size_t, const T& share, const T&) {
+        using std::atan2, std::cos, std::sin;
+        const T angle = x[0] + 4.0 * x[1] * share * (1.0 - share);
+        return atan2(T(sin(angle)), T(cos(angle)));
+    }
+};
+
+/// Half a turn is reached at the share s with 4 growth s (1 - s) = pi - at_ends, and once more at 1 - s.
+void expect_half_turn(double at_ends, double growth) {
+    const double s = 0.5 - std::sqrt(0.25 - (std::numbers::pi - at_ends) / (4 * growth));
+    std::vector<double> half_turns;
+    for (const ErrorExtreme& e : error_extremes<Bulge>(nullptr, {at_ends, growth}, 0))
+        if (!e.stationary && std::abs(std::abs(e.error) - std::numbers::pi) < 1e-12) half_turns.push_back(e.share);
+    ASSERT_GE(half_turns.size(), 2u);
+    EXPECT_NEAR(*std::min_element(half_turns.begin(), half_turns.end()), s, 1e-12);
+    EXPECT_NEAR(*std::max_element(half_turns.begin(), half_turns.end()), 1 - s, 1e-12);
+}
+
+TEST(FunctionExtremes, AreHalfATurnWhereTheErrorJumps) {
+    expect_half_turn(2.5, 1.5);
+    expect_half_turn(0.5, 5.0);
+}
+
+TEST(FunctionExtremes, AreHalfATurnWhereTheErrorJumpsAndComesBackWithinOneStep) {
+    expect_half_turn(3.0, std::numbers::pi - 3.0 + 1e-6);
+    expect_half_turn(2.0, std::numbers::pi - 2.0 + 1e-7);
+}
+
+TEST(FunctionExtremes, OfAnAngleBelowHalfATurnAreAsOfAnyOther) {
+    EXPECT_EQ(error_extremes<Bulge>(nullptr, {1.0, 2.0}, 0).size(), 3u);
 }
 
 }  // namespace

@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "synthesis/mechanism/four_bar/four_bar.h"
 #include "tests/verify/random_linkages.h"
 
 namespace mechwright {
@@ -128,6 +135,63 @@ TEST(MeasureAgain, SeesTheFastMotionOfALinkageCloseToAChangePoint) {
         const FourBar<double> m{6 - std::ldexp(1.0, -k), 1, 3, 4};
         expect_velocity_ratio_agrees(m, full_turn(0, 0), 1e-12);
         expect_velocity_ratio_agrees(m, full_turn(0, 1), 1e-12);
+    }
+}
+
+/// A hair inside the toggle, which is known to fifty digits from the law of cosines, the ratio has its sign already.
+void expect_sign_at_toggle(const FourBar<double>& m, bool stretched, bool lower_end) {
+    const auto fine = converted<Digits50>(m);
+    const Digits50 third_side = stretched ? Digits50(fine.coupler + fine.rocker) : Digits50(fine.coupler - fine.rocker);
+    const Digits50 hair("1e-40");
+    const Digits50 cosine = (fine.ground * fine.ground + fine.crank * fine.crank - third_side * third_side) /
+                            (2 * fine.ground * fine.crank);
+    const Digits50 toggle = lower_end ? Digits50(-acos(cosine)) : Digits50(acos(cosine));
+    // Below a stretched dyad's angle and above a folded one's the linkage assembles.
+    const Digits50 inside = stretched == lower_end ? Digits50(toggle + hair) : Digits50(toggle - hair);
+    for (const Assembly assembly : {Assembly::open, Assembly::crossed}) {
+        const bool positive = velocity_ratio(fine, inside, assembly) > 0;
+        EXPECT_EQ(velocity_ratio_at_toggle(m, toggle.convert_to<double>(), assembly) > 0, positive) << describe(m);
+    }
+}
+
+TEST(MeasureAgain, KnowsTheSignOfAnInfiniteVelocityRatio) {
+    Random random(5);
+    for (int k = 0; k < 300; ++k) {
+        const double ground = random.between(1, 5), crank = random.between(1, 5);
+        // From well inside the range to next to the change point.
+        const double side = ground + crank - std::exp(random.between(-20, 0));
+        const double coupler = side * random.between(0.2, 0.8);
+        const FourBar<double> stretched{ground, crank, coupler, side - coupler};
+        const FourBar<double> folded{ground, crank, side + coupler, coupler};
+        const FourBar<double> rocker_longer{ground, crank, coupler, side + coupler};
+        for (const bool lower_end : {false, true}) {
+            expect_sign_at_toggle(stretched, true, lower_end);
+            expect_sign_at_toggle(folded, false, lower_end);
+            expect_sign_at_toggle(rocker_longer, false, lower_end);
+        }
+    }
+}
+
+/// Ranges end at toggles next to change points: what the search states is what is measured again.
+TEST(MeasureAgain, AgreesOnInfiniteVelocityRatiosNextToChangePoints) {
+    const auto& quantities = four_bar_mechanism()->quantities;
+    for (const double lack : {1e-3, 1e-7, 1.1e-11, 1e-13}) {
+        const FourBar<double> m{7.59877756315332, 16.94244939177149, 8.294785058077364,
+                                7.59877756315332 + 16.94244939177149 - 8.294785058077364 - lack};
+        const auto range = assembled_range(m);
+        const auto dimensions = dimensions_of(m);
+        for (const std::size_t assembly : {0, 1}) {
+            const Motion motion = limited(range.from, range.to, assembly);
+            EXPECT_EQ(velocity_ratio_min_again(motion, dimensions), -std::numeric_limits<Digits50>::infinity()) << lack;
+            EXPECT_EQ(velocity_ratio_max_again(motion, dimensions), std::numeric_limits<Digits50>::infinity()) << lack;
+            const std::vector<double> d{m.ground, m.crank, m.coupler, m.rocker, 0, 0, 0, 0, 0, 0};
+            for (const Quantity& q : quantities) {
+                if (q.name != "velocity-ratio-min" && q.name != "velocity-ratio-max") continue;
+                std::array<double, Quantity::most_components> components{};
+                measure(q, motion, d, {std::span(components).first(q.components(motion)), {}, {}});
+                EXPECT_TRUE(std::isinf(components[0])) << q.name << ' ' << lack;
+            }
+        }
     }
 }
 

@@ -179,10 +179,8 @@ struct VelocityRatioExtreme {
         for (std::size_t i = 0; i < extremes.count; ++i) {
             const bool end = !motion.full_turn && (i == 0 || i + 1 == extremes.count);
             found[i] = {extremes.at[i], velocity_ratio(plain, extremes.at[i], assembly), !end};
-            if (!end || !is_toggle(plain, half_turn(extremes.at[i]))) continue;
-            const double inside = extremes.at[i] + (i == 0 ? 1e-6 : -1e-6) * (motion.to - motion.from);
-            found[i].value =
-                std::copysign(std::numeric_limits<double>::infinity(), velocity_ratio(plain, inside, assembly));
+            if (end && is_toggle(plain, half_turn(extremes.at[i])))
+                found[i].value = velocity_ratio_at_toggle(plain, extremes.at[i], assembly);
         }
         // The worst first, of equals the one that comes first. A stable sort of the library would allocate.
         std::sort(found.begin(), found.begin() + extremes.count, [](const Found& a, const Found& b) {

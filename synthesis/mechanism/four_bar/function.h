@@ -31,6 +31,7 @@ inline constexpr std::size_t read_over_input_count = 6;
 /// The generator of function_formulas.h: the rocker angle less the angle that the function asks for, in (-pi, pi].
 struct RockerAngle {
     static constexpr std::size_t reads = 8;
+    static constexpr bool wraps = true;
     template <class T>
     static T error(const std::array<T, reads>& x, std::size_t assembly, const T& share, const T& part) {
         using std::atan2, std::cos, std::sin;

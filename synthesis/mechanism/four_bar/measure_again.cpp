@@ -56,7 +56,8 @@ Digits50 value_at_end(const TransmissionAngle&, const Linkage<Digits50>& m, cons
 
 Digits50 value_at_end(const VelocityRatio&, const Linkage<Digits50>& m, const Pose<Digits50>& p) {
     if (abs(p.stretch) >= rounding && abs(p.fold) >= rounding) return VelocityRatio::value(m, p);
-    const bool positive = m.side * cross(p.coupler, p.crank) > 0;
+    // cross(coupler, crank) by the triangle of crank pin and fixed pivots: next to a change point it is all rounding.
+    const bool positive = m.side * p.crank.y * dot(p.coupler, p.diagonal) > 0;
     return positive ? std::numeric_limits<Digits50>::infinity() : -std::numeric_limits<Digits50>::infinity();
 }
 
