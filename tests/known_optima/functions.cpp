@@ -74,6 +74,34 @@ INSTANTIATE_TEST_SUITE_P(
                       FunctionCase{"logarithm.toml", 0.0069708, 5e-8, [](double x) { return std::log10(x); }, 1, 2, 6}),
     [](const auto& test) { return std::string(test.param.file, std::string(test.param.file).find('.')); });
 
+/// A rocker that goes the other way round passes half a turn of error between two ends of 63 deg.
+TEST(Functions, ErrorsThatPassHalfATurnAreKnownToTheSearch) {
+    const Solved s = solved(R"toml(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 50
+crank = { min = 1, max = 1000 }
+coupler = { min = 1, max = 1000 }
+rocker = { min = 1, max = 1000 }
+assembly = "either"
+[function]
+expression = "exp(x/3)"
+x = [1.8897043327040863, 2.9214566884937847]
+input = { start = 227.2015790995493, range = 83.5178489936719 }
+output = { start = 118.22207675179419, range = -87.93618674823684 }
+[objective]
+minimize = "function-max"
+[solver]
+starts = 1
+)toml");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_LT(s.result.best->objective, 2);
+    EXPECT_NEAR(s.result.best->objective,
+                scanned_error(
+                    s, [](double x) { return std::exp(x / 3); }, 1.8897043327040863, 2.9214566884937847),
+                1e-8);
+}
+
 TEST(Functions, OfThreeAccuracyPointsHaveTheErrorOfTheSource) {
     // Example 9-2, computed: the exact design through the three points, its links to six decimals, which is to 1e-5
     // deg.
