@@ -11,7 +11,7 @@ import sys
 ROOMS = [
     # Formulas alone.
     "analysis/geometry", "analysis/numbers", "analysis/four_bar", "analysis/slider_crank", "analysis/quick_return",
-    "analysis/cam",
+    "analysis/cam", "analysis/linkage",
     # What a mechanism is, what is asked of it, and that as a nonlinear program.
     "synthesis/mechanism", "synthesis/problem", "synthesis/program",
     # Methods.

@@ -1,0 +1,453 @@
+#pragma once
+/// \file
+/// The order in which a linkage is placed: drives, gears and Assur groups, each as soon as what it hangs on is placed,
+/// else in the order of the links. Dyads become steps of closed form; what is left are larger groups, the least sets of
+/// links whose equations have to be solved together (components.h).
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "analysis/linkage/components.h"
+#include "analysis/linkage/mobility.h"
+#include "analysis/linkage/steps.h"
+#include "analysis/linkage/structure.h"
+
+namespace mechwright::linkage {
+
+namespace detail {
+
+/// What is placed so far, and the steps that did it.
+struct Ordering {
+    const Structure& s;
+    Order order{};
+    std::vector<bool> turned{};     ///< links of known direction
+    std::vector<bool> placed{};     ///< links
+    std::vector<bool> known{};      ///< pins
+    std::vector<bool> unwound{};    ///< links whose turn is known, not their direction alone
+    std::vector<std::size_t> by{};  ///< for links of known direction: the link that it came from by a slide, else none
+    std::vector<Group::Kind> from{};  ///< for links of known direction: what turned them
+
+    explicit Ordering(const Structure& structure)
+        : s(structure),
+          turned(s.links, false),
+          placed(s.links, false),
+          known(s.pins.size(), false),
+          unwound(s.links, false),
+          by(s.links, none),
+          from(s.links, Group::Kind::guided) {
+        turned[0] = unwound[0] = true;
+        place(0);
+    }
+
+    Step& add(Step::Kind kind) {
+        order.steps.emplace_back().kind = kind;
+        return order.steps.back();
+    }
+    /// A link is placed: so are its pins.
+    void place(std::size_t link) {
+        placed[link] = true;
+        for (std::size_t pin = 0; pin < s.pins.size(); ++pin) {
+            if (known[pin] || !is_on(s.pins[pin], link)) continue;
+            known[pin] = true;
+            Step& step = add(Step::Kind::carried);
+            step.link = link;
+            step.pin = pin;
+        }
+    }
+    void turn(std::size_t link, Group::Kind kind, bool with_turn) {
+        turned[link] = true;
+        unwound[link] = with_turn;
+        from[link] = kind;
+    }
+    /// The turn of a link of known direction, where only that is known.
+    void unwind(std::size_t link) {
+        if (unwound[link]) return;
+        add(Step::Kind::unwound).link = link;
+        unwound[link] = true;
+    }
+};
+
+/// The link at the other end of a joint of two links, if the first is at one end.
+inline std::optional<std::size_t> other_end(std::size_t link, std::size_t a, std::size_t b) {
+    if (link == a && link != b) return b;
+    if (link == b && link != a) return a;
+    return {};
+}
+
+inline bool turn_by_drive(Ordering& o, std::size_t link) {
+    for (std::size_t i = 0; i < o.s.drives.size(); ++i) {
+        const Drive& drive = o.s.drives[i];
+        if (drive.of_slide) continue;
+        const auto other = other_end(link, drive.link, drive.on);
+        if (!other || !o.turned[*other]) continue;
+        Step& step = o.add(Step::Kind::driven);
+        step.link = link;
+        step.other = *other;
+        step.input = i;
+        step.reversed = link == drive.on;
+        o.turn(link, Group::Kind::drive, o.unwound[*other]);
+        return true;
+    }
+    return false;
+}
+
+inline bool turn_by_slide(Ordering& o, std::size_t link) {
+    for (std::size_t i = 0; i < o.s.slides.size(); ++i) {
+        const Slide& slide = o.s.slides[i];
+        const auto other = other_end(link, slide.link, slide.line.on);
+        if (!other || !o.turned[*other]) continue;
+        Step& step = o.add(Step::Kind::held);
+        step.link = link;
+        step.other = *other;
+        step.joint = i;
+        step.reversed = link == slide.line.on;
+        if (!o.placed[*other]) o.by[link] = *other;
+        o.turn(link, Group::Kind::guided, o.unwound[*other]);
+        return true;
+    }
+    return false;
+}
+
+inline bool turn_by_gear(Ordering& o, std::size_t link) {
+    for (std::size_t i = 0; i < o.s.gears.size(); ++i) {
+        const Gear& gear = o.s.gears[i];
+        const std::size_t all[]{gear.first, gear.second, gear.carrier};
+        if (std::find(std::begin(all), std::end(all), link) == std::end(all)) continue;
+        if (!std::all_of(std::begin(all), std::end(all), [&](std::size_t l) { return l == link || o.turned[l]; }))
+            continue;
+        for (const std::size_t l : all)
+            if (l != link) o.unwind(l);
+        Step& step = o.add(Step::Kind::geared);
+        step.link = link;
+        step.joint = i;
+        step.first.link = gear.first;
+        step.second.link = gear.second;
+        step.other = gear.carrier;
+        o.turn(link, Group::Kind::geared, true);
+        return true;
+    }
+    return false;
+}
+
+inline bool turn_by_rack(Ordering& o, std::size_t link) {
+    for (std::size_t i = 0; i < o.s.racks.size(); ++i) {
+        const Rack& rack = o.s.racks[i];
+        const auto other = other_end(link, rack.wheel, rack.carrier);
+        const Slide& slide = o.s.slides[rack.slide];
+        if (!other || !o.turned[*other] || !o.placed[slide.link] || !o.placed[slide.line.on]) continue;
+        o.unwind(*other);
+        Step& step = o.add(Step::Kind::wheeled);
+        step.link = link;
+        step.other = *other;
+        step.joint = i;
+        step.first.link = slide.link;
+        step.second.link = slide.line.on;
+        step.reversed = link == rack.carrier;
+        o.turn(link, Group::Kind::geared, true);
+        return true;
+    }
+    return false;
+}
+
+inline bool turn_any(Ordering& o) {
+    for (std::size_t link = 1; link < o.s.links; ++link)
+        if (!o.turned[link] &&
+            (turn_by_drive(o, link) || turn_by_slide(o, link) || turn_by_gear(o, link) || turn_by_rack(o, link)))
+            return true;
+    return false;
+}
+
+/// The conditions on where a link of known direction is, in the order of slides and slots.
+inline std::vector<Tie> ties_of(const Ordering& o, std::size_t link) {
+    std::vector<Tie> ties;
+    for (std::size_t i = 0; i < o.s.slides.size(); ++i) {
+        const Slide& slide = o.s.slides[i];
+        if (slide.link == link && o.placed[slide.line.on]) ties.push_back({Tie::Kind::slides, i, slide.line.on});
+        if (slide.line.on == link && o.placed[slide.link]) ties.push_back({Tie::Kind::carries, i, slide.link});
+    }
+    for (std::size_t i = 0; i < o.s.slots.size(); ++i) {
+        const Slot& slot = o.s.slots[i];
+        const bool on = is_on(o.s.pins[slot.pin], link);
+        if (on && o.placed[slot.line.on]) ties.push_back({Tie::Kind::in_slot, i, slot.line.on});
+        if (!on && slot.line.on == link && o.known[slot.pin]) ties.push_back({Tie::Kind::over_pin, i, slot.pin});
+    }
+    return ties;
+}
+
+/// A placed pin of a link, but not a certain one.
+inline std::size_t known_pin(const Ordering& o, std::size_t link, std::size_t but = none) {
+    for (std::size_t pin = 0; pin < o.s.pins.size(); ++pin)
+        if (pin != but && o.known[pin] && is_on(o.s.pins[pin], link)) return pin;
+    return none;
+}
+
+inline void add_group(Ordering& o, Group::Kind kind, std::vector<std::size_t> links) {
+    Group& group = o.order.groups.emplace_back();
+    group.kind = kind;
+    group.links = std::move(links);
+    std::sort(group.links.begin(), group.links.end());
+}
+
+/// The displacement of a slide that is an input, or that of a rack, from the placed link at its other end.
+inline bool slide_to_place(Ordering& o, std::size_t link) {
+    const auto slid = [&](std::size_t slide, Step::Kind kind) -> Step* {
+        const auto other = other_end(link, o.s.slides[slide].link, o.s.slides[slide].line.on);
+        if (!other || !o.placed[*other]) return nullptr;
+        Step& step = o.add(kind);
+        step.link = link;
+        step.other = *other;
+        step.joint = slide;
+        step.reversed = link == o.s.slides[slide].line.on;
+        return &step;
+    };
+    for (std::size_t i = 0; i < o.s.drives.size(); ++i)
+        if (o.s.drives[i].of_slide)
+            if (Step* step = slid(o.s.drives[i].slide, Step::Kind::slid)) {
+                step->input = i;
+                o.from[link] = Group::Kind::drive;
+                return true;
+            }
+    for (std::size_t i = 0; i < o.s.racks.size(); ++i) {
+        const Rack& rack = o.s.racks[i];
+        const Slide& slide = o.s.slides[rack.slide];
+        const auto other = other_end(link, slide.link, slide.line.on);
+        if (!other || !o.placed[*other] || !o.turned[rack.wheel] || !o.turned[rack.carrier]) continue;
+        o.unwind(rack.wheel);
+        o.unwind(rack.carrier);
+        Step& step = *slid(rack.slide, Step::Kind::racked);
+        step.input = i;
+        step.first.link = rack.wheel;
+        step.second.link = rack.carrier;
+        o.from[link] = Group::Kind::geared;
+        return true;
+    }
+    return false;
+}
+
+inline bool place_one(Ordering& o, std::size_t link) {
+    Group::Kind kind = Group::Kind::guided;
+    if (!slide_to_place(o, link)) {
+        if (const std::size_t pin = known_pin(o, link); pin != none) {
+            Step& step = o.add(Step::Kind::pinned);
+            step.link = link;
+            step.pin = pin;
+        } else {
+            const std::vector<Tie> ties = ties_of(o, link);
+            if (ties.size() < 2) return false;
+            Step& step = o.add(Step::Kind::tied);
+            step.link = link;
+            step.first = {Locus::Kind::line, link, none, ties[0]};
+            step.second = {Locus::Kind::line, link, none, ties[1]};
+            step.margin = o.order.margins++;
+            // A slot's block is a link without mass: one more sliding joint, or pin, of a dyad.
+            const auto is_slide = [](const Tie& t) { return t.kind <= Tie::Kind::carries; };
+            if (o.from[link] == Group::Kind::guided && is_slide(ties[0]) && !is_slide(ties[1]))
+                kind = ties[1].kind == Tie::Kind::over_pin ? Group::Kind::rpp : Group::Kind::prp;
+        }
+    }
+    if (o.from[link] != Group::Kind::guided) kind = o.from[link];
+    o.place(link);
+    add_group(o, kind, {link});
+    return true;
+}
+
+inline bool place_any(Ordering& o) {
+    for (std::size_t link = 1; link < o.s.links; ++link)
+        if (o.turned[link] && !o.placed[link] && place_one(o, link)) return true;
+    return false;
+}
+
+/// Where a pin that is not placed can be, by each of its links and slots.
+inline std::vector<Locus> loci_of(const Ordering& o, std::size_t pin) {
+    std::vector<Locus> loci;
+    for (const Point& point : o.s.pins[pin].points) {
+        if (o.turned[point.link]) {
+            if (const auto ties = ties_of(o, point.link); !ties.empty())
+                loci.push_back({Locus::Kind::line, point.link, none, ties[0]});
+        } else if (const std::size_t centre = known_pin(o, point.link); centre != none) {
+            loci.push_back({Locus::Kind::circle, point.link, centre, {}});
+        }
+    }
+    std::stable_sort(loci.begin(), loci.end(), [](const Locus& a, const Locus& b) { return a.link < b.link; });
+    for (std::size_t i = 0; i < o.s.slots.size(); ++i)
+        if (o.s.slots[i].pin == pin && o.placed[o.s.slots[i].line.on])
+            loci.push_back(
+                {Locus::Kind::slot, o.s.slots[i].line.on, none, {Tie::Kind::in_slot, i, o.s.slots[i].line.on}});
+    return loci;
+}
+
+/// Names the slide or slot that a side is counted along.
+inline void name_joint(Group& group, const Tie& tie) {
+    group.joint = tie.joint;
+    group.by_slide = tie.kind <= Tie::Kind::carries;
+}
+
+inline void join(Ordering& o, std::size_t pin, Locus first, Locus second) {
+    const bool circles[]{first.kind == Locus::Kind::circle, second.kind == Locus::Kind::circle};
+    if (!circles[0] && circles[1]) std::swap(first, second);
+    Step& step = o.add(Step::Kind::dyad);
+    step.pin = pin;
+    step.first = first;
+    step.second = second;
+    step.margin = o.order.margins++;
+    Group group;
+    group.pin = pin;
+    group.kind = circles[0] && circles[1]   ? Group::Kind::rrr
+                 : circles[0] || circles[1] ? Group::Kind::rrp
+                                            : Group::Kind::prp;
+    if (group.kind != Group::Kind::prp) group.choice = step.choice = o.order.choices++;
+    if (group.kind == Group::Kind::rrp) name_joint(group, second.tie);
+    group.outer[0] = first.centre;
+    group.outer[1] = second.centre;
+    o.known[pin] = true;
+    for (const Locus& locus : {first, second}) {
+        if (locus.kind == Locus::Kind::slot) continue;
+        group.links.push_back(locus.link);
+        o.turned[locus.link] = true;
+        o.place(locus.link);
+    }
+    std::sort(group.links.begin(), group.links.end());
+    o.order.groups.push_back(std::move(group));
+}
+
+inline bool join_any(Ordering& o) {
+    for (std::size_t pin = 0; pin < o.s.pins.size(); ++pin) {
+        if (o.known[pin]) continue;
+        if (const auto loci = loci_of(o, pin); loci.size() >= 2) return join(o, pin, loci[0], loci[1]), true;
+    }
+    return false;
+}
+
+/// A link that turns about a placed pin, and whose line passes another placed pin at a distance.
+inline void pass(Ordering& o, std::size_t link, std::size_t pin, std::size_t far_pin, const Tie& tie,
+                 std::size_t slider) {
+    Step& step = o.add(Step::Kind::through);
+    step.link = link;
+    step.other = slider;
+    step.pin = pin;
+    step.far_pin = far_pin;
+    step.joint = tie.joint;
+    step.reversed = tie.kind == Tie::Kind::over_pin;  // the joint is a slot
+    step.margin = o.order.margins++;
+    step.choice = o.order.choices++;
+    Group group;
+    group.kind = Group::Kind::rpr;
+    group.links = {link};
+    group.pin = far_pin;
+    group.choice = step.choice;
+    group.outer[0] = pin;
+    name_joint(group, tie);
+    o.turned[link] = true;
+    o.place(link);
+    if (slider != none) {
+        group.links.push_back(slider);
+        o.turned[slider] = true;
+        o.place(slider);
+    }
+    std::sort(group.links.begin(), group.links.end());
+    o.order.groups.push_back(std::move(group));
+}
+
+inline bool pass_any(Ordering& o) {
+    for (std::size_t link = 1; link < o.s.links; ++link) {
+        if (o.turned[link]) continue;
+        const std::size_t pin = known_pin(o, link);
+        if (pin == none) continue;
+        for (std::size_t i = 0; i < o.s.slots.size(); ++i) {
+            const Slot& slot = o.s.slots[i];
+            if (slot.line.on != link || !o.known[slot.pin] || is_on(o.s.pins[slot.pin], link)) continue;
+            return pass(o, link, pin, slot.pin, {Tie::Kind::over_pin, i, slot.pin}, none), true;
+        }
+        for (std::size_t i = 0; i < o.s.slides.size(); ++i) {
+            const Slide& slide = o.s.slides[i];
+            if (slide.line.on != link || o.turned[slide.link]) continue;
+            if (const std::size_t far_pin = known_pin(o, slide.link, pin); far_pin != none)
+                return pass(o, link, pin, far_pin, {Tie::Kind::slides, i, link}, slide.link), true;
+        }
+    }
+    return false;
+}
+
+/// The equations that are left, with a placed link first at every pin that has one.
+inline VelocityEquations<double> equations_left(const Ordering& o) {
+    Structure s = o.s;
+    for (Pin& pin : s.pins)
+        std::stable_partition(pin.points.begin(), pin.points.end(), [&](const Point& p) { return o.placed[p.link]; });
+    return velocity_equations(s, random_instant<double>(s, 1, {}));
+}
+
+/// The least links that have to be placed together, as one group.
+inline void place_together(Ordering& o) {
+    const VelocityEquations<double> all = equations_left(o);
+    std::vector<std::size_t> names, position(all.unknowns, none);
+    for (std::size_t u = 0; u < all.unknowns; ++u)
+        if (u % 3 == 2 ? !o.turned[u / 3 + 1] : !o.placed[u / 3 + 1]) {
+            position[u] = names.size();
+            names.push_back(u);
+        }
+    Pattern pattern;
+    pattern.unknowns = names.size();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        pattern.twin.push_back(names[i] % 3 == 2 ? i : position[names[i] / 3 * 3 + 1 - names[i] % 3]);
+    for (std::size_t i = 0; i < all.equations.size(); ++i) {
+        std::vector<std::size_t> in;
+        for (std::size_t u = 0; u < all.unknowns; ++u)
+            if (position[u] != none && all.row(i)[u] != 0) in.push_back(position[u]);
+        if (!in.empty()) pattern.unknowns_of.push_back(std::move(in));
+    }
+    std::vector<std::size_t> links;
+    std::vector<bool> whole(o.s.links, false);
+    for (const std::size_t u : first_component(pattern)) {
+        const std::size_t link = names[u] / 3 + 1;
+        if (names[u] % 3 == 2)
+            o.turned[link] = true;
+        else
+            whole[link] = true;
+        if (links.empty() || links.back() != link) links.push_back(link);
+    }
+    add_group(o, Group::Kind::larger, links);
+    for (const std::size_t link : links)
+        if (whole[link]) {
+            o.turned[link] = true;
+            o.place(link);
+        }
+}
+
+/// Groups of which a link has its direction from a link of a later one by a slide are one: an RPP.
+inline void merge_held(Ordering& o) {
+    std::vector<Group>& groups = o.order.groups;
+    for (std::size_t link = 1; link < o.s.links; ++link) {
+        if (o.by[link] == none) continue;
+        const auto of = [&](std::size_t l) {
+            return std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+                return std::find(g.links.begin(), g.links.end(), l) != g.links.end();
+            });
+        };
+        const auto mine = of(link), others = of(o.by[link]);
+        if (mine == groups.end() || others == groups.end() || mine >= others) continue;
+        if (mine->links.size() != 1 || others->links.size() != 1 || others->kind == Group::Kind::larger) continue;
+        others->kind = Group::Kind::rpp;
+        others->links.push_back(link);
+        std::sort(others->links.begin(), others->links.end());
+        groups.erase(mine);
+    }
+}
+
+}  // namespace detail
+
+/// The order of a linkage that its drives settle (Mobility::settled), deterministic. Links that nothing settles are in
+/// its last, larger group.
+inline Order order_of(const Structure& s) {
+    detail::Ordering o(s);
+    const auto all_placed = [&] { return std::find(o.placed.begin(), o.placed.end(), false) == o.placed.end(); };
+    while (!all_placed())
+        if (!detail::turn_any(o) && !detail::place_any(o) && !detail::join_any(o) && !detail::pass_any(o))
+            detail::place_together(o);
+    detail::merge_held(o);
+    return std::move(o.order);
+}
+
+}  // namespace mechwright::linkage

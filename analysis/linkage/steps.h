@@ -1,0 +1,108 @@
+#pragma once
+/// \file
+/// A linkage as one flat list of plain steps, each of which places what the steps before it allow: what place.h runs
+/// through at every crank angle. order.h makes the list.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mechwright::linkage {
+
+/// One linear condition on where a link of known direction is, that it has with placed links or pins.
+struct Tie {
+    enum class Kind : std::uint8_t {
+        slides,   ///< it slides on a line of a placed link
+        carries,  ///< a placed link slides on its line
+        in_slot,  ///< a pin of it is in a slot of a placed link
+        over_pin  ///< its slot is over a placed pin
+    };
+    Kind kind = Kind::slides;
+    std::size_t joint = 0;  ///< the slide or slot
+    std::size_t base = 0;   ///< the placed link; of `over_pin` the placed pin
+};
+
+/// Where a pin can be before it is joined to something else.
+struct Locus {
+    enum class Kind : std::uint8_t {
+        circle,  ///< its link turns about a placed pin
+        line,    ///< its link, of known direction, has a tie
+        slot     ///< it is in a slot of a placed link
+    };
+    Kind kind = Kind::circle;
+    std::size_t link = 0;    ///< that is placed with the pin; of a slot the one it is in
+    std::size_t centre = 0;  ///< the placed pin
+    Tie tie{};               ///< of a slot its joint
+};
+
+inline constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+struct Step {
+    enum class Kind : std::uint8_t {
+        driven,   ///< direction: against another link by an input
+        held,     ///< direction: by a slide to a link of known direction
+        geared,   ///< direction: by a gear to two links of known turn
+        wheeled,  ///< direction: by the displacement of a placed rack
+        slid,     ///< place: by the displacement of a slide that is an input
+        racked,   ///< place: by the displacement of a rack whose wheel is turned
+        pinned,   ///< place: a pin of it is placed
+        tied,     ///< place: two ties
+        dyad,     ///< a pin on two loci, and the links that it places
+        through,  ///< a link on a placed pin whose line passes another one at a distance
+        carried,  ///< a pin by its placed link
+        unwound   ///< the turn of a placed link from its direction
+    };
+    Kind kind = Kind::driven;
+    std::size_t link = none;     ///< that is placed or turned
+    std::size_t other = none;    ///< the link against which; of `through` the link that slides, if one does
+    std::size_t pin = none;      ///< that is placed; of `pinned` and `through` the placed one
+    std::size_t far_pin = none;  ///< of `through` the pin that the line passes
+    std::size_t joint = none;    ///< the slide, slot, gear or rack
+    std::size_t input = none;    ///< the drive; of `racked` the rack
+    bool reversed = false;       ///< the joint names the placed link second
+    std::size_t choice = none;   ///< which of the sides decides
+    std::size_t margin = none;   ///< which of the margins it has
+    Locus first{}, second{};  ///< of a dyad: a circle before a line; of a gear its two links (`other` is its carrier);
+                              ///< of `wheeled` slide and line, of `racked` wheel and carrier
+};
+
+/// How some links are placed together.
+struct Group {
+    enum class Kind : std::uint8_t {
+        drive,   ///< one link by an input
+        geared,  ///< one link by a gear, belt or rack
+        guided,  ///< one link whose direction is known, by one position
+        rrr,
+        rrp,
+        rpr,
+        rpp,
+        prp,
+        larger  ///< no dyad: not placed by closed form
+    };
+    Kind kind = Kind::drive;
+    std::vector<std::size_t> links{};
+    std::size_t pin = none;            ///< the inner pin of a dyad
+    std::size_t choice = none;         ///< which of the sides decides, where there are two
+    std::size_t outer[2]{none, none};  ///< pins from which a side is counted: two of rrr, the first of rrp and rpr
+    std::size_t joint = none;          ///< of rrp and rpr: the slide, or the slot, whose line it is
+    bool by_slide = false;             ///< the joint is a slide, else a slot
+
+    int assemblies() const { return kind == Kind::larger ? 0 : choice == none ? 1 : 2; }
+};
+
+/// A linkage in the order in which it is placed.
+struct Order {
+    std::vector<Step> steps{};
+    std::vector<Group> groups{};
+    std::size_t choices = 0;  ///< dyads with two assemblies
+    std::size_t margins = 0;
+
+    /// Whether every group is placed by closed form, so that `steps` places all links.
+    bool closed() const {
+        for (const Group& group : groups)
+            if (group.kind == Group::Kind::larger) return false;
+        return true;
+    }
+};
+
+}  // namespace mechwright::linkage

@@ -1,0 +1,469 @@
+// Linkages placed by their steps: the built-in kinds, published poses, random six-bars against Newton in fifty digits,
+// exact straight lines.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "analysis/four_bar.h"
+#include "analysis/linkage/place.h"
+#include "analysis/numbers/dual.h"
+#include "analysis/numbers/second_dual.h"
+#include "analysis/quick_return.h"
+#include "analysis/slider_crank.h"
+#include "tests/analysis/made_linkage.h"
+
+namespace mechwright::test {
+namespace {
+
+using linkage::Group;
+
+MadeLinkage four_bar_linkage(const FourBar<double>& m, double along, double across) {
+    MadeLinkage made;
+    made.points(0, {{"A", 0, 0}, {"D", m.ground, 0}});
+    made.drive(made.link({{"A", 0, 0}, {"B", m.crank, 0}}));
+    made.link({{"B", 0, 0}, {"C", m.coupler, 0}, {"P", along, across}});
+    made.link({{"D", 0, 0}, {"C", m.rocker, 0}});
+    return made;
+}
+
+double direction(const Vector<double>& v) { return std::atan2(v.y, v.x); }
+
+struct Draw {
+    std::mt19937_64 engine;
+    double operator()(double from, double to) {
+        return from + (to - from) * (static_cast<double>(engine() >> 11) * 0x1p-53);
+    }
+};
+
+TEST(LinkagePlace, IsTheFourBarsPose) {
+    Draw draw{std::mt19937_64(1)};
+    int compared = 0;
+    for (int i = 0; i < 500; ++i) {
+        const FourBar<double> m{draw(1, 10), draw(1, 10), draw(1, 10), draw(1, 10)};
+        const MadeLinkage made = four_bar_linkage(m, draw(-5, 5), draw(-5, 5));
+        const double angle = draw(0, 6.28);
+        for (const int side : {1, -1}) {
+            const auto p = pose(m, angle, side > 0 ? Assembly::open : Assembly::crossed);
+            const Placed<double> placed(made, {angle}, {static_cast<std::int8_t>(side)});
+            ASSERT_EQ(placed.closed, p.assembled());
+            if (!p.assembled() || std::min(p.margins.stretch, p.margins.fold) < 1e-3) continue;
+            ++compared;
+            EXPECT_NEAR(cross(placed.pose.links[2].along, p.coupler), 0, 1e-12);
+            EXPECT_NEAR(dot(placed.pose.links[2].along, p.coupler), 1, 1e-12);
+            EXPECT_NEAR(cross(placed.pose.links[3].along, p.rocker), 0, 1e-12);
+            EXPECT_NEAR(placed.pose.margins[0].outer, p.margins.stretch, 1e-13);
+            EXPECT_NEAR(placed.pose.margins[0].inner, p.margins.fold, 1e-13);
+        }
+    }
+    EXPECT_GT(compared, 200);
+}
+
+TEST(LinkagePlace, IsTheSliderCranksPose) {
+    Draw draw{std::mt19937_64(2)};
+    for (int i = 0; i < 200; ++i) {
+        const SliderCrank<double> m{draw(1, 3), draw(5, 9), draw(-1, 1)};
+        MadeLinkage made;
+        made.points(0, {{"A", 0, 0}});
+        made.drive(made.link({{"A", 0, 0}, {"B", m.crank, 0}}));
+        made.link({{"B", 0, 0}, {"C", m.rod, 0}});
+        made.slide(made.link({{"C", 0, 0}}), made.line(0, 0, 0, 0), 0, m.offset);
+        const double angle = draw(0, 6.28);
+        const auto p = pose(m, angle);
+        const Placed<double> placed(made, {angle}, {1});
+        ASSERT_TRUE(placed.closed);
+        EXPECT_EQ(placed.order.groups.back().kind, Group::Kind::rrp);
+        EXPECT_NEAR(placed["C"].x, p.position, 1e-12);
+        EXPECT_NEAR(placed["C"].y, m.offset, 1e-12);
+        EXPECT_NEAR(placed.pose.links[3].origin.x, p.position, 1e-12);
+        EXPECT_NEAR(placed.pose.margins[0].outer, p.left, 1e-12);
+        EXPECT_NEAR(placed.pose.margins[0].inner, p.right, 1e-12);
+        EXPECT_NEAR(direction(placed.pose.links[2].along), direction(p.rod), 1e-12);
+    }
+}
+
+TEST(LinkagePlace, IsTheSlottedDrivesPose) {
+    Draw draw{std::mt19937_64(3)};
+    for (int i = 0; i < 200; ++i) {
+        const double centre = draw(3, 4), angle = draw(0, 6.28);
+        const Whitworth<double> w{centre, draw(5, 6), draw(1, 2), draw(6, 8), draw(0, 3)};
+        MadeLinkage made;
+        made.points(0, {{"O", 0, 0}, {"M", centre, 0}});
+        made.drive(made.link({{"M", 0, 0}, {"B", w.crank, 0}}));
+        made.link({{"O", 0, 0}, {"R", -w.arm, 0}});
+        made.slot("B", made.line(2, 0, 0, 0));
+        made.link({{"R", 0, 0}, {"S", w.rod, 0}});
+        made.slot("S", made.line(0, 0, 0, w.slide_angle));
+        const auto p = pose(w, half_turn(angle));
+        const Placed<double> placed(made, {angle}, {1, 1});
+        ASSERT_TRUE(placed.closed);
+        EXPECT_EQ(placed.order.groups[1].kind, Group::Kind::rpr);
+        EXPECT_EQ(placed.order.groups[2].kind, Group::Kind::rrp);
+        EXPECT_NEAR(std::hypot(placed["S"].x, placed["S"].y), std::abs(p.output.position), 1e-12);
+        EXPECT_NEAR(dot(placed["S"], {std::cos(w.slide_angle), std::sin(w.slide_angle)}), p.output.position, 1e-12);
+    }
+}
+
+TEST(LinkagePlace, IsTheCrankShapersPose) {
+    Draw draw{std::mt19937_64(4)};
+    for (int i = 0; i < 200; ++i) {
+        const CrankShaper<double> m{draw(8, 9), draw(2, 3), draw(15, 16), draw(5, 6), draw(14, 15)};
+        const double angle = draw(0, 6.28);
+        // Its x axis is the line of centres, from lever pivot to crank pivot.
+        MadeLinkage made;
+        made.points(0, {{"O", 0, 0}, {"M", m.centre_distance, 0}});
+        made.drive(made.link({{"M", 0, 0}, {"B", m.crank, 0}}));
+        made.link({{"O", 0, 0}, {"R", m.lever, 0}});
+        const std::size_t block = made.link({{"B", 0, 0}});
+        made.slide(block, made.line(2, 0, 0, 0));
+        made.link({{"R", 0, 0}, {"S", m.rod, 0}});
+        made.slide(made.link({{"S", 0, 0}}), made.line(0, m.ram_distance, 0, std::numbers::pi / 2));
+        const Placed<double> placed(made, {angle}, {1, 1});
+        ASSERT_TRUE(placed.closed);
+        EXPECT_EQ(placed.order.groups[1].links, (std::vector<std::size_t>{2, 3}));
+        const auto lever = placed.pose.links[2].along;
+        // Straight from the figure: the lever points at the crank pin.
+        EXPECT_NEAR(direction(lever),
+                    std::atan2(m.crank * std::sin(angle), m.centre_distance + m.crank * std::cos(angle)), 1e-12);
+        EXPECT_NEAR(placed["S"].x, m.ram_distance, 1e-12);
+        EXPECT_NEAR(std::hypot(placed["S"].x - m.lever * lever.x, placed["S"].y - m.lever * lever.y), m.rod, 1e-12);
+        const auto exact = places_by_newton(made, {angle}, placed.pose);
+        EXPECT_LT(error_of(placed.pose, exact, 15), 1e-12);
+    }
+}
+
+MadeLinkage jansen() {
+    MadeLinkage m;
+    m.points(0, {{"O", 0, 0}, {"C", 38, 7.8}});
+    m.drive(m.link({{"C", 0, 0}, {"X", 15, 0}}));
+    const auto bar = [&](const char* a, const char* b, double length) { m.link({{a, 0, 0}, {b, length, 0}}); };
+    bar("X", "Y", 50);
+    bar("O", "Y", 41.5);
+    bar("X", "W", 61.9);
+    bar("O", "W", 39.3);
+    // The two triangles: Y and V on one about O, U and T on one about W.
+    const double v = (41.5 * 41.5 + 40.1 * 40.1 - 55.8 * 55.8) / (2 * 41.5);
+    m.points(3, {{"V", v, std::sqrt(40.1 * 40.1 - v * v)}});
+    bar("V", "U", 39.4);
+    const double t = (36.7 * 36.7 + 49. * 49 - 65.7 * 65.7) / (2 * 36.7);
+    m.link({{"W", 0, 0}, {"U", 36.7, 0}, {"T", t, std::sqrt(49. * 49 - t * t)}});
+    return m;
+}
+
+/// For each dyad of a linkage in solving order, by the name of its inner pin.
+std::vector<std::int8_t> sides_of(const MadeLinkage& made, const std::vector<std::pair<std::string, int>>& named) {
+    const linkage::Order order = linkage::order_of(made.s);
+    std::vector<std::int8_t> sides(order.choices, 1);
+    for (const auto& group : order.groups)
+        for (const auto& [name, side] : named)
+            if (group.choice != linkage::none && made.pins[group.pin] == name)
+                sides[group.choice] = static_cast<std::int8_t>(side);
+    return sides;
+}
+
+TEST(LinkagePlace, IsJansensLeg) {
+    const MadeLinkage made = jansen();
+    const auto sides = sides_of(made, {{"Y", -1}, {"W", 1}, {"U", -1}});
+    const auto foot = [&](double degrees) { return Placed<double>(made, {degrees * degree}, sides)["T"]; };
+    const Placed<double> up(made, {90 * degree}, sides);
+    ASSERT_TRUE(up.closed);
+    EXPECT_NEAR(up["Y"].x, -8.7356523024432949, 1e-12);
+    EXPECT_NEAR(up["Y"].y, 40.570166118107246, 1e-12);
+    EXPECT_NEAR(up["V"].x, -39.667791263174925, 1e-12);
+    EXPECT_NEAR(up["W"].y, -35.430639279698195, 1e-12);
+    EXPECT_NEAR(up["U"].x, -19.447599367531681, 1e-12);
+    EXPECT_NEAR(up["T"].x, 30.310933769358341, 1e-12);
+    EXPECT_NEAR(up["T"].y, -82.589351367404295, 1e-12);
+    EXPECT_NEAR(foot(0).x, -5.1601105241047233, 1e-12);
+    EXPECT_NEAR(foot(180).y, -65.717097409819483, 1e-12);
+    EXPECT_NEAR(foot(270).x, -32.670563176520974, 1e-12);
+    EXPECT_EQ(up.order.groups.size(), 4u);
+
+    using Twice = SecondDual<double, 1>;
+    const Placed<Twice> moving(made, {Twice::variable(90 * degree, 0)}, sides);
+    EXPECT_NEAR(moving["T"].x.first[0], 15.510477033299311, 1e-11);
+    EXPECT_NEAR(moving["T"].y.first[0], 3.1037368209964071, 1e-11);
+    EXPECT_NEAR(moving["T"].x.second[0], -22.73423027444579, 1e-10);
+    EXPECT_NEAR(moving["T"].y.second[0], 2.5151498521023302, 1e-10);
+}
+
+/// Crank, four-bar and dyad of published six-bars: the dyad on the rocker's second arm, or on the coupler point.
+MadeLinkage six_bar(bool watt) {
+    MadeLinkage m = four_bar_linkage({4, 1, 3.5, 3}, 1.5, 1.2);
+    m.points(0, {{"G", watt ? 8.5 : 6., watt ? 1. : 3.}});
+    if (watt) m.points(3, {{"Q", 2 * std::cos(100 * degree), -2 * std::sin(100 * degree)}});
+    m.link({{watt ? "Q" : "P", 0, 0}, {"H", watt ? 4. : 4.5, 0}});
+    m.link({{"G", 0, 0}, {"H", watt ? 2.5 : 3., 0}});
+    return m;
+}
+
+TEST(LinkagePlace, IsThePublishedSixBars) {
+    struct Row {
+        bool watt;
+        int first, second;
+        double angle, speed, acceleration;
+    };
+    for (const Row& row : {Row{true, 1, 1, 98.139811596135408, -0.14755136846314872, -0.35806797021778765},
+                           Row{true, 1, -1, -58.61360486391257, -0.064484644445962561, -0.21010591796314826},
+                           Row{true, -1, 1, 139.8637753829153, -0.26708797835140085, 0.22500981027211678},
+                           Row{false, 1, 1, 120.5114867836394, 0.039002770400443418, 0.45003775230586768},
+                           Row{false, 1, -1, -114.06234051744652, -0.20648758381964817, -0.10798832800705348},
+                           Row{false, -1, 1, 151.97531944496629, -0.13001776319995009, 0.15594770257380817},
+                           Row{false, -1, -1, -75.74920012824867, -0.27901431927674766, -0.09589108135814128}}) {
+        const MadeLinkage made = six_bar(row.watt);
+        using Twice = SecondDual<double, 1>;
+        const Placed<Twice> placed(made, {Twice::variable(60 * degree, 0)},
+                                   sides_of(made, {{"C", row.first}, {"H", row.second}}));
+        ASSERT_TRUE(placed.closed);
+        const auto& along = placed.pose.links[5].along;
+        const Twice angle = atan2(along.y, along.x);
+        EXPECT_NEAR(angle.value / degree, row.angle, 1e-11);
+        EXPECT_NEAR(angle.first[0], row.speed, 1e-12);
+        EXPECT_NEAR(angle.second[0], row.acceleration, 1e-11);
+    }
+}
+
+/// Six-bars of all five kinds, with random dimensions. Links: crank 1, then as the kind says.
+MadeLinkage random_six_bar(int kind, Draw& draw) {
+    MadeLinkage m;
+    const auto about = [&](double size) { return draw(-size, size); };
+    m.points(0, {{"A", 0, 0}, {"D", draw(3, 5), about(1)}});
+    m.drive(m.link({{"A", 0, 0}, {"B", draw(0.8, 1.2), 0}}));
+    m.link({{"B", 0, 0}, {"C", draw(3, 4), 0}});
+    m.link({{"D", 0, 0}, {"C", draw(2.5, 3.5), about(1)}});
+    const auto dyad = [&](const char* p, const char* q) {
+        m.link({{p, 0, 0}, {"H", draw(3, 5), 0}, {"R", about(2), about(2)}});
+        m.link({{q, 0, 0}, {"H", draw(3, 5), about(1)}});
+    };
+    if (kind == 0) {  // Watt I: on coupler and rocker
+        m.points(2, {{"P", draw(2, 4), about(2)}});
+        m.points(3, {{"Q", draw(2, 4), about(2)}});
+        dyad("P", "Q");
+    } else if (kind == 1) {  // Watt II: on rocker and frame
+        m.points(3, {{"P", draw(2, 3), about(2)}});
+        m.points(0, {{"G", draw(6, 8), about(2)}});
+        dyad("P", "G");
+    } else if (kind == 2) {  // Stephenson I: on crank and rocker
+        m.points(1, {{"P", about(1), about(1)}});
+        m.points(3, {{"Q", draw(2, 4), about(2)}});
+        dyad("P", "Q");
+    } else {  // Stephenson III: on coupler and frame; kind 4 with slides in place of the dyad's last pin
+        m.points(2, {{"P", draw(1, 2), about(2)}});
+        if (kind == 3) {
+            m.points(0, {{"G", draw(5, 7), about(3)}});
+            dyad("P", "G");
+        } else {
+            m.link({{"P", 0, 0}, {"H", draw(4, 6), 0}});
+            m.slide(m.link({{"H", about(1), about(1)}}), m.line(0, about(2), about(2), about(3)), about(3), about(1));
+        }
+    }
+    return m;
+}
+
+TEST(LinkagePlace, IsWhatNewtonFindsInFiftyDigits) {
+    Draw draw{std::mt19937_64(5)};
+    for (int kind = 0; kind < 5; ++kind) {
+        int compared = 0;
+        for (int i = 0; i < 60 && compared < 12; ++i) {
+            const MadeLinkage made = random_six_bar(kind, draw);
+            const double angle = draw(0, 6.28);
+            const std::vector<std::int8_t> sides{static_cast<std::int8_t>(draw(0, 1) < 0.5 ? 1 : -1),
+                                                 static_cast<std::int8_t>(draw(0, 1) < 0.5 ? 1 : -1)};
+            const Placed<double> placed(made, {angle}, sides);
+            ASSERT_TRUE(placed.order.closed());
+            if (!placed.closed) continue;
+            ++compared;
+            // Near a toggle the pose itself depends on the dimensions by the inverse root of the margin.
+            double least = 1;
+            for (const auto& margin : placed.pose.margins)
+                least = std::min({least, margin.outer, margin.inner});
+            const auto exact = places_by_newton(made, {angle}, placed.pose);
+            EXPECT_LT(error_of(placed.pose, exact, 5), 2e-14 / least) << "kind " << kind << ", case " << i;
+        }
+        EXPECT_GE(compared, 8) << kind;
+    }
+}
+
+TEST(LinkagePlace, IsExactOnPeaucelliersLine) {
+    MadeLinkage m;  // arm 1 about (1, 0), long bars 3 from the origin, short ones 2
+    m.points(0, {{"O", 0, 0}, {"M", 1, 0}});
+    m.drive(m.link({{"M", 0, 0}, {"P", 1, 0}}));
+    const auto bar = [&](const char* a, const char* b, double length) { m.link({{a, 0, 0}, {b, length, 0}}); };
+    bar("O", "U", 3);
+    bar("O", "V", 3);
+    bar("P", "U", 2);
+    bar("P", "V", 2);
+    bar("U", "Q", 2);
+    bar("V", "Q", 2);
+    const auto sides = sides_of(m, {{"U", 1}, {"V", -1}, {"Q", 1}});
+    const double exact[]{0.44081745177116243, 0.9099255856655059, 1.4433756729740644};
+    for (int i = 1; i <= 3; ++i) {
+        const Placed<double> placed(m, {i * 20 * degree}, sides);
+        ASSERT_TRUE(placed.closed);
+        // The pole is a third of the size from the line: the distance of the outer pins, O and Q, is what it is over.
+        EXPECT_NEAR(placed["Q"].x, 2.5, 3e-14 * 3 / 2.5);
+        EXPECT_NEAR(placed["Q"].y, exact[i - 1], 4e-14);
+    }
+}
+
+TEST(LinkagePlace, IsExactInScottRussellsLinkage) {
+    MadeLinkage m;  // arm 1 about the origin, at the middle of a bar of 2 whose one end slides on the x axis
+    m.points(0, {{"O", 0, 0}});
+    m.drive(m.link({{"O", 0, 0}, {"M", 1, 0}}));
+    m.link({{"M", 0, 0}, {"S", 1, 0}, {"T", -1, 0}});
+    m.slot("S", m.line(0, 0, 0, 0));
+    for (int degrees = 1; degrees < 90; degrees += 4) {
+        const Placed<double> placed(m, {degrees * degree}, {1});
+        // What is rounded in the height of M moves S along the line by its tangent.
+        const double rounding = 2e-16 * (1 + std::tan(degrees * degree));
+        EXPECT_NEAR(placed["T"].x, 0, rounding);
+        EXPECT_NEAR(placed["T"].y, 2 * std::sin(degrees * degree), 1e-15);
+    }
+}
+
+TEST(LinkagePlace, IsHartsInversor) {
+    // An antiparallelogram of 4 and 2 with its points at a third: O fixed, OP OQ = 8/3 on either side of O, P on a
+    // circle through O.
+    MadeLinkage m;
+    m.points(0, {{"O", 0, 0}, {"M", 0.8, 0}});
+    m.drive(m.link({{"M", 0, 0}, {"P", 0.8, 0}}));
+    m.link({{"A", -4. / 3, 0}, {"O", 0, 0}, {"B", 8. / 3, 0}});  // long
+    m.link({{"A", -2. / 3, 0}, {"P", 0, 0}, {"D", 4. / 3, 0}});  // short, from A
+    m.link({{"C", 0, 0}, {"D", 4, 0}});                          // long
+    m.link({{"B", -4. / 3, 0}, {"Q", 0, 0}, {"C", 2. / 3, 0}});  // short; Q a third from C
+    const linkage::Order order = linkage::order_of(m.s);
+    ASSERT_TRUE(order.closed());
+    int found = 0;
+    for (int i = 0; i < 4; ++i) {
+        const std::vector<std::int8_t> sides{static_cast<std::int8_t>(i % 2 ? 1 : -1),
+                                             static_cast<std::int8_t>(i / 2 ? 1 : -1)};
+        const Placed<double> placed(m, {50 * degree}, sides);
+        if (!placed.closed) continue;
+        const auto ac = placed["C"] - placed["A"], bd = placed["D"] - placed["B"];
+        if (std::abs(cross(ac, bd)) > 1e-9) continue;  // the parallelogram
+        ++found;
+        EXPECT_NEAR(std::sqrt(dot(ac, ac) * dot(bd, bd)), 12, 1e-13);
+        EXPECT_NEAR(dot(placed["P"], placed["Q"]), -8. / 3, 1e-13);
+        EXPECT_NEAR(cross(placed["P"], placed["Q"]), 0, 1e-13);
+        EXPECT_NEAR(placed["Q"].x, -8. / 3 / 1.6, 1e-13);
+    }
+    EXPECT_EQ(found, 2);
+}
+
+MadeLinkage five_bar() {
+    MadeLinkage m;
+    m.points(0, {{"A", 0, 0}, {"E", 3, 0}});
+    m.drive(m.link({{"A", 0, 0}, {"B", 1, 0}}));
+    m.link({{"E", 0, 0}, {"D", 1.2, 0}});
+    m.link({{"B", 0, 0}, {"P", 2.5, 0}});
+    m.link({{"D", 0, 0}, {"P", 2.8, 0}});
+    return m;
+}
+
+TEST(LinkagePlace, IsTheGearedFiveBar) {
+    MadeLinkage m = five_bar();
+    m.gear(1, 2, 0, -2, 30 * degree);
+    using Twice = SecondDual<double, 1>;
+    const double at[6][2]{{1.8533584336011551, 2.3498466724026449},  {2.890485678044896, 1.5978575041067967},
+                          {0.66104687981868946, 3.0800647310917215}, {1.2738615688137814, 1.039015671619889},
+                          {1.2125804154497786, 0.95525665032411256}, {-0.75066617267929666, 1.2986533540259945}};
+    for (int i = 0; i < 6; ++i) {
+        const Placed<Twice> placed(m, {Twice::variable(i * 60 * degree, 0)}, {1});
+        ASSERT_TRUE(placed.closed);
+        EXPECT_NEAR(placed["P"].x.value, at[i][0], 1e-13);
+        EXPECT_NEAR(placed["P"].y.value, at[i][1], 1e-13);
+        if (i != 1) continue;
+        EXPECT_NEAR(placed["P"].x.first[0], -0.7329302898839029, 1e-13);
+        EXPECT_NEAR(placed["P"].y.first[0], 0.065252790282305744, 1e-13);
+        EXPECT_NEAR(placed["P"].x.second[0], -1.9926560761491418, 1e-12);
+        EXPECT_NEAR(placed["P"].y.second[0], 3.7271777709588415, 1e-12);
+    }
+}
+
+TEST(LinkagePlace, TakesTwoDrives) {
+    MadeLinkage m = five_bar();
+    m.drive(2);
+    using Twice = SecondDual<double, 1>;
+    Twice second(100 * degree);
+    second.first[0] = -0.5;
+    const Placed<Twice> placed(m, {Twice::variable(50 * degree, 0), second}, {1});
+    EXPECT_NEAR(placed["P"].x.value, 0.90648601886890189, 1e-13);
+    EXPECT_NEAR(placed["P"].y.value, 3.2520981732291483, 1e-13);
+    EXPECT_NEAR(placed["P"].x.first[0], 0.9791001898035554, 1e-13);
+    EXPECT_NEAR(placed["P"].y.second[0], -1.9064255921330628, 1e-12);
+}
+
+TEST(LinkagePlace, HasTheDwellOfTheSlottedLever) {
+    MadeLinkage m = four_bar_linkage({2, 1, 2.5, 2.5}, 5, 0);
+    m.points(0, {{"L", 8, 4}});
+    m.link({{"L", 0, 0}});
+    m.slot("P", m.line(4, 0, 0, std::numbers::pi));
+    const auto lever = [&](double degrees) {
+        const Placed<double> placed(m, {degrees * degree}, sides_of(m, {{"C", 1}, {"P", 1}}));
+        EXPECT_TRUE(placed.closed);
+        return direction(placed.pose.links[4].along) / degree;
+    };
+    for (const double degrees : {90., 180., 270.})
+        EXPECT_NEAR(lever(degrees), 0, 1e-12);
+    EXPECT_NEAR(std::abs(lever(126.56757623919988)), 0.11683289457576799, 1e-12);
+    EXPECT_NEAR(std::abs(lever(8.4793947383342284)), 9.0511782145596195, 1e-12);
+}
+
+TEST(LinkagePlace, IsScotchYokeTrammelAndOldhamCoupling) {
+    MadeLinkage yoke;
+    yoke.points(0, {{"O", 0, 0}});
+    yoke.drive(yoke.link({{"O", 0, 0}, {"B", 2, 0}}));
+    yoke.slide(yoke.link({}), yoke.line(0, 0, 0, 0));
+    yoke.slot("B", yoke.line(2, 0, 0, std::numbers::pi / 2));
+    EXPECT_EQ(linkage::order_of(yoke.s).groups.back().kind, Group::Kind::rpp);
+    EXPECT_NEAR(Placed<double>(yoke, {0.7}, {}).pose.links[2].origin.x, 2 * std::cos(0.7), 1e-15);
+
+    MadeLinkage trammel;  // driven by its rod's angle
+    trammel.drive(trammel.link({{"P", 0, 0}, {"Q", 3, 0}, {"R", 1, 1}}));
+    trammel.slot("P", trammel.line(0, 0, 0, 0));
+    trammel.slot("Q", trammel.line(0, 0, 0, std::numbers::pi / 2));
+    const Placed<double> rod(trammel, {0.7}, {});
+    EXPECT_NEAR(rod["P"].x, -3 * std::cos(0.7), 1e-14);
+    EXPECT_NEAR(rod["Q"].y, 3 * std::sin(0.7), 1e-14);
+
+    MadeLinkage oldham;  // shafts 0.5 apart, their tongues in square grooves of the disc
+    oldham.points(0, {{"A", 0, 0}, {"B", 0.5, 0}});
+    oldham.drive(oldham.link({{"A", 0, 0}}));
+    const std::size_t second = oldham.link({{"B", 0, 0}}), disc = oldham.link({});
+    oldham.slide(disc, oldham.line(1, 0, 0, 0));
+    oldham.slide(disc, oldham.line(second, 0, 0, std::numbers::pi / 2));
+    const Placed<double> coupling(oldham, {0.7}, {});
+    ASSERT_TRUE(coupling.closed);
+    const auto centre = coupling.pose.links[disc].origin;
+    EXPECT_NEAR(std::hypot(centre.x - 0.25, centre.y), 0.25, 1e-15);  // on the circle over the shafts' distance
+    EXPECT_NEAR(direction(coupling.pose.links[second].along), 0.7, 1e-15);
+}
+
+TEST(LinkagePlace, DrivesASlideAndARack) {
+    MadeLinkage m;  // a ram on the x axis pushes a rod to a rocker; its rack turns a wheel
+    m.points(0, {{"D", 5, 0}, {"W", 0, 1}});
+    const std::size_t ram = m.link({{"S", 0, 0}});
+    const std::size_t slide = m.slide(ram, m.line(0, 0, 0, 0));
+    m.drive_slide(slide);
+    m.link({{"S", 0, 0}, {"C", 3, 0}});
+    m.link({{"D", 0, 0}, {"C", 3, 0}});
+    const std::size_t wheel = m.link({{"W", 0, 0}});
+    const linkage::Number radius = m.number(-1);
+    m.s.racks.push_back({slide, wheel, 0, radius, m.number(0)});
+    const Placed<double> placed(m, {1.}, {1});
+    ASSERT_TRUE(placed.closed);
+    EXPECT_NEAR(placed["C"].x, 3, 1e-15);
+    EXPECT_NEAR(placed["C"].y, std::sqrt(5.), 1e-15);
+    EXPECT_NEAR(placed.pose.turns[wheel], -1, 1e-15);
+}
+
+TEST(LinkagePlace, SaysByHowMuchItDoesNotClose) {
+    const MadeLinkage made = four_bar_linkage({10, 2, 3, 4}, 0, 0);
+    const Placed<double> placed(made, {std::numbers::pi}, {1});
+    EXPECT_FALSE(placed.closed);
+    EXPECT_DOUBLE_EQ(placed.pose.margins[0].outer, -5);
+}
+
+}  // namespace
+}  // namespace mechwright::test
