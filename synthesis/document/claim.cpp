@@ -11,6 +11,7 @@
 #include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/function_target.h"
+#include "synthesis/mechanism/targets/with_targets.h"
 #include "synthesis/problem/text.h"
 
 namespace mechwright {
@@ -37,11 +38,26 @@ bool is_angle(const Claim& claim, std::size_t dimension) {
     return claim.mechanism->dimensions[dimension].kind == DimensionKind::angle;
 }
 
+/// The mechanism with what the targets of the document bring, and the numbers that it names though there are none.
+std::shared_ptr<const Mechanism> mechanism_of(const Json& document, const std::string& name) {
+    std::vector<std::string_view> names;
+    const auto add_names = [&](const Json* object) {
+        if (object && object->is_object())
+            for (const auto& [key, value] : object->items())
+                names.push_back(key);
+    };
+    add_names(&document);
+    add_names(member(document, of_document("dimensions")));
+    add_names(member(document, of_document("design")));
+    const auto mechanism = find_mechanism(name);
+    return mechanism ? with_targets(mechanism, names) : nullptr;
+}
+
 void read_head(Reader& in, const Json& document, Claim& claim) {
     if (in.number(member(document, of_document("schema")), "schema") != 1) in.fail("schema is not 1");
     const Json* problem = in.object(member(document, of_document("problem")), "problem");
     const std::string name = problem ? in.text(member(*problem, of_problem("mechanism")), "problem.mechanism") : "";
-    claim.mechanism = find_mechanism(name);
+    claim.mechanism = mechanism_of(document, name);
     if (!claim.mechanism) in.fail(fmt::format("there is no mechanism {}", reading::quoted(name)));
     if (const Json* units = member(document, of_document("units"))) {
         if (const Json* angle = in.object(units, "units") ? member(*units, of_units("angle")) : nullptr) {

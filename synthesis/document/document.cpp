@@ -289,8 +289,10 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
     if (is_cam(*problem.mechanism)) json[of_document("cam")] = cam_document(problem);
     if (problem.crank_range)
         json[of_document("crank_range")] = angles({problem.crank_range->x, problem.crank_range->y}, problem.units);
+    Json settings = Json::object();  // made whole: one that null turns into is none where memory runs out
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)
-        json[of_document("settings")][std::string(problem.mechanism->settings[i].name)] = problem.settings[i];
+        settings[problem.mechanism->settings[i].name] = problem.settings[i];
+    if (!settings.empty()) json[of_document("settings")] = std::move(settings);
     if (problem.has_instant) json[of_document("instant")] = true;
     if (best) return put_findings(json, problem, *best);
     put_targets(json, problem, nullptr);

@@ -11,7 +11,6 @@
 #include "synthesis/exact/poses/certified_dyad.h"
 #include "synthesis/exact/sized_linkage.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
-#include "synthesis/mechanism/four_bar/function.h"
 #include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/units.h"
 
@@ -20,7 +19,6 @@ namespace mechwright {
 namespace {
 
 using Complex = std::complex<double>;
-using four_bar::input_start, four_bar::input_range, four_bar::output_start, four_bar::output_range;
 
 /// Errors at accuracy points that are met, radians.
 constexpr double met_within = 1e-9;
@@ -63,7 +61,7 @@ struct AccuracyProblem {
         : problem(p), points(at_accuracy_points(*p.function)), error(deviation_from(*p.mechanism, "function")) {}
 
     std::size_t count() const { return points.parts.size(); }
-    const DimensionRange& scale(std::size_t k) const { return problem.dimensions[input_start + k]; }
+    const DimensionRange& scale(std::size_t k) const { return problem.dimensions[problem.mechanism->input->start + k]; }
     double input(const Scales& s, std::size_t i) const { return s[0] + s[1] * points.parts[i].x; }
     double output(const Scales& s, std::size_t i) const { return s[2] + s[3] * points.parts[i].y; }
 
@@ -113,10 +111,10 @@ ExactDesign design_of(const AccuracyProblem& a, const Scales& s, const Pins& pin
         problem,
         SizedLinkage{1, std::abs(pins.crank), std::abs(pins.rocker - pins.crank), std::abs(pins.rocker - 1.0)});
     auto& d = design.dimensions;
-    for (std::size_t k = 0; k < s.size(); ++k)
-        d[input_start + k] = s[k];
-    d[input_start] = counted_as_asked(std::arg(pins.crank) - s[1] * a.points.parts[0].x, a.scale(0));
-    d[output_start] = counted_as_asked(std::arg(pins.rocker - 1.0) - s[3] * a.points.parts[0].y, a.scale(2));
+    const std::size_t scales = problem.mechanism->input->start;
+    std::copy(s.begin(), s.end(), d.begin() + static_cast<std::ptrdiff_t>(scales));
+    d[scales] = counted_as_asked(std::arg(pins.crank) - s[1] * a.points.parts[0].x, a.scale(0));
+    d[scales + 2] = counted_as_asked(std::arg(pins.rocker - 1.0) - s[3] * a.points.parts[0].y, a.scale(2));
     const Complex to_pivot = 1.0 - pins.crank, to_pin = pins.rocker - pins.crank;
     design.assembly = (std::conj(to_pivot) * to_pin).imag() > 0 ? 0 : 1;
     Motion motion;
@@ -246,10 +244,12 @@ std::string why_no_accuracy_points(const Problem& problem) {
     if (points < 3 || points > 5)
         return fmt::format("it meets from 3 to 5 points of a function, and there are {}: {}", points,
                            points < 3 ? "give more" : "slsqp finds the least error");
+    const std::size_t scales = problem.mechanism->input->start;
     const auto is_free = [&](std::size_t scale) { return problem.dimensions[scale].fixed() ? 0U : 1U; };
-    if (points == 5 && is_free(input_start) + is_free(output_start) < 2)
+    const unsigned free_starts = is_free(scales) + is_free(scales + 2);
+    if (points == 5 && free_starts < 2)
         return "five accuracy points need the starts of both scales: give input and output a range for 'start'";
-    if (points == 4 && is_free(input_start) + is_free(output_start) < 1)
+    if (points == 4 && free_starts < 1)
         return "four accuracy points need the start of one scale: give input or output a range for 'start'";
     return {};
 }

@@ -75,7 +75,7 @@ ExactDesigns instant_designs(const Problem& problem, const RunOptions&, const Ru
         Design design = design_of(problem, loop);
         // Open: the rocker pin lies to the left of the line from crank pin to rocker pivot.
         design.assembly = (std::conj(ground - v.crank) * v.coupler).imag() > 0 ? 0 : 1;
-        design.dimensions[four_bar::crank_start] = std::arg(v.crank / ground);
+        design.dimensions[problem.mechanism->point->roles.start] = std::arg(v.crank / ground);
         add_design(out, exact_design(problem, std::move(design)));
     } else {
         counts.singular = 1;

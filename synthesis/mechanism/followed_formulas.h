@@ -20,10 +20,28 @@ namespace mechwright {
 
 using StretchPoints = std::array<Vector<double>, 33>;
 
+/// The names and texts of a shape's two quantities.
+struct ShapeTexts {
+    std::string deviation;
+    std::string extent;
+    std::string meaning_of_extent;
+    Unit unit_of_extent;
+};
+
 /// A line by its direction in the drawing and its offset: the distance from the drawing's origin, positive to the left.
 struct LineShape {
     static constexpr std::string_view name = "line";
     static constexpr std::size_t parameters = 2;
+    static std::vector<Dimension> numbers() {
+        return {
+            number_of_target("line-angle", DimensionKind::angle, "direction in the drawing of a line to be followed"),
+            number_of_target("line-offset", DimensionKind::coordinate,
+                             "distance of that line from the drawing's origin, to its left")};
+    }
+    static ShapeTexts texts() {
+        return {"line-deviation", "line-length", "way along the line between the two ends of the stretch",
+                Unit::length};
+    }
     static bool is_followed(const Motion& motion) { return motion.followed == Followed::line; }
 
     /// Positive to the left of the line's direction.
@@ -68,6 +86,16 @@ struct LineShape {
 struct ArcShape {
     static constexpr std::string_view name = "arc";
     static constexpr std::size_t parameters = 3;
+    static std::vector<Dimension> numbers() {
+        constexpr const char* centre = "centre in the drawing of an arc to be followed";
+        return {number_of_target("arc-x", DimensionKind::coordinate, centre),
+                number_of_target("arc-y", DimensionKind::coordinate, centre),
+                number_of_target("arc-radius", DimensionKind::coordinate, "radius of that arc")};
+    }
+    static ShapeTexts texts() {
+        return {"arc-deviation", "arc-angle", "angle between the two ends of the stretch, seen from the arc's centre",
+                Unit::angle};
+    }
     static bool is_followed(const Motion& motion) { return motion.followed == Followed::arc; }
 
     /// Positive outside the circle.
@@ -126,13 +154,6 @@ struct ShapeArguments {
         std::copy_n(x.begin() + shape, own.size(), own.begin());
         return own;
     }
-    /// The dimensions that they are, of which `start` is the first of the input range, `place` the first of the shape.
-    static Reads dimensions(std::size_t start, std::size_t place) {
-        std::vector<std::size_t> all(reads);
-        for (std::size_t i = 0; i < reads; ++i)
-            all[i] = i < input ? i : i < shape ? start + i - input : place + i - shape;
-        return all;
-    }
 };
 
 /// The generator: the distance from the shape.
@@ -181,78 +202,43 @@ struct ShapeAgain {
     }
 };
 
-/// The names and texts of a shape's two quantities.
-struct ShapeTexts {
-    std::string deviation;
-    std::string extent;
-    std::string meaning_of_extent;
-    Unit unit_of_extent;
-};
-
+/// How far the guided point is off at most, and how far it follows.
 template <class Path, auto path_point, class Shape>
-std::array<Quantity, 2> shape_quantities(const ShapeTexts& texts, const Reads& reads) {
+std::vector<Quantity> shape_quantities() {
     using Distance = ShapeDistance<Path, Shape>;
     using Again = ShapeAgain<Path, path_point, Shape>;
-    return {{{.name = texts.deviation,
-              .unit = Unit::length,
-              .meaning = "greatest distance of a stretch of the guided point's path from what it follows",
-              .reduce = Reduce::greatest,
-              .reads = reads,
-              .defined = Shape::is_followed,
-              .components = always<FunctionMax<Distance>::most>,
-              .measure = measure_by<FunctionMax<Distance>>,
-              .measure_again = function_max_again<Again>,
-              .section = std::string(Shape::name)},
-             {.name = texts.extent,
-              .unit = texts.unit_of_extent,
-              .meaning = texts.meaning_of_extent,
-              .reduce = Reduce::only,
-              .reads = reads,
-              .defined = Shape::is_followed,
-              .components = always<1>,
-              .measure = measure_by<ShapeExtent<Path, Shape>>,
-              .measure_again = Again::extent,
-              .section = std::string(Shape::name)}}};
+    const ShapeTexts texts = Shape::texts();
+    constexpr std::size_t reads = Path::reads;
+    return {{.name = texts.deviation,
+             .unit = Unit::length,
+             .meaning = "greatest distance of a stretch of the guided point's path from what it follows",
+             .reduce = Reduce::greatest,
+             .reads = reads,
+             .defined = Shape::is_followed,
+             .components = always<FunctionMax<Distance>::most>,
+             .measure = measure_by<FunctionMax<Distance>>,
+             .measure_again = function_max_again<Again>,
+             .section = std::string(Shape::name)},
+            {.name = texts.extent,
+             .unit = texts.unit_of_extent,
+             .meaning = texts.meaning_of_extent,
+             .reduce = Reduce::only,
+             .reads = reads,
+             .defined = Shape::is_followed,
+             .components = always<1>,
+             .measure = measure_by<ShapeExtent<Path, Shape>>,
+             .measure_again = Again::extent,
+             .section = std::string(Shape::name)}};
 }
 
-/// `start` is the first of the dimensions of the input range, `place` that of the line.
-template <class Path, auto path_point>
-std::array<Quantity, 2> line_quantities(std::size_t start, std::size_t place) {
-    return shape_quantities<Path, path_point, LineShape>(
-        {"line-deviation", "line-length", "way along the line between the two ends of the stretch", Unit::length},
-        ShapeArguments<Path, LineShape>::dimensions(start, place));
-}
-
-/// `start` is the first of the dimensions of the input range, `place` that of the arc.
-template <class Path, auto path_point>
-std::array<Quantity, 2> arc_quantities(std::size_t start, std::size_t place) {
-    return shape_quantities<Path, path_point, ArcShape>(
-        {"arc-deviation", "arc-angle", "angle between the two ends of the stretch, seen from the arc's centre",
-         Unit::angle},
-        ShapeArguments<Path, ArcShape>::dimensions(start, place));
-}
-
-/// Dimensions followed by the parameters of the shapes that can be followed: of a line, then of an arc.
-inline std::vector<Dimension> with_followed_dimensions(std::vector<Dimension> all) {
-    const auto add = [&](const char* name, DimensionKind kind, const char* meaning) {
-        all.push_back({name, kind, false, meaning, false, true});
-    };
-    add("line-angle", DimensionKind::angle, "direction in the drawing of a line to be followed");
-    add("line-offset", DimensionKind::coordinate, "distance of that line from the drawing's origin, to its left");
-    add("arc-x", DimensionKind::coordinate, "centre in the drawing of an arc to be followed");
-    add("arc-y", DimensionKind::coordinate, "centre in the drawing of an arc to be followed");
-    add("arc-radius", DimensionKind::coordinate, "radius of that arc");
-    return all;
-}
-
-/// The registry's entry of a shape, whose dimensions start at `place`.
-template <class Path, class Shape>
-FollowedShape followed_shape(std::size_t place) {
+/// The registry's entry of a shape.
+template <class Path, auto path_point, class Shape>
+FollowedShape followed_shape() {
     using At = ShapeArguments<Path, Shape>;
     FollowedShape entry;
     entry.name = Shape::name;
-    entry.place = place;
-    entry.parameters = Shape::parameters;
+    entry.numbers = Shape::numbers();
+    entry.quantities = shape_quantities<Path, path_point, Shape>();
     entry.extremes = [](Form form, std::span<const double> arguments) {
         return error_extremes<ShapeDistance<Path, Shape>>(nullptr, seeded<double, At::reads>(arguments), form.assembly);
     };

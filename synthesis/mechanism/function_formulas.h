@@ -252,29 +252,30 @@ std::size_t always(const Motion&) {
     return count;
 }
 
-/// function-max and function-rms of a generator, measured again by `Again` (function_again.h).
+/// function-max and function-rms of a generator, measured again by `Again` (function_again.h). `reads` are the
+/// dimensions before the scales.
 template <class Generator, class Again>
-std::array<Quantity, 2> function_quantities(const Reads& reads, Unit unit, const char* greatest, const char* mean) {
-    return {{{.name = "function-max",
-              .unit = unit,
-              .meaning = greatest,
-              .reduce = Reduce::greatest,
-              .reads = reads,
-              .defined = generates_function,
-              .components = always<FunctionMax<Generator>::most>,
-              .measure = measure_by<FunctionMax<Generator>>,
-              .measure_again = function_max_again<Again>,
-              .section = "function"},
-             {.name = "function-rms",
-              .unit = unit,
-              .meaning = mean,
-              .reduce = Reduce::only,
-              .reads = reads,
-              .defined = generates_function,
-              .components = always<1>,
-              .measure = measure_by<FunctionRms<Generator>>,
-              .measure_again = function_rms_again<Again>,
-              .section = "function"}}};
+std::vector<Quantity> function_quantities(const Reads& reads, Unit unit, const char* greatest, const char* mean) {
+    return {{.name = "function-max",
+             .unit = unit,
+             .meaning = greatest,
+             .reduce = Reduce::greatest,
+             .reads = reads,
+             .defined = generates_function,
+             .components = always<FunctionMax<Generator>::most>,
+             .measure = measure_by<FunctionMax<Generator>>,
+             .measure_again = function_max_again<Again>,
+             .section = "function"},
+            {.name = "function-rms",
+             .unit = unit,
+             .meaning = mean,
+             .reduce = Reduce::only,
+             .reads = reads,
+             .defined = generates_function,
+             .components = always<1>,
+             .measure = measure_by<FunctionRms<Generator>>,
+             .measure_again = function_rms_again<Again>,
+             .section = "function"}};
 }
 
 inline bool has_input_range(const Motion& motion) {
@@ -314,7 +315,7 @@ struct InputTransmission {
 };
 
 /// A quantity over the input range by a formula of measured.h; not one of the contract's list, but what stands in for
-/// one there, or what a search needs.
+/// one there, or what a search needs. `reads` are the dimensions before start and range of the input.
 template <class Formula>
 Quantity input_quantity(const char* name, const Reads& reads, Unit unit, Reduce reduce) {
     return {.name = name,

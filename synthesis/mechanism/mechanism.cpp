@@ -11,6 +11,7 @@
 #include "synthesis/mechanism/drag_link/drag_link.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/mechanism/slider_crank/slider_crank.h"
+#include "synthesis/mechanism/targets/with_targets.h"
 #include "synthesis/mechanism/whitworth/whitworth.h"
 
 namespace mechwright {
@@ -22,6 +23,8 @@ using Shared = std::shared_ptr<const Mechanism>;
 std::vector<Shared> fixed_kinds() {
     std::vector<Shared> kinds{four_bar_mechanism(), slider_crank_mechanism(), crank_shaper_mechanism(),
                               whitworth_mechanism(), drag_link_mechanism()};
+    for (Shared& kind : kinds)
+        kind = with_all_targets(std::move(kind));
     for (Shared& cam : cam_mechanisms())
         kinds.push_back(std::move(cam));
     return kinds;
@@ -43,8 +46,8 @@ bool can_read(const Mechanism& m, const Reads& reads, std::size_t most) {
            std::all_of(reads.begin(), reads.end(), [&](std::size_t i) { return i < m.dimensions.size(); });
 }
 
-bool reads(const Quantity& quantity, std::size_t dimension) {
-    return std::find(quantity.reads.begin(), quantity.reads.end(), dimension) != quantity.reads.end();
+bool is_among(std::string_view name, const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
@@ -68,14 +71,21 @@ std::string why_not_whole(const Mechanism& m) {
         return "its guided point cannot be placed";
     if (m.body && (!m.point || !m.body->miss || !can_read(m, m.body->reads, PointGuidance::most_reads)))
         return "its guided body has no pose or no point";
-    if (m.input && (!m.input->margin.measure || !can_read(m, m.input->margin.reads, PointGuidance::most_reads + 1) ||
-                    !reads(m.input->margin, m.input->start) || !reads(m.input->margin, m.input->start + 1)))
+    if (m.input && (!m.input->margin.measure || !can_read(m, m.input->reads, PointGuidance::most_reads - 1)))
         return "its input range has no margin of assembly";
     if ((m.function || m.line || m.arc) && !m.input) return "it generates or follows without an input range";
     if (m.function && (!m.function->fit || !m.function->extremes || !m.function->loop_row))
         return "its function cannot be fitted, judged or bounded";
     for (const auto* shape : {&m.line, &m.arc})
         if (*shape && (!m.point || !(*shape)->extremes || !(*shape)->fit)) return "what it follows cannot be judged";
+    for (const auto& [target, can] : {std::pair{"path", m.point.has_value()},
+                                      {"poses", m.body.has_value()},
+                                      {"function", m.function.has_value()},
+                                      {"line", m.line.has_value()},
+                                      {"arc", m.arc.has_value()},
+                                      {"instant", !m.at_instant.empty()}})
+        if (is_among(target, m.targets) != can)
+            return std::string(can ? "it has no numbers for [" : "it can do nothing for [") + target + "]";
     return {};
 }
 
@@ -93,7 +103,7 @@ Shared add_mechanism(Mechanism mechanism) {
     for (const Shared& known : list.all)
         if (known->name == mechanism.name)
             throw std::invalid_argument("there is a mechanism '" + mechanism.name + "' already");
-    return list.all.emplace_back(std::make_shared<const Mechanism>(std::move(mechanism)));
+    return list.all.emplace_back(with_all_targets(std::make_shared<const Mechanism>(std::move(mechanism))));
 }
 
 Shared find_mechanism(std::string_view name) {
@@ -107,6 +117,13 @@ Reads::Reads(std::size_t count) : dimensions_(count) { std::iota(dimensions_.beg
 Reads::Reads(std::vector<std::size_t> dimensions) : dimensions_(std::move(dimensions)) {
     for (std::size_t i = 0; i < size(); ++i)
         are_the_first_ = are_the_first_ && dimensions_[i] == i;
+}
+
+Reads Reads::and_then(std::size_t first, std::size_t count) const {
+    std::vector<std::size_t> all = dimensions_;
+    for (std::size_t i = 0; i < count; ++i)
+        all.push_back(first + i);
+    return all;
 }
 
 std::span<const double> Reads::of(std::span<const double> dimensions, std::span<double, most> room) const {

@@ -45,6 +45,11 @@ struct Dimension {
     bool of_target = false;   ///< stands in [function] or [line], not in [dimensions]
 };
 
+/// A number that stands in the section of its target, and is 0 in problems without one.
+inline Dimension number_of_target(std::string name, DimensionKind kind, std::string meaning) {
+    return {std::move(name), kind, false, std::move(meaning), false, true};
+}
+
 enum class Unit { none, length, area, angle, force, torque };
 
 /// A plain number that says how a mechanism is judged, from a section of its own in the problem file.
@@ -123,6 +128,9 @@ public:
     /// The first so many of the mechanism.
     Reads(std::size_t count);
     Reads(std::vector<std::size_t> dimensions);
+
+    /// These, then so many more that stand next to each other.
+    Reads and_then(std::size_t first, std::size_t count) const;
 
     std::size_t size() const { return dimensions_.size(); }
     std::size_t operator[](std::size_t argument) const { return dimensions_[argument]; }
@@ -219,16 +227,19 @@ struct PoseMiss {
     PathMiss turn;
 };
 
+/// In place of a number that a target brings, where there is no such target.
+inline constexpr std::size_t no_dimension = static_cast<std::size_t>(-1);
+
 /// Which dimensions play which part in a path: the point's coordinates on the guiding link, the placement in the
-/// drawing, and the crank angle that prescribed angles are counted from.
+/// drawing; and the numbers of the path and the poses themselves, where a problem has them (targets/with_targets.h).
 struct PathRoles {
     std::size_t along;
     std::size_t across;
     std::size_t origin_x;
     std::size_t origin_y;
     std::size_t tilt;
-    std::size_t start;
-    std::size_t body = 0;  ///< the angle from the guiding link to the guided body
+    std::size_t start = no_dimension;  ///< the crank angle that prescribed angles are counted from
+    std::size_t body = no_dimension;   ///< the angle from the guiding link to the guided body
 };
 
 /// Why ranges of dimensions hold no design of a mechanism.
@@ -262,26 +273,42 @@ struct PointGuidance {
 
 /// A mechanism that guides a body on the link of its guided point.
 struct BodyGuidance {
-    Reads reads{};  ///< the dimensions that the pose depends on
+    Reads reads{};             ///< the dimensions that the pose depends on, before the angle of the body
+    std::string angle_from{};  ///< what that angle is counted from, in words
     void (*miss)(Form, std::span<const double> arguments, double crank_angle, const Vector<double>& target,
                  const Vector<double>& facing, PoseMiss& out) = nullptr;
 };
 
-/// A mechanism whose input can turn over a range with ends among its dimensions: for functions, lines and arcs.
+/// A mechanism whose input can turn over a range with ends among the design variables: for functions, lines and arcs,
+/// and between the targets of a path. The arguments of its quantities are dimensions of the mechanism, then the crank
+/// angle at the start of the range and the range.
 struct InputRange {
-    std::size_t start = 0;  ///< the dimension with the crank angle at its start; the next one is the range
-    Quantity margin;        ///< components, `most_margins` at most, >= 0 where a design assembles over the range
+    Reads reads{};    ///< those dimensions
+    Quantity margin;  ///< components, `most_margins` at most, >= 0 where a design assembles over the range
     /// Quantities of the same names as some of the mechanism's that know that the ends of the motion move.
     std::vector<Quantity> quantities{};
+    std::size_t start = no_dimension;  ///< of functions, lines and arcs; the next one is the range
 
     static constexpr std::size_t most_margins = 8;
 };
 
-/// A mechanism that generates functions: after start and range of the input stand those of the output.
+/// A scale of what a function asks for, as dimensions: an angle or a length, and what they are in words.
+struct OutputScale {
+    DimensionKind kind = DimensionKind::angle;
+    std::string start{};
+    std::string range{};
+};
+
+/// A mechanism that generates functions.
 struct FunctionGeneration {
-    /// Dimensions that come close to the function for the scales that they have; false where there are none. The scales
-    /// may be turned by half a turn where that is allowed.
-    bool (*fit)(const FunctionTarget&, std::span<double> dimensions, bool turns_input, bool turns_output) = nullptr;
+    OutputScale output{};
+    /// The greatest and the mean error. Their arguments are dimensions of the mechanism, then start and range of the
+    /// input and of the output.
+    std::vector<Quantity> quantities{};
+    /// Sets dimensions to what comes close to the function for given scales; false where nothing does. The scales may
+    /// be turned by half a turn where that is allowed.
+    bool (*fit)(const FunctionTarget&, std::span<double> dimensions, std::span<double, 4> scales, bool turns_input,
+                bool turns_output) = nullptr;
     /// Where the error of a design is extreme, in order along the range. The arguments are those of function-max.
     std::vector<ErrorExtreme> (*extremes)(const FunctionTarget&, Form, std::span<const double> arguments) = nullptr;
     /// The loop equation (loop_row.h) over ranges of input and output.
@@ -290,12 +317,15 @@ struct FunctionGeneration {
 
 /// A line or an arc as a mechanism's guided point follows it over the input range.
 struct FollowedShape {
-    std::string name;            ///< of its section in problem files and documents
-    std::size_t place = 0;       ///< its dimensions start here
-    std::size_t parameters = 0;  ///< and are so many, three at most
+    std::string name;                ///< of its section in problem files and documents
+    std::vector<Dimension> numbers;  ///< of the shape itself, three at most
+    /// The greatest distance and how far the shape is followed. Their arguments are those of the guided point, then
+    /// start and range of the input and the shape's numbers.
+    std::vector<Quantity> quantities{};
+    std::size_t place = no_dimension;  ///< the first of its numbers
     /// The extremes of the distance, in order along the input range. The arguments are those of the deviation.
     std::vector<ErrorExtreme> (*extremes)(Form, std::span<const double> arguments) = nullptr;
-    /// Sets those of its dimensions that are free to what comes close to the path.
+    /// Sets those of its numbers that are free to what comes close to the path.
     void (*fit)(Form, std::span<const double> arguments, std::span<double> shape,
                 const std::array<bool, 3>& free) = nullptr;
 };
@@ -381,15 +411,26 @@ struct Mechanism {
     std::optional<FunctionGeneration> function{};
     std::optional<FollowedShape> line{};
     std::optional<FollowedShape> arc{};
+    /// At one crank angle: their arguments are dimensions of the mechanism, then that angle.
+    std::vector<Quantity> at_instant{};
+    /// The targets that problems can have, named as their sections, in the order in which their numbers follow the
+    /// mechanism's own dimensions (targets/with_targets.h).
+    std::vector<std::string> targets{};
+    std::shared_ptr<const Mechanism> plain{};  ///< the same without the numbers of any target, where this one has some
+    std::shared_ptr<const Mechanism> whole{};  ///< the same with those of all, where this one has not
 
     Form form(std::size_t assembly) const { return {model.data(), assembly}; }
 };
+
+/// A mechanism with the numbers and quantities of all targets that problems can have.
+inline const Mechanism& whole_of(const Mechanism& mechanism) { return mechanism.whole ? *mechanism.whole : mechanism; }
 
 /// The motion of a finished design by the mechanism's own account, with its model; settings are left to the caller.
 Motion motion_of(const Mechanism& mechanism, std::span<const double> dimensions, std::size_t assembly,
                  const double* crank_range);
 
-/// Every mechanism there is, in the order in which they are listed: the fixed kinds, then those added.
+/// Every mechanism there is, in the order in which they are listed: the fixed kinds, then those added; with the numbers
+/// and quantities of all targets that problems can have.
 std::vector<std::shared_ptr<const Mechanism>> mechanisms();
 
 /// What a mechanism lacks or has too much of; empty if it is whole.

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "synthesis/mechanism/function_target.h"
+#include "synthesis/mechanism/targets/with_targets.h"
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
@@ -36,6 +37,26 @@ void read_mechanism(Section& file, Problem& problem, Messages& messages) {
         problem.mechanism = find_mechanism(names[*index]);
 }
 
+void add_names(const toml::node& node, std::vector<std::string_view>& names) {
+    if (const toml::array* list = node.as_array(); list != nullptr && list->is_array_of_tables())
+        for (const toml::node& entry : *list)
+            add_names(entry, names);
+    if (!node.is_table()) return;
+    for (const auto& [key, value] : *node.as_table()) {
+        const std::string_view path = key.str();
+        names.push_back(path.substr(path.rfind('.') + 1));  // a study names values by where they stand
+        add_names(value, names);
+    }
+}
+
+/// The numbers and quantities of the targets that the file names, and of the dimensions.
+void add_targets(const Section& file, Problem& problem) {
+    if (problem.mechanism == nullptr) return;
+    std::vector<std::string_view> names;
+    add_names(*file.table, names);
+    problem.mechanism = with_targets(problem.mechanism, names);
+}
+
 /// Accuracy points that no method will look at.
 void warn_of_accuracy_points(const Section& file, const Problem& problem, Messages& messages) {
     if (!problem.function || problem.function->accuracy_points.empty() || problem.solver.method == "exact") return;
@@ -53,6 +74,7 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     if (auto title = read_string(file, "title", messages)) problem.title = *std::move(title);
     read_units(file, problem, messages);
     read_cam(file, problem, messages);
+    add_targets(file, problem);
     read_dimensions(file, problem, messages);
     read_segments(file, problem, messages);
     read_path(file, problem, messages);

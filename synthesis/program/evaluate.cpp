@@ -114,12 +114,12 @@ std::vector<std::size_t> rows_beside_path(const Program& program) {
         return std::none_of(program.blocks.begin(), program.blocks.end(), within) &&
                !(program.stretch && within(*program.stretch));
     };
-    const auto no_dimension = [&](const LinearTerm& t) { return t.index >= program.dimension_variables; };
+    const auto is_no_dimension = [&](const LinearTerm& t) { return t.index >= program.dimension_variables; };
     std::vector<std::size_t> rows;
     for (std::size_t r = 0; r < program.rows.size(); ++r) {
         const LinearForm& form = program.rows[r].form;
         if (std::none_of(form.outputs.begin(), form.outputs.end(), of_path) &&
-            std::none_of(form.variables.begin(), form.variables.end(), no_dimension))
+            std::none_of(form.variables.begin(), form.variables.end(), is_no_dimension))
             rows.push_back(r);
     }
     return rows;

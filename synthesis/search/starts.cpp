@@ -241,9 +241,11 @@ namespace {
 void fit_function(const Program& program, VectorXd& x) {
     const Mechanism& mechanism = *program.problem->mechanism;
     std::vector<double> dimensions = dimensions_at(program, x);
-    const std::size_t scales = mechanism.input->start;
-    const auto turns = [&](std::size_t start) { return program.variable_of[start] >= 0; };
-    if (!mechanism.function->fit(*program.problem->function, dimensions, turns(scales), turns(scales + 2))) return;
+    const std::size_t start = mechanism.input->start;
+    const auto turns = [&](std::size_t dimension) { return program.variable_of[dimension] >= 0; };
+    const std::span<double, 4> scales(dimensions.data() + start, 4);
+    if (!mechanism.function->fit(*program.problem->function, dimensions, scales, turns(start), turns(start + 2)))
+        return;
     for (std::size_t i = 0; i < dimensions.size(); ++i) {
         const std::ptrdiff_t v = program.variable_of[i];
         if (v < 0 || program.problem->dimensions[i].tied()) continue;
@@ -257,19 +259,29 @@ void fit_followed(const Program& program, VectorXd& x) {
     const FollowedShape& shape = *followed_shape_of(*program.problem->mechanism, *program.problem->followed);
     std::vector<double> dimensions = dimensions_at(program, x);
     std::array<bool, 3> free{};
-    for (std::size_t k = 0; k < shape.parameters; ++k)
+    const std::size_t numbers = shape.numbers.size();
+    for (std::size_t k = 0; k < numbers; ++k)
         free[k] = program.variable_of[shape.place + k] >= 0;
     std::array<double, Reads::most> room;
     const Mechanism& mechanism = *program.problem->mechanism;
     shape.fit(mechanism.form(program.variant.assembly),
               deviation_from(mechanism, shape.name).reads.of(dimensions, room),
-              std::span(dimensions).subspan(shape.place, shape.parameters), free);
-    for (std::size_t k = 0; k < shape.parameters; ++k) {
+              std::span(dimensions).subspan(shape.place, numbers), free);
+    for (std::size_t k = 0; k < numbers; ++k) {
         if (!free[k]) continue;
         const std::ptrdiff_t v = program.variable_of[shape.place + k];
         const Variable& variable = program.variables[static_cast<std::size_t>(v)];
         x[v] = std::clamp(dimensions[shape.place + k], variable.lower, variable.upper);
     }
+}
+
+/// Of each dimension its coordinate of random starts: where it stands among the mechanism's dimensions and the numbers
+/// of all targets, so that a start does not depend on which targets a problem has.
+std::vector<std::size_t> coordinates_of_starts(const Mechanism& mechanism) {
+    std::vector<std::size_t> all;
+    for (const Dimension& dimension : mechanism.dimensions)
+        all.push_back(static_cast<std::size_t>(find_dimension(whole_of(mechanism), dimension.name)));
+    return all;
 }
 
 }  // namespace
@@ -281,7 +293,9 @@ int start_candidates(const Problem& problem) {
 
 Start screened_start(const Program& program, std::uint64_t seed, int index, int candidates) {
     const auto n = static_cast<Index>(program.size());
-    const std::size_t sampled_dimensions = program.variable_of.size() + 2;
+    const Mechanism& mechanism = *program.problem->mechanism;
+    const std::vector<std::size_t> coordinates = coordinates_of_starts(mechanism);
+    const std::size_t sampled_dimensions = whole_of(mechanism).dimensions.size() + 2;
     const LowDiscrepancy sequence(sampled_dimensions, seed, program.variant.family * 16 + program.variant.assembly);
     constexpr int tries = 40;  // draws for each candidate until the conditions of motion hold
     const auto base = static_cast<std::uint64_t>(index) * static_cast<std::uint64_t>(candidates * tries);
@@ -317,7 +331,7 @@ Start screened_start(const Program& program, std::uint64_t seed, int index, int 
         for (std::size_t i = 0; i < program.variable_of.size(); ++i)
             if (program.variable_of[i] >= 0 && !program.problem->dimensions[i].tied())
                 x[program.variable_of[i]] = sampled(program.variables[static_cast<std::size_t>(program.variable_of[i])],
-                                                    kind_of(program, i), sequence(k, i));
+                                                    kind_of(program, i), sequence(k, coordinates[i]));
         if (program.untimed_path())
             set_path_angles(program,
                             {sequence(k, sampled_dimensions - 2), sequence(k, sampled_dimensions - 1), 0.5, 0, 0}, x);

@@ -27,7 +27,7 @@ std::string with_unit(std::string name, Unit unit, const Units& units) {
 
 /// What a column is called in a picture: "require.swing.equal" is "swing, deg".
 std::string label_of(const Problem& problem, const std::string& column) {
-    const Mechanism& mechanism = *problem.mechanism;
+    const Mechanism& mechanism = whole_of(*problem.mechanism);  // cases may have other targets
     std::string name = column;
     const auto without = [&name](std::string_view front) {
         const bool has = name.starts_with(front);

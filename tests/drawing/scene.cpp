@@ -69,7 +69,7 @@ void expect_joined(const FinishedDesign& design, const std::vector<Joint>& joint
 
 /// A mechanism that is added has to be drawn, and tested here.
 TEST(Scene, IsTestedForEveryMechanism) {
-    std::set<std::string_view> drawn;
+    std::set<std::string> drawn;
     for (const std::string& text : {four_bar_text("open"), slider_crank_text, crank_shaper_text, whitworth_text,
                                     drag_link_text, roller_text("translating", "ccw")}) {
         const FinishedDesign design = given(text);

@@ -49,9 +49,10 @@ const std::string placement =
     "point-along = { min = -99, max = 99 }\npoint-across = { min = -99, max = 99 }\norigin-x = { min = -99, max = 99 "
     "}\norigin-y = { min = -99, max = 99 }\ntilt = { min = -180, max = 180 }\n";
 
-std::vector<double> design_of(const std::string& mechanism, std::vector<double> first) {
-    first.resize(find_mechanism(mechanism)->dimensions.size());
-    return first;
+/// Dimensions of a mechanism, after which problems of a timed path have crank-start.
+std::vector<double> design_of(std::vector<double> dimensions) {
+    dimensions.push_back(0);
+    return dimensions;
 }
 
 /// Links of another size, `links` of them, without a placement of its own.
@@ -64,21 +65,21 @@ std::vector<double> moved(std::vector<double> design, std::size_t links, double 
 constexpr const char* free_links = "crank = { min = 1, max = 99 }\nrod = { min = 1, max = 199 }\n";
 
 TEST(Placement, OfASliderCrankScalesItsOffset) {
-    const auto design = design_of("slider-crank", {10, 40, 6, 15, 7, 3, -8, 0.4});
+    const auto design = design_of({10, 40, 6, 15, 7, 3, -8, 0.4});
     const Problem problem = through_points_of(
         "slider-crank", design, free_links + std::string("offset = { min = -50, max = 50 }\n") + placement);
     expect_fitted(problem, design, moved(design, 3, 0.5));
 }
 
 TEST(Placement, OfAnOffsetThatIsGivenKeepsTheSize) {
-    auto design = design_of("slider-crank", {10, 40, 6, 15, 7, 3, -8, 0});
+    auto design = design_of({10, 40, 6, 15, 7, 3, -8, 0});
     const Problem problem =
         through_points_of("slider-crank", design, free_links + std::string("offset = 6\n") + placement);
     expect_fitted(problem, design, moved(design, 3, 1));
 }
 
 TEST(Placement, OfAFourBarIsFound) {
-    const auto design = design_of("four-bar", {40, 10, 30, 35, 15, 7, 3, -8, 0.4});
+    const auto design = design_of({40, 10, 30, 35, 15, 7, 3, -8, 0.4});
     const Problem problem = through_points_of("four-bar", design,
                                               "ground = { min = 1, max = 99 }\ncrank = { min = 1, max = 99 }\ncoupler "
                                               "= { min = 1, max = 99 }\nrocker = { min = 1, max = 99 }\n" +

@@ -146,17 +146,15 @@ Mechanism trammel(const std::string& name, double cotangent) {
                     {"point-across", DimensionKind::coordinate, false, "point to the left of the rod"},
                     {"origin-x", DimensionKind::coordinate, false, "where the slots cross"},
                     {"origin-y", DimensionKind::coordinate, false, "where the slots cross"},
-                    {"tilt", DimensionKind::angle, false, "direction of the first slot"},
-                    {"crank-start", DimensionKind::angle, false, "direction from which prescribed ones are counted"}};
-    m.quantities = path_quantities();
-    m.quantities.push_back({.name = "stroke",
-                            .unit = Unit::length,
-                            .meaning = "way of the rod's first end",
-                            .reads = Stroke::reads,
-                            .defined = [](const Motion&) { return true; },
-                            .components = [](const Motion&) { return Stroke::most; },
-                            .measure = measure_by<Stroke>,
-                            .measure_again = stroke_again});
+                    {"tilt", DimensionKind::angle, false, "direction of the first slot"}};
+    m.quantities = {{.name = "stroke",
+                     .unit = Unit::length,
+                     .meaning = "way of the rod's first end",
+                     .reads = Stroke::reads,
+                     .defined = [](const Motion&) { return true; },
+                     .components = [](const Motion&) { return Stroke::most; },
+                     .measure = measure_by<Stroke>,
+                     .measure_again = stroke_again}};
     m.families = {{"the rod turns fully", true, {}, {}}};
     m.model = Model(Slots{cotangent});
     m.motion = full_turn;
@@ -169,7 +167,8 @@ Mechanism trammel(const std::string& name, double cotangent) {
     m.drawing = Drawing{bodies, place, [](const MovingDesign&) { return std::vector<Vector<double>>{}; },
                         [](const MovingDesign& design) { return ends_of(design.motion); }};
     m.point = PointGuidance{
-        .reads = RodPoint::reads, .roles = {1, 2, 3, 4, 5, 6}, .miss = path_miss_by<RodPoint>, .point = point_again};
+        .reads = RodPoint::reads, .roles = {1, 2, 3, 4, 5}, .miss = path_miss_by<RodPoint>, .point = point_again};
+    m.targets = {"path"};
     return m;
 }
 
@@ -241,7 +240,7 @@ TEST(MadeAtRunTime, ItsFunctionsGetItsModel) {
     for (const auto& [name, stroke] : {std::pair("trammel", 240.0), {"skew-trammel", 240 / std::sin(60 * degree)}}) {
         const ReadProblem read = read_without_error(std::string("schema = 1\nmechanism = \"") + name +
                                                     "\"\n[dimensions]\nrod = 120.0\npoint-along = 40.0\n");
-        const Solution given{{{120, 40, 0, 0, 0, 0, 0}, 0, {}}};
+        const Solution given{{{120, 40, 0, 0, 0, 0}, 0, {}}};
         const nlohmann::ordered_json json = analysis_document(read.problem, given);
         EXPECT_NEAR(json["quantities"]["stroke"].get<double>(), stroke, 1e-12 * stroke) << name;
         for (const Check& check : verify(json))
@@ -295,9 +294,9 @@ TEST(MadeAtRunTime, ReadsItsDimensionsInTheOrderThatItNames) {
     make_trammels();
     Mechanism m = trammel("reordered-trammel", 0);
     std::swap(m.dimensions[1], m.dimensions[2]);
-    std::swap(m.dimensions[5], m.dimensions[6]);
-    m.point->reads = std::vector<std::size_t>{0, 2, 1, 3, 4, 6};
-    m.point->roles = {2, 1, 3, 4, 6, 5};
+    std::swap(m.dimensions[4], m.dimensions[5]);
+    m.point->reads = std::vector<std::size_t>{0, 2, 1, 3, 5, 4};
+    m.point->roles = {2, 1, 3, 5, 4};
     add_mechanism(m);
     const Result plain = solve(read_without_error(path_problem("trammel")).problem, {});
     const ReadProblem read = read_without_error(path_problem("reordered-trammel"));
@@ -327,6 +326,11 @@ TEST(MadeAtRunTime, IsRefusedWhereItIsNotWhole) {
     pointless.point->point = nullptr;
     EXPECT_THROW(add_mechanism(pointless), std::invalid_argument);
     EXPECT_EQ(find_mechanism("pointless-trammel"), nullptr);
+    Mechanism aimless = trammel("aimless-trammel", 0);
+    aimless.targets = {"path", "poses"};
+    EXPECT_THROW(add_mechanism(aimless), std::invalid_argument) << "it guides no body";
+    aimless.targets = {};
+    EXPECT_THROW(add_mechanism(aimless), std::invalid_argument) << "it guides a point, and no problem can say so";
 }
 
 }  // namespace

@@ -19,9 +19,11 @@ TEST(Function, IsReadWithItsScales) {
     ASSERT_TRUE(accepted(read));
     const Problem& p = read.problem;
     ASSERT_TRUE(p.function);
-    EXPECT_TRUE(p.dimensions[10].fixed());
-    EXPECT_NEAR(p.dimensions[11].min, std::acos(-1.0) / 2, 1e-15);
-    EXPECT_NEAR(p.dimensions[13].max, std::acos(-1.0) / 2, 1e-15);
+    const std::size_t first = p.mechanism->input->start;
+    EXPECT_EQ(first, 9u) << "after the dimensions of the mechanism";
+    EXPECT_TRUE(p.dimensions[first].fixed());
+    EXPECT_NEAR(p.dimensions[first + 1].min, std::acos(-1.0) / 2, 1e-15);
+    EXPECT_NEAR(p.dimensions[first + 3].max, std::acos(-1.0) / 2, 1e-15);
     ASSERT_TRUE(p.crank_range);
     EXPECT_NEAR(p.crank_range->y, std::acos(-1.0) * 2 / 3, 1e-15);
 }

@@ -9,6 +9,11 @@ namespace {
 /// The section starts in line 8, what is given in line 9.
 ReadProblem read_line(const std::string& lines) { return read(valid + "[line]\n" + lines + "\n"); }
 
+const DimensionRange& line_number(const Problem& p, std::size_t k) {
+    return p.dimensions[p.mechanism->line->place + k];
+}
+const DimensionRange& arc_number(const Problem& p, std::size_t k) { return p.dimensions[p.mechanism->arc->place + k]; }
+
 TEST(Line, IsReadWithItsInputRange) {
     const ReadProblem read = read_line("start = 120\nrange = 120");
     ASSERT_TRUE(accepted(read));
@@ -17,8 +22,8 @@ TEST(Line, IsReadWithItsInputRange) {
     EXPECT_FALSE(p.followed->full_turn);
     ASSERT_TRUE(p.crank_range);
     EXPECT_NEAR(p.crank_range->y, std::acos(-1.0) * 4 / 3, 1e-15);
-    EXPECT_TRUE(p.dimensions[15].any_angle());
-    EXPECT_GT(p.dimensions[16].max, 0);
+    EXPECT_TRUE(line_number(p, 0).any_angle());
+    EXPECT_GT(line_number(p, 1).max, 0);
 }
 
 TEST(Line, MayBeGivenWhole) {
@@ -27,8 +32,8 @@ TEST(Line, MayBeGivenWhole) {
     ASSERT_TRUE(accepted(read));
     EXPECT_TRUE(read.problem.followed->full_turn);
     EXPECT_FALSE(read.problem.crank_range);
-    EXPECT_NEAR(read.problem.dimensions[15].min, std::acos(-1.0) / 4, 1e-15);
-    EXPECT_EQ(read.problem.dimensions[16].max, -3);
+    EXPECT_NEAR(line_number(read.problem, 0).min, std::acos(-1.0) / 4, 1e-15);
+    EXPECT_EQ(line_number(read.problem, 1).max, -3);
 }
 
 TEST(Line, NeedsItsInputRange) {
@@ -55,9 +60,9 @@ TEST(Arc, IsReadWithItsInputRange) {
     EXPECT_EQ(p.followed->shape, Followed::arc);
     EXPECT_TRUE(p.followed->full_turn);
     EXPECT_FALSE(p.crank_range);
-    EXPECT_FALSE(p.dimensions[17].fixed());
-    EXPECT_EQ(p.dimensions[18].max, 3);
-    EXPECT_EQ(p.dimensions[19].max, 50);
+    EXPECT_FALSE(arc_number(p, 0).fixed());
+    EXPECT_EQ(arc_number(p, 1).max, 3);
+    EXPECT_EQ(arc_number(p, 2).max, 50);
 }
 
 TEST(Arc, HasARadiusGreaterThanZero) {

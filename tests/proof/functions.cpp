@@ -62,18 +62,19 @@ TEST(FunctionBound, IsNeverAboveALinkageOfTheBox) {
     std::mt19937_64 random(3);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> unit(0, 1);
+    const std::size_t scales = s.problem.mechanism->input->start;
     int tight = 0;
     for (int i = 0; i < 3000; ++i) {
         Design design = s.result.best->design;
         const double change = std::pow(10, -1 - 4 * unit(random));
-        for (const std::size_t k : {1, 2, 3, 10, 12})
+        for (const std::size_t k : {std::size_t{1}, std::size_t{2}, std::size_t{3}, scales, scales + 2})
             design.dimensions[k] *= 1 + change * normal(random);
         const auto error = quantity_value(
             s.problem, static_cast<std::size_t>(find_quantity(*s.problem.mechanism, "function-max")), design);
         if (!error) continue;
         Box box;
         for (std::size_t k = 0; k < Box::most; ++k)
-            box.middle[k] = design.dimensions[10 + k];
+            box.middle[k] = design.dimensions[scales + k];
         box.half[0] = change * unit(random);
         box.half[2] = change * unit(random);
         const double least = bound(box).least;

@@ -46,8 +46,7 @@ maximize = "transmission-angle-worst"
 /// ground 100, crank 40, coupler 92.4, rocker 81.8 turned by 30 degrees: a crank-rocker, whose swing is 61.4 degrees.
 inline Solution crank_rocker_solution() {
     Solution solution;
-    solution.design.dimensions = {100, 40, 92.4, 81.8, 0, 0, 0, 0, 30 * 3.141592653589793 / 180, 0, 0, 0,
-                                  0,   0,  0,    0,    0, 0, 0, 0};
+    solution.design.dimensions = {100, 40, 92.4, 81.8, 0, 0, 0, 0, 30 * 3.141592653589793 / 180};
     solution.objective = 39.7103;
     solution.violation = 0.02;
     return solution;
@@ -72,7 +71,7 @@ weights = [1, 2, 3]
 
 inline Solution path_solution() {
     Solution solution;
-    solution.design.dimensions = {100, 40, 90, 80, 20, 5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    solution.design.dimensions = {100, 40, 90, 80, 20, 5, 0, 0, 0, 0};
     solution.design.path_angles = {0.5, 1.5, 2.5};
     solution.feasible = true;
     return solution;

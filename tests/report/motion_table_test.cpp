@@ -154,7 +154,7 @@ TEST(MotionTable, CoversALimitedRangeFromEndToEnd) {
 
 TEST(MotionTable, ADoubleRockerStaysWithinItsAssembledRange) {
     Design design = path_solution().design;
-    design.dimensions = {100, 80, 40, 90, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    design.dimensions = {100, 80, 40, 90, 0, 0, 0, 0, 0, 0};
     const auto lines = lines_of(motion_table(problem_of(path_text), design, 100));
     EXPECT_GE(lines.size(), 100u);  // rounding may take the two ends
     EXPECT_LE(lines.size(), 102u);
@@ -164,7 +164,7 @@ TEST(MotionTable, ADoubleRockerStaysWithinItsAssembledRange) {
 
 TEST(MotionTable, WithoutMotionOnlyTheHeader) {
     Design apart = path_solution().design;
-    apart.dimensions = {100, 10, 20, 30, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    apart.dimensions = {100, 10, 20, 30, 0, 0, 0, 0, 0, 0};
     const Problem problem = problem_of(path_text);
     EXPECT_EQ(motion_table(problem, apart, 360), motion_header(problem));
 }

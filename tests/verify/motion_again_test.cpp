@@ -97,9 +97,10 @@ TEST(MotionAgain, OfChangePointsIsExact) {
 Json document_over(const Mechanism& mechanism, const Both& b, const Motion& motion) {
     Json json{{"schema", 1}, {"problem", {{"mechanism", mechanism.name}}}, {"units", {{"angle", "rad"}}}};
     const std::vector<Digits50> digits(b.dimensions.begin(), b.dimensions.end());
-    for (std::size_t i = 0; i < b.dimensions.size(); ++i)
-        json["dimensions"][std::string(mechanism.dimensions[i].name)] =
-            json["design"][std::string(mechanism.dimensions[i].name)] = b.dimensions[i];
+    for (std::size_t i = 0; i < b.dimensions.size(); ++i)  // and no numbers of targets: there are none
+        if (mechanism.dimensions[i].required || b.dimensions[i] != 0)
+            json["dimensions"][std::string(mechanism.dimensions[i].name)] =
+                json["design"][std::string(mechanism.dimensions[i].name)] = b.dimensions[i];
     if (!mechanism.assemblies.empty()) json["design"]["assembly"] = mechanism.assemblies[b.assembly];
     for (const Quantity& q : mechanism.quantities) {
         if (q.path != PathMeasure::none || !q.section.empty() || !q.defined(motion)) continue;

@@ -131,7 +131,7 @@ ExtremeCase straightness() {
         const FollowedShape& line = *problem->mechanism->line;
         std::array<double, Reads::most> room;
         line.fit(problem->mechanism->form(0), deviation_from(*problem->mechanism, line.name).reads.of(dimensions, room),
-                 std::span(dimensions).subspan(line.place, line.parameters), {true, true, false});
+                 std::span(dimensions).subspan(line.place, line.numbers.size()), {true, true, false});
         dimensions[line.place + 1] += 0.004 * (drawn(k, 3) - 0.5);
         designs.emplace_back(problem, std::move(dimensions));
     }

@@ -43,8 +43,7 @@ struct CouplerPath {
 
 /// A body on the coupler as a guided body.
 struct CouplerPose {
-    static constexpr std::size_t reads = 10;
-    static Reads dimensions() { return std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 14}; }
+    static constexpr std::size_t reads = CouplerPath::reads + 1;
 
     /// x: as above, the angle of the body before the crank angle.
     template <class T>

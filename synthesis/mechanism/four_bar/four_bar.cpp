@@ -26,7 +26,7 @@ namespace {
 using namespace four_bar;
 
 std::vector<Dimension> dimensions() {
-    return with_followed_dimensions({
+    return {
         {"ground", DimensionKind::length, true, "ground link, crank pivot to rocker pivot"},
         {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
         {"coupler", DimensionKind::length, true, "coupler, crank pin to rocker pin"},
@@ -36,15 +36,7 @@ std::vector<Dimension> dimensions() {
         {"origin-x", DimensionKind::coordinate, false, "crank pivot in the drawing"},
         {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
         {"tilt", DimensionKind::angle, false, "direction of the ground link in the drawing"},
-        {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
-        {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's, line's or arc's range",
-         false, true},
-        {"input-range", DimensionKind::angle, false, "crank angle over the range of a function, line or arc", false,
-         true},
-        {"output-start", DimensionKind::angle, false, "rocker angle at the start of a function's range", false, true},
-        {"output-range", DimensionKind::angle, false, "rocker angle over the range of a function", false, true},
-        {"body-angle", DimensionKind::angle, false, "direction of a guided body, from the line of the coupler's pins"},
-    });
+    };
 }
 
 bool of_crank_rocker(const Motion& motion) { return motion.family == crank_rocker; }
@@ -64,29 +56,27 @@ std::size_t worst_transmission_components(const Motion& motion) { return 2 * tra
 std::size_t velocity_ratio_components(const Motion& motion) { return VelocityRatioExtreme<1>::places(motion); }
 std::size_t assembly_margin_components(const Motion& motion) { return 2 * transmission_extremes_of(motion).count; }
 
-std::array<Quantity, 2> rocker_function() {
-    return function_quantities<RockerAngle, RockerAngleAgain>(
-        read_by_function(), Unit::angle, "greatest difference of the rocker angle from the function",
+FunctionGeneration rocker_function() {
+    FunctionGeneration f;
+    f.output = {DimensionKind::angle, "rocker angle at the start of a function's range",
+                "rocker angle over the range of a function"};
+    f.quantities = function_quantities<RockerAngle, RockerAngleAgain>(
+        links, Unit::angle, "greatest difference of the rocker angle from the function",
         "root mean square difference of the rocker angle from the function");
+    f.fit = fit_function;
+    f.extremes = function_extremes_by<RockerAngle>;
+    f.loop_row = rocker_loop_row<Interval>;
+    return f;
 }
-
-constexpr std::size_t line_angle = 15;
-constexpr std::size_t arc_x = 17;
-std::array<Quantity, 2> coupler_line() {
-    return line_quantities<CouplerPath, four_bar_path_point>(input_start, line_angle);
-}
-
-std::array<Quantity, 2> coupler_arc() { return arc_quantities<CouplerPath, four_bar_path_point>(input_start, arc_x); }
 
 std::vector<Quantity> over_input() {
-    const Reads reads = read_over_input();
     return {
-        input_transmission_quantity<RockerTransmission, TransmissionExtreme::least>("transmission-angle-min", reads),
-        input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max", reads),
-        input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst", reads)};
+        input_transmission_quantity<RockerTransmission, TransmissionExtreme::least>("transmission-angle-min", links),
+        input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max", links),
+        input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst", links)};
 }
 
-std::vector<Quantity> of_the_links() {
+std::vector<Quantity> quantities() {
     return {
         {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest,
          links, of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
@@ -131,18 +121,6 @@ std::vector<Quantity> at_an_instant() {
         instant_quantity<OfLink::rocker, Rate::acceleration>(
             "instant-rocker-acceleration", "angular acceleration of the rocker there, for unit velocity of the crank"),
     };
-}
-
-std::vector<Quantity> quantities() {
-    std::vector<Quantity> all = of_the_links();
-    const auto add = [&](const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
-    add(path_quantities());
-    add(pose_quantities());
-    add(rocker_function());
-    add(coupler_line());
-    add(coupler_arc());
-    add(at_an_instant());
-    return all;
 }
 
 /// Not a quantity of the contract: what keeps a design of limited range assembled.
@@ -240,36 +218,47 @@ bool motion_row(const Motion& motion, std::span<const double> d, double crank_an
     return true;
 }
 
+// Made here and not within the braces of the mechanism: where memory runs out between them, GCC 12 destroys it twice.
+MotionTable table() {
+    MotionTable t;
+    t.columns = columns();
+    t.units = units();
+    t.row = motion_row;
+    return t;
+}
+
 }  // namespace
 
 std::shared_ptr<const Mechanism> four_bar_mechanism() {
-    static const auto mechanism = std::make_shared<const Mechanism>(Mechanism{
-        .name = "four-bar",
-        .meaning = "four links, four pins: crank, coupler, rocker on a ground link",
-        .dimensions = dimensions(),
-        .assemblies = {"open", "crossed"},
-        .quantities = quantities(),
-        .families = families(),
-        .motion = motion_by_links,
-        .motion_again = four_bar_motion_again,
-        .ways_again = four_bar_ways_again,
-        .describe = describe,
-        .check_motion = four_bar_check_motion,
-        .table = {columns(), units(), motion_row},
-        .formulas = four_bar_formulas(),
-        .tasks = four_bar_tasks(),
-        .drawing = four_bar_drawing(),
-        .point = PointGuidance{.reads = CouplerPath::reads,
-                               .roles = {4, 5, 6, 7, 8, 9, 14},
-                               .miss = path_miss_by<CouplerPath>,
-                               .point = four_bar_path_point,
-                               .screening = four_bar_screening,
-                               .draws_same_curve = are_cognates},
-        .body = BodyGuidance{CouplerPose::dimensions(), pose_miss_by<CouplerPose>},
-        .input = InputRange{input_start, input_margin_quantity<InputMargin>(read_over_input()), over_input()},
-        .function = FunctionGeneration{fit_function, function_extremes_by<RockerAngle>, rocker_loop_row<Interval>},
-        .line = followed_shape<CouplerPath, LineShape>(line_angle),
-        .arc = followed_shape<CouplerPath, ArcShape>(arc_x)});
+    static const auto mechanism = std::make_shared<const Mechanism>(
+        Mechanism{.name = "four-bar",
+                  .meaning = "four links, four pins: crank, coupler, rocker on a ground link",
+                  .dimensions = dimensions(),
+                  .assemblies = {"open", "crossed"},
+                  .quantities = quantities(),
+                  .families = families(),
+                  .motion = motion_by_links,
+                  .motion_again = four_bar_motion_again,
+                  .ways_again = four_bar_ways_again,
+                  .describe = describe,
+                  .check_motion = four_bar_check_motion,
+                  .table = table(),
+                  .formulas = four_bar_formulas(),
+                  .tasks = four_bar_tasks(),
+                  .drawing = four_bar_drawing(),
+                  .point = PointGuidance{.reads = CouplerPath::reads,
+                                         .roles = {4, 5, 6, 7, 8},
+                                         .miss = path_miss_by<CouplerPath>,
+                                         .point = four_bar_path_point,
+                                         .screening = four_bar_screening,
+                                         .draws_same_curve = are_cognates},
+                  .body = BodyGuidance{CouplerPath::reads, "the line of the coupler's pins", pose_miss_by<CouplerPose>},
+                  .input = InputRange{links, input_margin_quantity<InputMargin>(links), over_input()},
+                  .function = rocker_function(),
+                  .line = followed_shape<CouplerPath, four_bar_path_point, LineShape>(),
+                  .arc = followed_shape<CouplerPath, four_bar_path_point, ArcShape>(),
+                  .at_instant = at_an_instant(),
+                  .targets = {"path", "function", "poses", "line", "arc", "instant"}});
     return mechanism;
 }
 

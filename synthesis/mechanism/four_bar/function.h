@@ -18,19 +18,12 @@
 
 namespace mechwright::four_bar {
 
-/// Where the scales stand among the dimensions.
-enum ScaleIndex : std::size_t { input_start = 10, input_range, output_start, output_range };
-
-/// The arguments of the generator, and of what is judged over the input range: the links, then the scales.
-inline Reads read_by_function() {
-    return std::vector<std::size_t>{0, 1, 2, 3, input_start, input_range, output_start, output_range};
-}
-inline Reads read_over_input() { return std::vector<std::size_t>{0, 1, 2, 3, input_start, input_range}; }
-inline constexpr std::size_t read_over_input_count = 6;
+/// The arguments of what is judged over the input range: the links, then its start and the range.
+inline constexpr std::size_t read_over_input_count = links + 2;
 
 /// The generator of function_formulas.h: the rocker angle less the angle that the function asks for, in (-pi, pi].
 struct RockerAngle {
-    static constexpr std::size_t reads = 8;
+    static constexpr std::size_t reads = links + 4;
     static constexpr bool wraps = true;
     template <class T>
     static T error(const std::array<T, reads>& x, std::size_t assembly, const T& share, const T& part) {
@@ -102,7 +95,8 @@ LoopRow<T> rocker_loop_row(const T& input, const T& output) {
 /// Lengths for given scales by least squares of Freudenstein's equation. A negative k means that crank or rocker point
 /// the other way: its scale is then turned by half a turn where `turns_input` or `turns_output` allow. The ground link
 /// is kept. Returns false where no lengths follow.
-bool fit_function(const FunctionTarget& f, std::span<double> dimensions, bool turns_input, bool turns_output);
+bool fit_function(const FunctionTarget& f, std::span<double> dimensions, std::span<double, 4> scales, bool turns_input,
+                  bool turns_output);
 
 /// The rocker angle by the pose of linkage_again.h (function_again.h).
 struct RockerAngleAgain {

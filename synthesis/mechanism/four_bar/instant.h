@@ -50,15 +50,13 @@ Digits50 instant_rate_again(const Motion& motion, std::span<const Digits50> argu
     return (ratio(at + step) - ratio(at - step)) / (2 * step);
 }
 
-inline constexpr std::size_t crank_start = 9;  ///< among the dimensions
-
 template <OfLink link, Rate rate>
 Quantity instant_quantity(const char* name, const char* meaning) {
     using Formula = InstantRate<link, rate>;
     return {.name = name,
             .unit = Unit::none,
             .meaning = meaning,
-            .reads = std::vector<std::size_t>{0, 1, 2, 3, crank_start},
+            .reads = links,
             .defined = [](const Motion& motion) { return motion.has_instant; },
             .components = [](const Motion&) { return Formula::most; },
             .measure = measure_by<Formula>,

@@ -2,8 +2,9 @@
 
 namespace mechwright::quick_return {
 
-bool fit_ram_function(const FunctionTarget& f, std::span<double> dimensions, bool turns_input, bool) {
-    const auto constants = loop_constants(f, dimensions.subspan(input_start, 4), ram_loop_row<double>);
+bool fit_ram_function(const FunctionTarget& f, std::span<double> dimensions, std::span<double, 4> scales,
+                      bool turns_input, bool) {
+    const auto constants = loop_constants(f, scales, ram_loop_row<double>);
     if (!constants || (*constants)[0] == 0 || ((*constants)[0] < 0 && !turns_input)) return false;
     const std::array<double, 3>& k = *constants;
     const double crank = k[0] / 2, offset = k[1] / k[0];
@@ -12,7 +13,7 @@ bool fit_ram_function(const FunctionTarget& f, std::span<double> dimensions, boo
     dimensions[0] = std::abs(crank);
     dimensions[1] = std::sqrt(rod_square);
     dimensions[2] = offset;
-    if (k[0] < 0) dimensions[input_start] += std::numbers::pi;
+    if (k[0] < 0) scales[0] += std::numbers::pi;
     return true;
 }
 

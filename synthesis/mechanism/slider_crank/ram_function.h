@@ -17,19 +17,15 @@
 
 namespace mechwright::quick_return {
 
-/// Where the scales stand among the dimensions of the slider-crank.
-enum ScaleIndex : std::size_t { input_start = 10, input_range, output_start, output_range };
+/// How many of the first dimensions are crank, rod and offset.
+inline constexpr std::size_t ram_links = 3;
 
-/// The arguments of the generator, and of what is judged over the input range: the links, then the scales.
-inline Reads read_by_function() {
-    return std::vector<std::size_t>{0, 1, 2, input_start, input_range, output_start, output_range};
-}
-inline Reads read_over_input() { return std::vector<std::size_t>{0, 1, 2, input_start, input_range}; }
-inline constexpr std::size_t read_over_input_count = 5;
+/// The arguments of what is judged over the input range: these, then its start and the range.
+inline constexpr std::size_t read_over_input_count = ram_links + 2;
 
 /// The generator of function_formulas.h: the position of the ram less the one that the function asks for.
 struct RamPosition {
-    static constexpr std::size_t reads = 7;
+    static constexpr std::size_t reads = ram_links + 4;
     template <class T>
     static T error(const std::array<T, reads>& x, std::size_t, const T& share, const T& part) {
         const SliderCrank<T> m{x[0], x[1], x[2]};
@@ -113,6 +109,7 @@ LoopRow<T> ram_loop_row(const T& input, const T& s) {
 
 /// Crank, rod and offset for given scales by least squares of the loop equation. A negative crank points the other way:
 /// the input's scale is then turned by half a turn where `turns_input` allows. Returns false where no lengths follow.
-bool fit_ram_function(const FunctionTarget& f, std::span<double> dimensions, bool turns_input, bool turns_output);
+bool fit_ram_function(const FunctionTarget& f, std::span<double> dimensions, std::span<double, 4> scales,
+                      bool turns_input, bool turns_output);
 
 }  // namespace mechwright::quick_return

@@ -37,8 +37,7 @@ struct RodPath {
 
 /// A body on the rod as a guided body.
 struct RodPose {
-    static constexpr std::size_t reads = 9;
-    static Reads dimensions() { return std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 9}; }
+    static constexpr std::size_t reads = RodPath::reads + 1;
 
     /// x: as above, the angle of the body before the crank angle.
     template <class T>

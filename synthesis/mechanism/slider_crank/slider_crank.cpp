@@ -19,7 +19,7 @@ namespace {
 using namespace quick_return;
 
 std::vector<Dimension> dimensions() {
-    return with_followed_dimensions({
+    return {
         {"crank", DimensionKind::length, true, "crank, crank pivot to crank pin"},
         {"rod", DimensionKind::length, true, "rod, crank pin to ram"},
         {"offset", DimensionKind::coordinate, true,
@@ -29,26 +29,28 @@ std::vector<Dimension> dimensions() {
         {"origin-x", DimensionKind::coordinate, false, "crank pivot in the drawing"},
         {"origin-y", DimensionKind::coordinate, false, "crank pivot in the drawing"},
         {"tilt", DimensionKind::angle, false, "direction of the slide in the drawing"},
-        {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"},
-        {"body-angle", DimensionKind::angle, false, "direction of a guided body, from that of the rod"},
-        {"input-start", DimensionKind::angle, false, "crank angle at the start of a function's, line's or arc's range",
-         false, true},
-        {"input-range", DimensionKind::angle, false, "crank angle over the range of a function, line or arc", false,
-         true},
-        {"output-start", DimensionKind::coordinate, false, "position of the ram at the start of a function's range",
-         false, true},
-        {"output-range", DimensionKind::coordinate, false, "way of the ram over the range of a function", false, true},
-    });
+    };
+}
+
+FunctionGeneration ram_function() {
+    FunctionGeneration f;
+    f.output = {DimensionKind::coordinate, "position of the ram at the start of a function's range",
+                "way of the ram over the range of a function"};
+    f.quantities = function_quantities<RamPosition, RamPositionAgain>(
+        ram_links, Unit::length, "greatest difference of the ram's position from the function",
+        "root mean square difference of the ram's position from the function");
+    f.fit = fit_ram_function;
+    f.extremes = function_extremes_by<RamPosition>;
+    f.loop_row = ram_loop_row<Interval>;
+    return f;
 }
 
 std::vector<Quantity> over_input() {
-    const Reads reads = read_over_input();
     return {
-        input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min", reads),
-        input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst", reads)};
+        input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min", ram_links),
+        input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst",
+                                                                                 ram_links)};
 }
-constexpr std::size_t line_angle = 14;
-constexpr std::size_t arc_x = 16;
 
 // Coefficients of crank, rod, offset.
 std::vector<Family> families() {
@@ -106,55 +108,52 @@ bool motion_row(const Motion&, std::span<const double> d, double crank_angle, st
     return true;
 }
 
-std::vector<Quantity> all_quantities() {
-    auto all = ram_quantities<SliderCrank, SliderCrankAgain>(
+std::vector<Quantity> quantities() {
+    return ram_quantities<SliderCrank, SliderCrankAgain>(
         "crank and rod together",
         "least angle at the ram over the motion: 90 deg less the angle from slide line to rod",
         "greatest angle at the ram over the motion", "least angle at the ram over the motion");
-    for (const Quantity& q : path_quantities())
-        all.push_back(q);
-    for (const Quantity& q : pose_quantities())
-        all.push_back(q);
-    for (const Quantity& q : function_quantities<RamPosition, RamPositionAgain>(
-             read_by_function(), Unit::length, "greatest difference of the ram's position from the function",
-             "root mean square difference of the ram's position from the function"))
-        all.push_back(q);
-    for (const Quantity& q : line_quantities<RodPath, rod_path_point>(input_start, line_angle))
-        all.push_back(q);
-    for (const Quantity& q : arc_quantities<RodPath, rod_path_point>(input_start, arc_x))
-        all.push_back(q);
-    return all;
+}
+
+// Made here and not within the braces of the mechanism: where memory runs out between them, GCC 12 destroys it twice.
+MotionTable table() {
+    MotionTable t;
+    t.columns = columns();
+    t.units = units();
+    t.row = motion_row;
+    return t;
 }
 
 }  // namespace
 
 std::shared_ptr<const Mechanism> slider_crank_mechanism() {
-    static const auto mechanism = std::make_shared<const Mechanism>(Mechanism{
-        .name = "slider-crank",
-        .meaning = "a crank drives a ram on a straight slide through a rod",
-        .dimensions = dimensions(),
-        .assemblies = {},
-        .quantities = all_quantities(),
-        .families = families(),
-        .settings = settings(),
-        .motion = motion_by_drive<SliderCrank>,
-        .motion_again = SliderCrankAgain::motion,
-        .ways_again = slider_crank_ways,
-        .describe = describe,
-        .check_motion = SliderCrankAgain::check_motion,
-        .table = {columns(), units(), motion_row},
-        .formulas = slider_crank_formulas(),
-        .tasks = slider_crank_tasks(),
-        .drawing = slider_crank_drawing(),
-        .point = PointGuidance{.reads = RodPath::reads,
-                               .roles = {3, 4, 5, 6, 7, 8, 9},
-                               .miss = path_miss_by<RodPath>,
-                               .point = rod_path_point},
-        .body = BodyGuidance{RodPose::dimensions(), pose_miss_by<RodPose>},
-        .input = InputRange{input_start, input_margin_quantity<RamInputMargin>(read_over_input()), over_input()},
-        .function = FunctionGeneration{fit_ram_function, function_extremes_by<RamPosition>, ram_loop_row<Interval>},
-        .line = followed_shape<RodPath, LineShape>(line_angle),
-        .arc = followed_shape<RodPath, ArcShape>(arc_x)});
+    static const auto mechanism = std::make_shared<const Mechanism>(
+        Mechanism{.name = "slider-crank",
+                  .meaning = "a crank drives a ram on a straight slide through a rod",
+                  .dimensions = dimensions(),
+                  .assemblies = {},
+                  .quantities = quantities(),
+                  .families = families(),
+                  .settings = settings(),
+                  .motion = motion_by_drive<SliderCrank>,
+                  .motion_again = SliderCrankAgain::motion,
+                  .ways_again = slider_crank_ways,
+                  .describe = describe,
+                  .check_motion = SliderCrankAgain::check_motion,
+                  .table = table(),
+                  .formulas = slider_crank_formulas(),
+                  .tasks = slider_crank_tasks(),
+                  .drawing = slider_crank_drawing(),
+                  .point = PointGuidance{.reads = RodPath::reads,
+                                         .roles = {3, 4, 5, 6, 7},
+                                         .miss = path_miss_by<RodPath>,
+                                         .point = rod_path_point},
+                  .body = BodyGuidance{RodPath::reads, "that of the rod", pose_miss_by<RodPose>},
+                  .input = InputRange{ram_links, input_margin_quantity<RamInputMargin>(ram_links), over_input()},
+                  .function = ram_function(),
+                  .line = followed_shape<RodPath, rod_path_point, LineShape>(),
+                  .arc = followed_shape<RodPath, rod_path_point, ArcShape>(),
+                  .targets = {"path", "poses", "function", "line", "arc"}});
     return mechanism;
 }
 

@@ -56,6 +56,13 @@ std::optional<DimensionRange> read_range(const toml::node& node, const Dimension
     return read;
 }
 
+void report_open_tie(const Section& section, std::string_view tied, std::string_view to, std::string_view why,
+                     Messages& messages) {
+    add_error(messages, place_of(section, tied),
+              fmt::format("'{}' is tied to '{}', which {}: tie it to a dimension that has a number or a range", tied,
+                          to, why));
+}
+
 /// { of = "coupler", times = 2 }; the other dimension need not have been read yet.
 std::optional<DimensionRange> read_tie(const toml::node& node, std::size_t index, const Mechanism& mechanism,
                                        Messages& messages) {
@@ -66,10 +73,9 @@ std::optional<DimensionRange> read_tie(const toml::node& node, std::size_t index
     report_unknown_keys(section, messages);
     if (!other) return {};
     std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
-        const Dimension& d = mechanism.dimensions[i];
-        if (i != index && stands_in_dimensions(d) && scales(d.kind) == scales(dimension.kind)) names.push_back(d.name);
-    }
+    for (const Dimension& d : whole_of(mechanism).dimensions)
+        if (d.name != dimension.name && stands_in_dimensions(d) && scales(d.kind) == scales(dimension.kind))
+            names.push_back(d.name);
     const int of = find_dimension(mechanism, *other);
     if (std::find(names.begin(), names.end(), *other) == names.end()) {
         add_error(
@@ -81,6 +87,10 @@ std::optional<DimensionRange> read_tie(const toml::node& node, std::size_t index
         add_error(messages, place_of(section, "times"),
                   fmt::format("'times' in {} must be {}, not {}", section.title,
                               times == 0 ? "other than 0" : "greater than 0: it is a length", times));
+        return {};
+    }
+    if (of < 0) {
+        report_open_tie(section, dimension.name, *other, "is not given", messages);
         return {};
     }
     DimensionRange tied{0, 0, {}, true, {}};
@@ -96,10 +106,8 @@ void resolve_ties(const Section& section, Problem& problem, Messages& messages) 
         const std::string_view name = problem.mechanism->dimensions[i].name;
         const DimensionRange& other = problem.dimensions[tied.tie.of];
         if (other.tied() || !other.named) {
-            add_error(messages, place_of(section, name),
-                      fmt::format("'{}' is tied to '{}', which {}: tie it to a dimension that has a number or a range",
-                                  name, problem.mechanism->dimensions[tied.tie.of].name,
-                                  other.tied() ? "is tied itself" : "is not given"));
+            report_open_tie(section, name, problem.mechanism->dimensions[tied.tie.of].name,
+                            other.tied() ? "is tied itself" : "is not given", messages);
             continue;
         }
         const auto [least, greatest] = std::minmax({tied.tie.times * other.min, tied.tie.times * other.max});
@@ -201,6 +209,8 @@ void read_dimensions(Section& file, Problem& problem, Messages& messages) {
         return;
     }
     const std::size_t messages_before = messages.entries.size();
+    for (const Dimension& dimension : whole_of(mechanism).dimensions)  // messages know all that could stand here
+        if (stands_in_dimensions(dimension)) find(*section, dimension.name);
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
         if (stands_in_dimensions(mechanism.dimensions[i]))
             problem.dimensions[i] = read_dimension(*section, i, mechanism, problem.units, messages);

@@ -126,15 +126,17 @@ void compare_with_variables(const Problem& problem, const std::vector<Bounds>& b
 std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view what, const Section& file,
                                        const Problem& problem, Messages& messages) {
     if (problem.mechanism == nullptr) return {};
-    const auto& quantities = problem.mechanism->quantities;
+    const auto& quantities = whole_of(*problem.mechanism).quantities;
     std::vector<std::string_view> names;
     for (const Quantity& quantity : quantities)
         names.push_back(quantity.name);
     const auto index = to_choice(node, what, "quantity", names, messages);
-    if (!index || quantities[*index].section.empty() || has(file, quantities[*index].section)) return index;
-    add_error(
-        messages, place_of(node),
-        fmt::format("'{}' has no value here: there is no [{}] section", names[*index], quantities[*index].section));
+    if (!index) return {};
+    const std::string& section = quantities[*index].section;
+    if (section.empty() || has(file, section))
+        return static_cast<std::size_t>(find_quantity(*problem.mechanism, quantities[*index].name));
+    add_error(messages, place_of(node),
+              fmt::format("'{}' has no value here: there is no [{}] section", names[*index], section));
     return {};
 }
 

@@ -91,6 +91,8 @@ void read_tolerance(Section& study_section, Study& study, const Problem& problem
     const toml::node* lengths = find(*section, all_lengths);
     std::optional<Deviation> of_lengths;
     if (lengths != nullptr) of_lengths = to_deviation(*lengths, name_of(*section, all_lengths), problem, messages);
+    for (const Dimension& dimension : whole_of(*problem.mechanism).dimensions)
+        if (!dimension.of_segment && !dimension.of_target) find(*section, dimension.name);
     for (std::size_t i = 0; i < dimensions.size(); ++i) {
         const Dimension& dimension = dimensions[i];
         if (dimension.of_segment || dimension.of_target) continue;

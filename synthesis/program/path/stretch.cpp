@@ -18,15 +18,15 @@ constexpr std::size_t most_reads = PointGuidance::most_reads + 1;
 constexpr std::size_t most_pairs = most_reads * (most_reads + 1) / 2;
 constexpr std::size_t most_components = InputRange::most_margins;
 
-const Quantity& margin_of(const Problem& problem) { return problem.mechanism->input->margin; }
-
 /// What a margin's argument follows from: a variable and a factor, or the difference of two variables; -1: none.
 struct Argument {
     std::array<std::ptrdiff_t, 2> variable{-1, -1};
     std::array<double, 2> factor{0, 0};
 };
 
-/// The arguments of the margins: dimensions, in the places of the input range the stretch.
+/// How many arguments the margins have: dimensions, then start and range of the stretch.
+std::size_t arguments_of_margin(const Program& program) { return program.problem->mechanism->input->reads.size() + 2; }
+
 struct Arguments {
     std::array<double, most_reads> value{};
     std::array<Argument, most_reads> of{};
@@ -34,26 +34,21 @@ struct Arguments {
 
 Arguments arguments_at(const Program& program, std::span<const double> dimensions, const VectorXd& x) {
     const Mechanism& mechanism = *program.problem->mechanism;
-    const Reads& reads = margin_of(*program.problem).reads;
+    const Reads& reads = mechanism.input->reads;
     Arguments all;
     const StretchEnds ends = stretch_ends(program, x);
     const PathAngle first = path_angle(program, dimensions, x, ends.first);
     const PathAngle last = path_angle(program, dimensions, x, ends.last);
     const double by_variable = program.untimed_path() ? 1 : program.times[mechanism.point->roles.start];
-    const std::size_t start = mechanism.input->start, range = start + 1;
-    for (std::size_t i = 0; i < reads.size(); ++i) {
-        const std::size_t d = reads[i];
-        if (d == start) {
-            all.value[i] = first.angle;
-            all.of[i] = {{first.variable, -1}, {by_variable, 0}};
-        } else if (d == range) {
-            all.value[i] = last.angle - first.angle;
-            all.of[i] = {{last.variable, first.variable}, {by_variable, -by_variable}};
-        } else {
-            all.value[i] = dimensions[d];
-            all.of[i] = {{program.variable_of[d], -1}, {program.times[d], 0}};
-        }
+    const std::size_t start = reads.size(), range = start + 1;
+    for (std::size_t i = 0; i < start; ++i) {
+        all.value[i] = dimensions[reads[i]];
+        all.of[i] = {{program.variable_of[reads[i]], -1}, {program.times[reads[i]], 0}};
     }
+    all.value[start] = first.angle;
+    all.of[start] = {{first.variable, -1}, {by_variable, 0}};
+    all.value[range] = last.angle - first.angle;
+    all.of[range] = {{last.variable, first.variable}, {by_variable, -by_variable}};
     return all;
 }
 
@@ -81,17 +76,20 @@ CrankStretch stretch_of(const Problem& problem, std::span<const double> path_ang
 }
 
 double least_margin_along(const Problem& problem, const Design& design) {
-    const Quantity& margin = margin_of(problem);
-    std::vector<double> dimensions = design.dimensions;
+    const InputRange& input = *problem.mechanism->input;
     const CrankStretch stretch = stretch_of(problem, design.path_angles);
-    dimensions[problem.mechanism->input->start] = stretch.first;
-    dimensions[problem.mechanism->input->start + 1] = stretch.last - stretch.first;
+    std::vector<double> arguments;
+    for (const std::size_t i : input.reads)
+        arguments.push_back(design.dimensions[i]);
+    arguments.push_back(stretch.first);
+    arguments.push_back(stretch.last - stretch.first);
     std::array<double, most_components> value;
     Motion motion;
     motion.assembly = design.assembly;
     motion.model = problem.mechanism->model.data();
-    measure(margin, motion, dimensions, {value, {}, {}});
-    return *std::min_element(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(margin.components(motion)));
+    input.margin.measure(motion, arguments, {value, {}, {}});
+    return *std::min_element(value.begin(),
+                             value.begin() + static_cast<std::ptrdiff_t>(input.margin.components(motion)));
 }
 
 StretchEnds stretch_ends(const Program& program, const VectorXd& x) {
@@ -111,7 +109,7 @@ StretchEnds stretch_ends(const Program& program, const VectorXd& x) {
 
 void evaluate_stretch(const Program& program, const VectorXd& x, bool derivatives, Outputs& out) {
     const QuantityBlock& block = *program.stretch;
-    const std::size_t reads = block.quantity->reads.size();
+    const std::size_t reads = arguments_of_margin(program);
     assert(block.count <= most_components);
     const Arguments arguments = arguments_at(program, out.dimensions, x);
     std::array<double, most_components> value;
@@ -131,7 +129,7 @@ void evaluate_stretch(const Program& program, const VectorXd& x, bool derivative
 
 void add_stretch_hessian(const Program& program, const VectorXd& x, LagrangianHessian& out) {
     const QuantityBlock& block = *program.stretch;
-    const std::size_t reads = block.quantity->reads.size();
+    const std::size_t reads = arguments_of_margin(program);
     const std::size_t pairs = reads * (reads + 1) / 2;
     const Arguments arguments = arguments_at(program, out.dimensions, x);
     std::array<double, most_components> value;
