@@ -56,7 +56,8 @@ def compared(old, new, file):
 if len(sys.argv) < 3:
     sys.exit(__doc__)
 old, new = (os.path.abspath(program) for program in sys.argv[1:3])
-files = sys.argv[3:] or sorted(f.relative_to(source).as_posix() for f in (source / "problems").rglob("*.toml"))
+files = sys.argv[3:] or sorted(f.relative_to(source).as_posix() for f in (source / "problems").rglob("*.toml")
+                               if f.parent.name != "linkage")
 count = 0
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     for file, found in pool.map(lambda file: compared(old, new, file), files):

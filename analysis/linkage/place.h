@@ -35,7 +35,8 @@ struct LinkPlace {
 /// rrr: stretched out (the sum of its lengths less the distance of its outer pins), folded (that distance less their
 /// difference); rrp: the link's length less the distance of its pin from the line, to its left and to its right; rpr:
 /// the distance of the pins less that of line and pin, the same; two lines: the
-/// sine of the angle between them, and -1 where they are parallel.
+/// sine of the angle between them, and -1 where they are parallel. Not a number where the outer pins of a dyad
+/// coincide.
 template <class T>
 struct Margin {
     T outer{};
@@ -249,6 +250,13 @@ Margin<T> meet(const PlacedLine<T>& a, const PlacedLine<T>& b, Vector<T>& at) {
     return {margin, margin};
 }
 
+/// A margin, and not a number where two outer pins coincide, so that the dyad could stand anywhere: zero times the
+/// inverse of their distance.
+template <class T>
+T determined(const T& margin, const T& inverse_distance) {
+    return margin + T(0) * inverse_distance;
+}
+
 /// Two circles: the law of cosines with every factor of its half-angle formulas taken from the margins, as in
 /// four_bar/pose_formulas.h. `side` 1: the pin lies to the left of the line from the first centre to the second.
 template <class T>
@@ -258,11 +266,11 @@ Margin<T> two_circles(const Step& step, const Sized<T>& size, const T& side, Pos
     const Vector<T> apart = pose.pins[step.second.centre] - pose.pins[step.first.centre];
     const T d = hypotenuse(apart.x, apart.y);
     const T difference = abs(T(a - b)), total = a + b, sum = total + d, other = d + difference;
-    const Margin<T> margin{total - d, d - difference};
+    const T inverse = T(1) / d;
+    const Margin<T> margin{total - d, determined(T(d - difference), inverse)};
     const auto longer = a >= b;
     const T a_side = select(longer, other, margin.inner), b_side = select(longer, margin.inner, other);
     const T double_root = T(2) * root_or_zero(T((margin.outer * sum) * (margin.inner * other)));
-    const T inverse = T(1) / d;
     const Vector<T> along = inverse * apart, across = side * left_of(along);
     const T per_a = inverse / (T(4) * a), per_b = inverse / (T(4) * b);
     const T a_cosine = (sum * a_side - margin.outer * b_side) * per_a;
@@ -307,7 +315,7 @@ Margin<T> through(const Step& step, const Sized<T>& size, const T& side, Pose<T>
     const Vector<T> apart = pose.pins[step.far_pin] - pose.pins[step.pin];
     const T d = hypotenuse(apart.x, apart.y), inverse = T(1) / d;
     const T& height = size.first.length;
-    const Margin<T> margin{d - height, d + height};
+    const Margin<T> margin{determined(T(d - height), inverse), d + height};
     const T run = side * root_or_zero(T(margin.outer * margin.inner));
     const Vector<T> own = T(run * inverse) * size.first.direction + T(height * inverse) * left_of(size.first.direction);
     LinkPlace<T>& link = pose.links[step.link];

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "synthesis/command_line/console.h"
+#include "synthesis/problem/linkage/linkage.h"
 #include "synthesis/problem/reader.h"
 
 namespace mechwright {
@@ -12,6 +13,12 @@ namespace mechwright {
 /// Reads and checks a file, reports everything that is wrong with it (warnings too, unless `quiet`), and returns the
 /// exit code: 0, invalid_file or no_access.
 int read_and_report(const std::string& file, bool quiet, Console& console, ReadProblem& read);
+
+/// The same for a file of a linkage.
+int read_and_report(const std::string& file, bool quiet, Console& console, ReadLinkage& read);
+
+/// The same for a file of either kind, of which nothing is wanted but its messages: `read.linkage` says which it is.
+int check_and_report(const std::string& file, bool quiet, Console& console, ReadProblem& read);
 
 /// Reports what is wrong with the method that the file names, and returns the exit code: 0 or invalid_file.
 int report_method_fault(const Problem& problem, Console& console);

@@ -70,7 +70,7 @@ const std::vector<Known>& known_values() {
                                 {"", "--out", {folders, {}}},
                                 {"", "DIR", {folders, {}}}};
         for (const std::string_view command :
-             {"new", "check", "solve", "compare", "study", "plan", "analyse", "methods", "driver"})
+             {"new", "check", "solve", "compare", "study", "plan", "analyse", "structure", "methods", "driver"})
             rows.push_back({command, "FILE", {files, {"toml"}}});
         rows.push_back({"", "FILE", {files, {"toml", "json"}}});
         return rows;

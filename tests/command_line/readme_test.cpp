@@ -40,6 +40,8 @@ TEST(Readme, ShowsWhatNewWrites) {
 
 TEST(Readme, ShowsWhatExplainPrints) { expect_shown({"explain", "swing"}); }
 
+TEST(Readme, ShowsWhatStructurePrints) { expect_shown({"structure", "problems/linkage/geared-five-bar.toml"}); }
+
 TEST(Readme, ShowsWhatTolerancesDo) {
     const TemporaryFolder folder;
     Start how;

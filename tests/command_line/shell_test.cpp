@@ -68,7 +68,7 @@ using Set = std::set<std::string>;
 TEST(Completion, OfBashKnowsCommandsOptionsAndNames) {
     const Bash bash;
     EXPECT_EQ(bash.completed({"so"}), Set{"solve"});
-    EXPECT_EQ(bash.completed({"s"}), (Set{"schema", "solve", "study", "start-system"}));
+    EXPECT_EQ(bash.completed({"s"}), (Set{"schema", "solve", "structure", "study", "start-system"}));
     EXPECT_EQ(bash.completed({"--v"}), Set{"--version"});
     EXPECT_EQ(bash.completed({"man"}), Set{});
     EXPECT_EQ(bash.completed({"solve", "--me"}), Set{"--method"});

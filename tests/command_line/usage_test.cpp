@@ -11,8 +11,9 @@ TEST(Usage, HelpGoesToStandardOutput) {
     const Outcome help = run({"--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* part : {"check", "solve", "compare", "analyse", "profile", "verify", "quantities", "methods",
-                             "new", "explain", "completion", "--version", "Exit codes", "130", "With several files"})
+    for (const char* part :
+         {"check", "solve", "compare", "analyse", "structure", "profile", "verify", "quantities", "methods", "new",
+          "explain", "completion", "--version", "Exit codes", "130", "With several files"})
         expect_has(help.out, part);
     const Outcome of_solve = run({"solve", "--help"});
     EXPECT_EQ(of_solve.exit_code, 0);
@@ -26,6 +27,7 @@ TEST(Usage, HelpFitsEightyColumns) {
                                                       {"compare", "--help"},
                                                       {"check", "--help"},
                                                       {"analyse", "--help"},
+                                                      {"structure", "--help"},
                                                       {"profile", "--help"},
                                                       {"verify", "--help"},
                                                       {"quantities", "--help"},

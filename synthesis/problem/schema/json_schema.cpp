@@ -39,6 +39,8 @@ Json shape_of(const Key& key) {
         case Shape::pairs: return list_of(numbers_of(2, 2));
         case Shape::poses: return list_of(numbers_of(2, 3));
         case Shape::range: return range_of(key.limits);
+        case Shape::expression: return expression();
+        case Shape::place: return any_of({Json{{"type", "string"}}, coordinates()});
         case Shape::ranges: return list_of(range_of(key.limits));
         case Shape::table: return table_of(key.below);
         case Shape::tables: return list_of(table_of(key.below));
@@ -85,6 +87,21 @@ Json published(std::string_view title, std::string_view meaning, Json schema) {
     Json all{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
     all.update(with_meaning(std::move(schema), meaning));
     return all;
+}
+
+Json expression() { return any_of({Json{{"type", "number"}}, Json{{"type", "string"}}}); }
+
+Json coordinates() {
+    Json pair = list_of(expression());
+    pair["minItems"] = 2;
+    pair["maxItems"] = 2;
+    return any_of(
+        {std::move(pair), Json{{"type", "object"},
+                               {"properties",
+                                {{"length", with_meaning(expression(), "Distance from the link's origin.")},
+                                 {"angle", with_meaning(expression(), "Direction, from the link's x axis.")}}},
+                               {"required", {"length", "angle"}},
+                               {"additionalProperties", false}}});
 }
 
 }  // namespace mechwright::schema

@@ -41,6 +41,10 @@ Json definition(std::string_view name);
 /// A number, or a range of numbers.
 Json range_of(const Limits& limits = {});
 
+/// A number, or a sum of dimensions as a linkage's numbers can be; two of them as a place.
+Json expression();
+Json coordinates();
+
 /// The schema with what is to be told of it.
 Json with_meaning(Json schema, std::string_view meaning);
 

@@ -28,6 +28,8 @@ enum class Shape {
     poses,         ///< a list of [x, y, angle], or [x, y]
     range,         ///< a number, or { min, max } with or without start
     ranges,        ///< a list of these
+    expression,    ///< of a linkage: a number, or a sum of dimensions
+    place,         ///< of a linkage: a point by its name, [x, y], or { length, angle }
     table,         ///< with the keys `below`
     tables,        ///< a list of such tables
     value          ///< a shape of its own, which the schema's maker fills in

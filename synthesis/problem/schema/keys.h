@@ -10,6 +10,7 @@
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/problem/schema/key.h"
+#include "synthesis/problem/schema/linkage_keys.h"
 
 namespace mechwright::keys {
 
@@ -99,7 +100,8 @@ inline constexpr std::array requirement{Key{"quantity", Shape::text, "What is li
                                         Key{"max", Shape::number, "Its greatest value."}};
 
 inline constexpr std::array motion{
-    Key{"crank_range", Shape::ends, "Crank angles over which the mechanism is judged, where not over a full turn."}};
+    Key{"crank_range", Shape::ends, "Crank angles over which the mechanism is judged, where not over a full turn."},
+    Key{"at", Shape::number, "Of a linkage: a crank angle of the motion that is meant."}};
 
 inline constexpr std::array scale{
     Key{"start", Shape::range, "Where it stands at the first x: a number, or a range that is designed.", true},
@@ -223,8 +225,7 @@ inline constexpr std::array file{
     Key{"cam", Shape::table, "What kind of cam it is.", false, {}, cam},
     Key{"dimensions", Shape::names,
         "Each a number, a range { min = ..., max = ... } that is designed, or tied to another: { of = ..., times = ... "
-        "}.",
-        true},
+        "}."},
     Key{"segment",
         Shape::tables,
         "A part of the motion of a cam; together they make up a full turn.",
@@ -246,6 +247,17 @@ inline constexpr std::array file{
     Key{"arc", Shape::table, "An arc that the coupler point shall follow.", false, {}, arc},
     Key{"solver", Shape::table, "How the design is sought.", false, {}, solver},
     Key{"instant", Shape::table, "Velocities and accelerations at one crank angle.", false, {}, instant},
+    Key{"links", Shape::names, "Of a linkage: its rigid links, each with its points in its own frame."},
+    Key{"slide", Shape::tables, "Of a linkage: a link that slides on a line of another.", false, {}, slide},
+    Key{"slot", Shape::tables, "Of a linkage: a point that stays in a slot of another link.", false, {}, slot},
+    Key{"gear", Shape::tables, "Of a linkage: two links that turn in a ratio.", false, {}, gear},
+    Key{"belt", Shape::tables, "Of a linkage: two links that turn in a ratio by a belt.", false, {}, belt},
+    Key{"rack", Shape::tables, "Of a linkage: a wheel that turns as a link slides.", false, {}, rack},
+    Key{"drive", Shape::value, "Of a linkage: what moves it; further drives follow the first.", false, {}, drive},
+    Key{"assembly", Shape::names, "Of a linkage: on which side a dyad is closed, by its inner point or its slide."},
+    Key{"sketch", Shape::table, "Of a linkage: where points are about.", false, {}, sketch},
+    Key{"placement", Shape::table, "Of a linkage: where its frame stands in the drawing.", false, {}, placement},
+    Key{"signals", Shape::names, "Of a linkage: what is measured along the motion."},
     Key{"study",
         Shape::value,
         "The problem for many values of what the file says: \"dimensions.ground\" = { from = ..., to = ..., count = "

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 
@@ -123,17 +124,24 @@ Names foreign_sections(const Mechanism& mechanism) {
     return foreign;
 }
 
+constexpr std::array<std::string_view, 11> sections_of_linkage{
+    "links", "slide", "slot", "gear", "belt", "rack", "drive", "assembly", "sketch", "placement", "signals"};
+
 /// What files of one mechanism alone can say, and what they have to, where they meet a condition.
 Json of_mechanism(const Mechanism& mechanism, Json condition) {
     Json schema = named_by(mechanism);
+    schema["required"] = {"dimensions"};
+    schema["properties"]["motion"] = {{"properties", {{"at", false}}}};
+    for (const std::string_view name : sections_of_linkage)
+        schema["properties"][std::string(name)] = false;
     for (const std::string_view name : foreign_sections(mechanism))
         schema["properties"][std::string(name)] = false;
     if (is_cam(mechanism)) {
-        schema["properties"]["motion"] = {{"properties", {{"crank_range", false}}}};
+        schema["properties"]["motion"]["properties"]["crank_range"] = false;
         if (cam_kind(mechanism).contour != cam::ContourKind::none)
             schema["properties"]["segment"] = false;
         else
-            schema["required"] = {"segment"};
+            schema["required"].push_back("segment");
     }
     return where(std::move(condition), std::move(schema));
 }
@@ -172,6 +180,68 @@ void add_cams(Json& all) {
                 all.push_back(
                     of_mechanism(*mechanism, is_cam_of(cam_follower_names[follower], 0, cam_contour_names[contour])));
     }
+}
+
+/// An object whose members have names of the file's own.
+Json named(std::string_view names, Json each) {
+    return {{"type", "object"}, {"propertyNames", {{"pattern", names}}}, {"additionalProperties", std::move(each)}};
+}
+
+constexpr std::string_view name_pattern = "^[A-Za-z][A-Za-z0-9_-]*$";
+
+/// A signal: exactly one of the keys that say what it is, with what may stand beside it.
+Json signal() {
+    const Json text{{"type", "string"}}, number{{"type", "number"}};
+    Json two = list_of(text);
+    two["minItems"] = two["maxItems"] = 2;
+    const Json terms = {{"type", "object"}, {"minProperties", 1}, {"additionalProperties", number}};
+    const auto of = [](std::vector<std::string> required, Json properties) {
+        Json table{{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+        table["required"] = required;
+        return table;
+    };
+    return any_of({of({"angle"}, {{"angle", text}, {"to", text}, {"near", number}}),
+                   of({"x"}, {{"x", text}, {"on", text}}), of({"y"}, {{"y", text}, {"on", text}}),
+                   of({"along", "point"}, {{"along", number}, {"point", text}, {"on", text}}),
+                   of({"distance"}, {{"distance", two}}),
+                   of({"from-line", "point"}, {{"from-line", two}, {"point", text}}),
+                   of({"slide"}, {{"slide", any_of({text, Json{{"type", "integer"}, {"minimum", 1}}})}}),
+                   of({"speed-of"}, {{"speed-of", text}}), of({"acceleration-of"}, {{"acceleration-of", text}}),
+                   of({"transmission-angle"}, {{"transmission-angle", text}}), of({"sum"}, {{"sum", terms}}),
+                   of({"ratio"}, {{"ratio", two}})});
+}
+
+/// What files of a linkage can say and have to.
+Json of_linkage() {
+    Json sides = one_of(Names{"left", "right", "ahead", "behind", "either"});
+    Json side{{"type", "object"},
+              {"properties", {{"side", sides}, {"from", {{"type", "string"}}}, {"to", {{"type", "string"}}}}},
+              {"required", {"side"}},
+              {"additionalProperties", false}};
+    Json tie = table_of(keys::tie);
+    tie["properties"]["of"].update(Json{{"type", "string"}});
+    Json dimension = range_of();
+    dimension["anyOf"].push_back(std::move(tie));
+    dimension["anyOf"].push_back({{"type", "string"}});
+    Json points = list_of({{"type", "number"}});
+    points["minItems"] = points["maxItems"] = 2;
+    Json properties{{"dimensions", named(name_pattern, std::move(dimension))},
+                    {"links", named(name_pattern, named(name_pattern, coordinates()))},
+                    {"assembly", named(name_pattern, any_of({std::move(sides), std::move(side)}))},
+                    {"sketch", {{"properties", {{"points", named(name_pattern, std::move(points))}}}}},
+                    {"signals", named(name_pattern, signal())}};
+    properties["links"]["required"] = {"frame"};
+    for (const char* name : {"cam", "segment"})
+        properties[name] = false;
+    return where(is_named("linkage"), {{"properties", std::move(properties)}, {"required", {"links", "drive"}}});
+}
+
+/// One drive, or several.
+Json drives(const Key& key) {
+    Json one = table_of(keys::drive);
+    one["properties"]["slide"].update(any_of({Json{{"type", "string"}}, Json{{"type", "integer"}, {"minimum", 1}}}));
+    one["oneOf"] = {{{"required", {"link"}}}, {{"required", {"slide"}}}};
+    return with_meaning(any_of({one, list_of(one)}), key.meaning);
 }
 
 /// Names of all mechanisms' dimensions with what they are, for editors that look no further.
@@ -274,7 +344,9 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     for (const auto& mechanism : mechanisms())
         add_name(names, mechanism->name);
     const auto key = [](std::string_view name) -> const Key& { return *find_key(keys::file, name); };
+    add_name(names, "linkage");
     properties["mechanism"].update(one_of(names));
+    properties["drive"] = drives(key("drive"));
     properties["dimensions"].update(all_dimensions());
     properties["segment"] = segments(key("segment"));
     properties["objective"] = objectives(key("objective"));
@@ -286,6 +358,7 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     for (const auto& mechanism : mechanisms())
         if (!is_cam(*mechanism)) by_mechanism.push_back(of_mechanism(*mechanism, is_named(mechanism->name)));
     add_cams(by_mechanism);
+    by_mechanism.push_back(of_linkage());
     schema["allOf"] = std::move(by_mechanism);
     schema["definitions"] = {
         {"range", table_of(keys::dimension_range)}, {"values", by_path["values"]}, {"deviation", deviation()}};

@@ -1,0 +1,110 @@
+#pragma once
+/// \file
+/// A linkage as its problem file describes it (`mechanism = "linkage"`): names bound to a structure, whose numbers are
+/// sums of multiples of dimensions.
+
+#include <toml++/toml.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/linkage/mobility.h"
+#include "analysis/linkage/order.h"
+#include "analysis/linkage/structure.h"
+#include "synthesis/problem/linkage/affine.h"
+#include "synthesis/problem/messages.h"
+#include "synthesis/problem/problem.h"
+#include "synthesis/problem/reader.h"
+
+namespace mechwright {
+
+/// What a number counts.
+enum class Measure : std::uint8_t { unknown, length, angle, ratio };
+
+std::string_view name_of(Measure measure);
+
+struct LinkageDimension {
+    std::string name;
+    double min = 0;  ///< in the file's units, as all numbers here; a given one has min == max
+    double max = 0;
+    std::optional<double> start{};
+    std::optional<Affine> tied{};  ///< to others, of which none is tied
+    Measure measure = Measure::unknown;
+
+    bool given() const { return !tied && min == max; }
+};
+
+/// A number of the structure, in the file's units.
+struct LinkageNumber {
+    Affine value{};
+    Measure measure = Measure::length;
+};
+
+/// A drive beside its joint: input = ratio times that of the master + phase.
+struct LinkageDrive {
+    double ratio = 1;
+    double phase = 0;               ///< radians, or a length
+    std::optional<double> speed{};  ///< turns per minute
+};
+
+struct LinkageSignal {
+    std::string name;
+    std::string_view kind;  ///< the key that says what it is: "angle", "x", ...
+};
+
+struct Linkage {
+    std::string file;
+    std::string title;
+    Units units;
+    std::vector<std::string> links;  ///< the frame first, then as in the text; those of circular slots last
+    std::vector<std::string> pins;
+    std::vector<std::string> slides;  ///< empty where a slide has no name
+    std::vector<LinkageDimension> dimensions;
+    std::vector<LinkageNumber> numbers;
+    linkage::Structure structure;
+    std::vector<LinkageDrive> drives;
+    std::vector<LinkageSignal> signals;
+    std::optional<double> at;  ///< a crank angle of its motion, radians; a displacement where a slide is driven
+    linkage::Mobility mobility;
+    linkage::Order order;
+    std::vector<std::int8_t> sides;      ///< for each choice of the order 1, -1, or 0 for either
+    std::vector<std::size_t> redundant;  ///< links that are left out of order: the others place what they join
+
+    /// Whether every dimension is a number.
+    bool given() const;
+};
+
+/// Numbers of the structure for dimensions in the file's units (those that are tied are left unread), angles in
+/// radians.
+std::vector<double> numbers_of(const Linkage& linkage, const std::vector<double>& dimensions);
+
+/// The dimensions of a linkage where they are given; of a range its start, else its middle.
+std::vector<double> usual_dimensions(const Linkage& linkage);
+
+/// The inputs of all drives for one of the master.
+std::vector<double> inputs_of(const Linkage& linkage, double master);
+
+struct ReadLinkage {
+    Linkage linkage;                ///< complete only if ok()
+    std::vector<Message> messages;  ///< errors and warnings in the order of their places
+    bool unreadable = false;
+
+    bool ok() const;
+};
+
+/// Reads a file, or a text, that names the mechanism "linkage".
+ReadLinkage read_linkage(const std::string& file);
+ReadLinkage parse_linkage(std::string_view text, const std::string& file);
+
+}  // namespace mechwright
+
+namespace mechwright::reading {
+
+/// The same from a table.
+void read_linkage_table(const toml::table& table, Linkage& made, Messages& messages);
+
+}  // namespace mechwright::reading

@@ -1,0 +1,456 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "synthesis/problem/linkage/reading.h"
+#include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/text.h"
+
+namespace mechwright::reading {
+
+namespace {
+
+/// The pin of a name, made where there is none yet.
+std::size_t pin_of(LinkageReading& reading, std::string_view name, FilePlace place) {
+    std::vector<std::string>& pins = reading.made.pins;
+    const auto at = std::find(pins.begin(), pins.end(), name);
+    if (at != pins.end()) return static_cast<std::size_t>(at - pins.begin());
+    pins.emplace_back(name);
+    reading.pin_places.push_back(place);
+    reading.made.structure.pins.emplace_back();
+    return pins.size() - 1;
+}
+
+/// What points a link has, for messages.
+std::string pins_of(const LinkageReading& reading, std::size_t link) {
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < reading.made.pins.size(); ++i)
+        if (linkage::is_on(reading.made.structure.pins[i], link)) names.push_back(reading.made.pins[i]);
+    return names.empty() ? "it has no points" : "its points are " + listed(names);
+}
+
+/// A place on a link: a point of it by name, or coordinates.
+std::optional<linkage::Coordinates> to_place(LinkageReading& reading, const toml::node& node, std::size_t link,
+                                             std::string_view what) {
+    const auto name = node.value_exact<std::string>();
+    if (!name) return to_coordinates(reading, node, what);
+    const auto pin = find_pin(reading, *name, place_of(node), what);
+    if (!pin) return {};
+    if (linkage::is_on(reading.made.structure.pins[*pin], link))
+        return linkage::coordinates_on(reading.made.structure.pins[*pin], link);
+    add_error(reading.messages, place_of(node),
+              fmt::format("{}: '{}' is no point of the link '{}': {}", what, *name, reading.made.links[link],
+                          pins_of(reading, link)));
+    return {};
+}
+
+std::optional<linkage::Line> line_along(LinkageReading& reading, Section& section, std::size_t link) {
+    const toml::node& node = *find(section, "along");
+    const toml::array* list = node.as_array();
+    const std::string what = name_of(section, "along");
+    if (list == nullptr || list->size() != 2 || !list->get(0)->is_string() || !list->get(1)->is_string()) {
+        add_error(
+            reading.messages, place_of(node),
+            fmt::format("{} must be two points of the link '{}', like [\"A\", \"D\"]", what, reading.made.links[link]));
+        return {};
+    }
+    const auto from = to_place(reading, *list->get(0), link, what), to = to_place(reading, *list->get(1), link, what);
+    if (!from || !to) return {};
+    if (*list->get(0)->value<std::string>() == *list->get(1)->value<std::string>()) {
+        add_error(reading.messages, place_of(node), fmt::format("{}: a line needs two points that differ", what));
+        return {};
+    }
+    linkage::Line line;
+    line.on = link;
+    line.through = *from;
+    line.towards = *to;
+    return line;
+}
+
+/// `along`, or `point` and `direction`.
+std::optional<linkage::Line> read_line(LinkageReading& reading, Section& section, std::size_t link) {
+    const toml::node* point = find(section, "point");
+    const toml::node* direction = find(section, "direction");
+    if (find(section, "along") != nullptr) {
+        if (point == nullptr && direction == nullptr) return line_along(reading, section, link);
+        add_error(reading.messages, section.place,
+                  fmt::format("{} has its line twice: leave out 'along', or 'point' and 'direction'", section.title));
+        return {};
+    }
+    if (point == nullptr || direction == nullptr) {
+        add_error(
+            reading.messages, section.place,
+            fmt::format("{} has no line: write along = [\"A\", \"B\"], or 'point' and 'direction'", section.title));
+        return {};
+    }
+    const auto through = to_place(reading, *point, link, name_of(section, "point"));
+    const auto angle = to_linkage_number(reading, *direction, name_of(section, "direction"), Measure::angle);
+    if (!through || !angle) return {};
+    linkage::Line line;
+    line.on = link;
+    line.through = *through;
+    line.angle = add_number(reading, *angle);
+    line.by_angle = true;
+    return line;
+}
+
+/// Displacements, or turns of a drive, between which a joint stays: they are numbers, the one not above the other.
+void check_stops(LinkageReading& reading, Section& section, Measure measure) {
+    std::optional<LinkageNumber> stops[2];
+    for (const auto& [key, stop] : {std::pair("min", &stops[0]), std::pair("max", &stops[1])})
+        if (const toml::node* node = find(section, key))
+            *stop = to_linkage_number(reading, *node, name_of(section, key), measure);
+    const auto given = [](const auto& stop) { return stop && stop->value.terms.empty(); };
+    if (given(stops[0]) && given(stops[1]) && stops[0]->value.constant > stops[1]->value.constant)
+        add_error(reading.messages, place_of(section, "min"),
+                  fmt::format("'min' is greater than 'max' in {}", section.title));
+}
+
+void read_points(LinkageReading& reading, const toml::table& table, std::size_t link) {
+    for (const auto& [name, node] : in_order(table)) {
+        const Section section{&table, "", {}};
+        const FilePlace place = key_place(section, name);
+        if (!is_name(reading, name, place, "point")) continue;
+        const auto at =
+            to_coordinates(reading, *node, fmt::format("'{}' of the link '{}'", name, reading.made.links[link]));
+        if (!at) continue;
+        reading.made.structure.pins[pin_of(reading, name, place)].points.push_back({link, *at});
+    }
+}
+
+/// A circular slot is a link from its centre to the pin.
+void read_circle(LinkageReading& reading, Section& section, std::size_t pin, std::size_t in) {
+    Linkage& made = reading.made;
+    const toml::node* centre = find(section, "centre");
+    const toml::node* radius = find(section, "radius");
+    for (const char* key : {"along", "point", "direction", "min", "max"})
+        if (find(section, key) != nullptr)
+            add_error(reading.messages, place_of(section, key),
+                      fmt::format("{} is circular: leave '{}' out", section.title, key));
+    if (centre == nullptr || radius == nullptr)
+        return add_error(reading.messages, section.place,
+                         fmt::format("{} is circular: it needs 'centre' and 'radius'", section.title));
+    const auto at = to_place(reading, *centre, in, name_of(section, "centre"));
+    const auto length = to_linkage_number(reading, *radius, name_of(section, "radius"), Measure::length);
+    if (!at || !length) return;
+    const std::string name = fmt::format("slot of {}", made.pins[pin]);
+    const std::size_t link = made.structure.links++;
+    made.links.push_back(name);
+    reading.link_places.push_back(section.place);
+    const linkage::Number zero = add_constant(reading, 0, Measure::length);
+    const linkage::Number reach = add_number(reading, *length);
+    std::size_t middle = 0;
+    if (const auto named = centre->value_exact<std::string>()) {
+        middle = *find_pin(reading, *named, place_of(*centre), "");
+    } else {
+        middle = pin_of(reading, fmt::format("centre of the {}", name), section.place);
+        made.structure.pins[middle].points.push_back({in, *at});
+    }
+    made.structure.pins[middle].points.push_back({link, {zero, zero}});
+    made.structure.pins[pin].points.push_back({link, {reach, zero}});
+}
+
+std::optional<std::size_t> read_pin(LinkageReading& reading, Section& section, std::string_view key) {
+    const auto name = read_string(section, key, reading.messages);
+    if (!name) {
+        if (!has(section, key))
+            add_error(reading.messages, section.place,
+                      fmt::format("{} is missing: it names a point", name_of(section, key)));
+        return {};
+    }
+    return find_pin(reading, *name, place_of(section, key), name_of(section, key));
+}
+
+}  // namespace
+
+void read_links(LinkageReading& reading) {
+    Linkage& made = reading.made;
+    made.links = {"frame"};
+    reading.link_places = {reading.file.place};
+    std::optional<Section> section = read_section(reading.file, "links", reading.messages);
+    if (!section) {
+        if (!has(reading.file, "links"))
+            add_error(reading.messages, reading.file.place,
+                      "the section [links] is missing: a linkage is made of links with points, like crank = { A = [0, "
+                      "0], B = [40, 0] }");
+        return;
+    }
+    if (!section->table->contains("frame"))
+        add_error(reading.messages, section->place,
+                  "[links] has no 'frame': that is the link that does not move, like frame = { A = [0, 0] }");
+    const auto links = in_order(*section->table);
+    for (const auto& [name, node] : links) {
+        const FilePlace place = key_place(*section, name);
+        const toml::table* table = node->as_table();
+        if (table == nullptr)
+            report_kind(*node, fmt::format("the link '{}'", name), "a table of points, like { A = [0, 0] }",
+                        reading.messages);
+        if (name == "frame") {
+            reading.link_places[0] = place;
+        } else {
+            if (!is_name(reading, name, place, "link")) continue;
+            if (made.links.size() == LinkageReading::most_links)
+                return add_error(reading.messages, place,
+                                 fmt::format("more than {} links", LinkageReading::most_links));
+            made.links.emplace_back(name);
+            reading.link_places.push_back(place);
+        }
+    }
+    made.structure.links = made.links.size();
+    std::size_t points = 0;
+    for (const auto& [name, node] : links) {
+        const auto at = std::find(made.links.begin(), made.links.end(), name);
+        const toml::table* table = node->as_table();
+        if (table == nullptr || at == made.links.end()) continue;
+        points += table->size();
+        if (points > LinkageReading::most_points)
+            return add_error(reading.messages, key_place(*section, name),
+                             fmt::format("more than {} points", LinkageReading::most_points));
+        read_points(reading, *table, static_cast<std::size_t>(at - made.links.begin()));
+    }
+    report_case_twins(reading, made.links, reading.link_places, "link");
+    report_case_twins(reading, made.pins, reading.pin_places, "point");
+}
+
+void read_slides(LinkageReading& reading) {
+    Linkage& made = reading.made;
+    std::vector<FilePlace> places;
+    for (Section& section : sections_in(reading, "slide", keys::slide)) {
+        const auto link = read_link(reading, section, "link", true), on = read_link(reading, section, "on", true);
+        const auto line = on ? read_line(reading, section, *on) : std::nullopt;
+        if (!on)
+            for (const char* key : {"along", "point", "direction"})
+                find(section, key);
+        linkage::Slide slide;
+        slide.angle = read_structure_number(reading, section, "angle", Measure::angle);
+        slide.offset = read_structure_number(reading, section, "offset", Measure::length);
+        const std::string name = read_string(section, "name", reading.messages).value_or("");
+        if (!name.empty() && is_name(reading, name, place_of(section, "name"), "slide") &&
+            std::find(made.slides.begin(), made.slides.end(), name) != made.slides.end())
+            add_error(reading.messages, place_of(section, "name"),
+                      fmt::format("there is a slide '{}' already: give this one another name", name));
+        check_stops(reading, section, Measure::length);
+        report_unknown_keys(section, reading.messages);
+        if (link && on && *link == *on)
+            add_error(reading.messages, place_of(section, "on"),
+                      fmt::format("'{}' cannot slide on itself: name another link", made.links[*link]));
+        made.slides.push_back(name);
+        slide.link = link.value_or(0);
+        if (line) slide.line = *line;
+        made.structure.slides.push_back(slide);
+    }
+}
+
+void read_slots(LinkageReading& reading) {
+    Linkage& made = reading.made;
+    for (Section& section : sections_in(reading, "slot", keys::slot)) {
+        const auto pin = read_pin(reading, section, "pin");
+        const auto in = read_link(reading, section, "in", true);
+        const bool circular = has(section, "centre") || has(section, "radius");
+        for (const Key& key : keys::slot)
+            find(section, key.name);
+        report_unknown_keys(section, reading.messages);
+        if (!pin || !in) continue;
+        if (linkage::is_on(made.structure.pins[*pin], *in)) {
+            add_error(reading.messages, place_of(section, "in"),
+                      fmt::format("'{}' is a point of '{}' itself: a slot is in another link than its pin",
+                                  made.pins[*pin], made.links[*in]));
+            continue;
+        }
+        if (circular) {
+            read_circle(reading, section, *pin, *in);
+            continue;
+        }
+        const auto line = read_line(reading, section, *in);
+        check_stops(reading, section, Measure::length);
+        if (!line) continue;
+        made.structure.slots.push_back({*pin, *line});
+    }
+}
+
+namespace {
+
+/// Turn of the second over that of the first by their teeth; absent if there are none that make sense.
+std::optional<double> by_teeth(LinkageReading& reading, Section& section) {
+    const auto teeth = read_numbers(section, "teeth", reading.messages);
+    if (!teeth) return {};
+    if (teeth->size() == 2 && (*teeth)[0] > 0 && (*teeth)[1] > 0) return (*teeth)[0] / (*teeth)[1];
+    add_error(reading.messages, place_of(section, "teeth"),
+              fmt::format("{} must be two numbers greater than 0, like [40, 80]", name_of(section, "teeth")));
+    return {};
+}
+
+void read_gear(LinkageReading& reading, Section& section, bool belt) {
+    Linkage& made = reading.made;
+    linkage::Gear gear;
+    bool whole = true;
+    const toml::node* links = find(section, "links");
+    const toml::array* list = links == nullptr ? nullptr : links->as_array();
+    if (list == nullptr || list->size() != 2 || !list->get(0)->is_string() || !list->get(1)->is_string()) {
+        add_error(reading.messages, place_of(section, "links"),
+                  fmt::format("{} must be the names of two links", name_of(section, "links")));
+        whole = false;
+    } else {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto link = find_link(reading, *list->get(i)->value<std::string>(), place_of(*list->get(i)),
+                                        name_of(section, "links"));
+            (i == 0 ? gear.first : gear.second) = link.value_or(0);
+            whole = whole && link;
+        }
+    }
+    const auto carrier = read_link(reading, section, "carrier", false);
+    gear.carrier = carrier.value_or(0);
+    const auto teeth = by_teeth(reading, section);
+    const char* sense = belt ? "crossed" : "internal";
+    const bool flag = read_bool(section, sense, reading.messages).value_or(false);
+    if (has(section, "teeth") == has(section, "ratio"))
+        add_error(reading.messages, section.place, fmt::format("{} needs either 'ratio' or 'teeth'", section.title));
+    if (!belt && has(section, "internal") && !has(section, "teeth"))
+        add_error(reading.messages, place_of(section, "internal"),
+                  "'internal' belongs to 'teeth': a ratio has its own sign");
+    if (teeth) {
+        gear.ratio = add_constant(reading, flag != belt ? *teeth : -*teeth, Measure::ratio);
+        find(section, "ratio");
+    } else {
+        gear.ratio = read_structure_number(reading, section, "ratio", Measure::ratio, 1);
+        LinkageNumber& ratio = made.numbers[gear.ratio];
+        if (ratio.value.terms.empty() && (belt ? !(ratio.value.constant > 0) : ratio.value.constant == 0) &&
+            has(section, "ratio"))
+            add_error(reading.messages, place_of(section, "ratio"),
+                      belt ? "the ratio of a belt must be greater than 0: 'crossed' makes it turn the other way"
+                           : "the ratio of a gear must be other than 0");
+        if (belt && flag) {
+            Affine turned;
+            add(turned, ratio.value, -1);
+            ratio.value = turned;
+        }
+    }
+    gear.phase = read_structure_number(reading, section, "phase", Measure::angle);
+    report_unknown_keys(section, reading.messages);
+    if (!whole || !carrier) return;
+    if (gear.first == gear.second || gear.first == gear.carrier || gear.second == gear.carrier)
+        return add_error(reading.messages, section.place,
+                         fmt::format("{} needs two links that differ from each other and from their carrier '{}'",
+                                     section.title, made.links[gear.carrier]));
+    made.structure.gears.push_back(gear);
+}
+
+}  // namespace
+
+void read_gears(LinkageReading& reading) {
+    for (Section& section : sections_in(reading, "gear", keys::gear))
+        read_gear(reading, section, false);
+    for (Section& section : sections_in(reading, "belt", keys::belt))
+        read_gear(reading, section, true);
+}
+
+void read_racks(LinkageReading& reading) {
+    Linkage& made = reading.made;
+    for (Section& section : sections_in(reading, "rack", keys::rack)) {
+        const auto link = read_link(reading, section, "link", true), wheel = read_link(reading, section, "wheel", true);
+        const auto carrier = read_link(reading, section, "carrier", false);
+        if (!has(section, "radius"))
+            add_error(reading.messages, section.place, fmt::format("{} is missing", name_of(section, "radius")));
+        linkage::Rack rack;
+        rack.radius = read_structure_number(reading, section, "radius", Measure::length, 1);
+        rack.phase = read_structure_number(reading, section, "phase", Measure::length);
+        report_unknown_keys(section, reading.messages);
+        if (const LinkageNumber& radius = made.numbers[rack.radius];
+            radius.value.terms.empty() && radius.value.constant == 0)
+            add_error(reading.messages, place_of(section, "radius"), "the radius of a rack's wheel must not be 0");
+        if (!link || !wheel || !carrier) continue;
+        const auto& slides = made.structure.slides;
+        const auto slide = std::find_if(slides.begin(), slides.end(), [&](const auto& s) { return s.link == *link; });
+        if (slide == slides.end()) {
+            add_error(
+                reading.messages, place_of(section, "link"),
+                fmt::format("'{0}' does not slide: a rack needs a [[slide]] with link = \"{0}\"", made.links[*link]));
+            continue;
+        }
+        if (*wheel == *carrier || *wheel == *link) {
+            add_error(reading.messages, place_of(section, "wheel"),
+                      fmt::format("the wheel of {} must be another link than its carrier and its rack", section.title));
+            continue;
+        }
+        rack.slide = static_cast<std::size_t>(slide - slides.begin());
+        rack.wheel = *wheel;
+        rack.carrier = *carrier;
+        made.structure.racks.push_back(rack);
+    }
+}
+
+namespace {
+
+/// A length where a slide is driven, else an angle in radians.
+double in_program_units(const Linkage& made, double value, bool of_slide) {
+    return of_slide || !made.units.degrees ? value : value * std::numbers::pi / 180;
+}
+
+void read_drive(LinkageReading& reading, Section& section, bool master) {
+    Linkage& made = reading.made;
+    linkage::Drive drive;
+    drive.of_slide = has(section, "slide");
+    bool whole = true;
+    if (const toml::node* node = find(section, "slide")) {
+        const auto slide = find_slide(reading, *node, name_of(section, "slide"));
+        drive.slide = slide.value_or(0);
+        whole = slide.has_value();
+        for (const char* key : {"link", "on"})
+            if (find(section, key) != nullptr)
+                add_error(reading.messages, place_of(section, key),
+                          fmt::format("{} drives a slide: leave '{}' out", section.title, key));
+    } else {
+        const auto link = read_link(reading, section, "link", true), on = read_link(reading, section, "on", false);
+        whole = link && on;
+        drive.link = link.value_or(0);
+        drive.on = on.value_or(0);
+        if (whole && drive.link == drive.on) {
+            add_error(
+                reading.messages, place_of(section, "link"),
+                fmt::format("'{}' cannot turn against itself: name the link that the drive turns, and in 'on' the "
+                            "one against which",
+                            made.links[drive.link]));
+            whole = false;
+        }
+    }
+    LinkageDrive more;
+    for (const char* key : {"ratio", "phase"})
+        if (master && find(section, key) != nullptr)
+            add_error(reading.messages, place_of(section, key),
+                      fmt::format("'{}' is of further drives: the first is what they follow", key));
+    more.ratio = read_number(section, "ratio", reading.messages).value_or(1);
+    more.phase = in_program_units(made, read_number(section, "phase", reading.messages).value_or(0), drive.of_slide);
+    more.speed = read_number(section, "speed", reading.messages);
+    check_stops(reading, section, drive.of_slide ? Measure::length : Measure::angle);
+    if (section.table->contains("segment")) {
+        section.reported.push_back("segment");
+        add_error(reading.messages, place_of(section, "segment"),
+                  "drives that follow a motion of segments are not known to this version: write 'ratio' and 'phase'");
+    }
+    report_unknown_keys(section, reading.messages);
+    if (!whole) return;
+    made.structure.drives.push_back(drive);
+    made.drives.push_back(more);
+    reading.drive_places.push_back(section.place);
+}
+
+}  // namespace
+
+void read_drives(LinkageReading& reading) {
+    const toml::node* node = find(reading.file, "drive");
+    if (node == nullptr)
+        return add_error(reading.messages, reading.file.place,
+                         "the section [drive] is missing: it says what moves the linkage, like link = \"crank\"");
+    if (const toml::table* table = node->as_table()) {
+        Section section{table, "[drive]", place_of(*node), keys::drive};
+        return read_drive(reading, section, true);
+    }
+    bool first = true;
+    for (Section& section : sections_in(reading, "drive", keys::drive)) {
+        read_drive(reading, section, first);
+        first = false;
+    }
+}
+
+}  // namespace mechwright::reading

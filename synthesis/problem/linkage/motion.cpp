@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "synthesis/problem/linkage/reading.h"
+#include "synthesis/problem/schema/keys.h"
+
+namespace mechwright::reading {
+
+namespace {
+
+double input(const LinkageReading& reading, double value) {
+    const auto& drives = reading.made.structure.drives;
+    const bool angle = drives.empty() || !drives.front().of_slide;
+    return angle && reading.made.units.degrees ? value * std::numbers::pi / 180 : value;
+}
+
+}  // namespace
+
+void read_linkage_motion(LinkageReading& reading) {
+    std::optional<Section> section = read_section(reading.file, "motion", reading.messages);
+    if (!section) return;
+    if (const auto at = read_number(*section, "at", reading.messages)) reading.made.at = input(reading, *at);
+    if (const auto range = read_numbers(*section, "crank_range", reading.messages)) {
+        if (range->size() != 2 || !((*range)[0] < (*range)[1]))
+            add_error(reading.messages, place_of(*section, "crank_range"),
+                      "crank_range must be two inputs that rise, like [0, 120]");
+        else if (!reading.made.at)
+            reading.made.at = input(reading, (*range)[0]);
+    }
+    report_unknown_keys(*section, reading.messages);
+}
+
+void read_sketch(LinkageReading& reading) {
+    std::optional<Section> section = read_section(reading.file, "sketch", reading.messages);
+    if (!section) return;
+    if (!has(*section, "crank"))
+        add_error(reading.messages, section->place, "'crank' in [sketch] is missing: the input at which it is drawn");
+    if (const auto crank = read_number(*section, "crank", reading.messages); crank && !reading.made.at)
+        reading.made.at = input(reading, *crank);
+    std::optional<Section> points = read_section(*section, "points", reading.messages);
+    report_unknown_keys(*section, reading.messages);
+    if (!points) return;
+    for (const auto& [name, node] : in_order(*points->table)) {
+        find_pin(reading, name, key_place(*points, name), "[sketch]");
+        const toml::array* place = node->as_array();
+        if (place == nullptr || place->size() != 2 || !place->get(0)->is_number() || !place->get(1)->is_number())
+            add_error(reading.messages, place_of(*node),
+                      fmt::format("'{}' in [sketch] must be two numbers [x, y] in the frame's axes", name));
+    }
+}
+
+void read_placement(LinkageReading& reading) {
+    std::optional<Section> section = read_section(reading.file, "placement", reading.messages);
+    if (!section) return;
+    for (const Key& key : keys::placement) {
+        const toml::node* node = find(*section, key.name);
+        if (node == nullptr) continue;
+        const Measure measure = key.name == "tilt"    ? Measure::angle
+                                : key.name == "scale" ? Measure::ratio
+                                                      : Measure::length;
+        const auto value_at = [&](const toml::node& at) {
+            const auto number = to_linkage_number(reading, at, name_of(*section, key.name), measure);
+            if (number && key.name == "scale" && number->value.terms.empty() && !(number->value.constant > 0))
+                add_error(reading.messages, place_of(at), "'scale' in [placement] must be greater than 0");
+        };
+        const toml::table* range = node->as_table();
+        if (range == nullptr) {
+            value_at(*node);
+            continue;
+        }
+        Section limits{range, fmt::format("the range of '{}'", key.name), place_of(*node), keys::dimension_range};
+        const auto min = read_number(limits, "min", reading.messages),
+                   max = read_number(limits, "max", reading.messages);
+        read_number(limits, "start", reading.messages);
+        report_unknown_keys(limits, reading.messages);
+        if (!min || !max || *min > *max)
+            add_error(reading.messages, limits.place,
+                      fmt::format("{} must have 'min' and 'max', the one not above the other", limits.title));
+        else if (key.name == "scale" && !(*min > 0))
+            add_error(reading.messages, place_of(limits, "min"), "'scale' in [placement] must be greater than 0");
+    }
+    report_unknown_keys(*section, reading.messages);
+}
+
+}  // namespace mechwright::reading

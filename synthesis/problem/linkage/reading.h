@@ -1,0 +1,91 @@
+#pragma once
+/// \file
+/// What the readers of a linkage's sections share: what is made so far, and where names stand in the file.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "synthesis/problem/linkage/linkage.h"
+#include "synthesis/problem/toml/section.h"
+
+namespace mechwright::reading {
+
+struct LinkageReading {
+    Section& file;
+    Linkage& made;
+    Messages& messages;
+    std::vector<FilePlace> dimension_places{};
+    std::vector<Affine> expanded{};       ///< each dimension as a sum of those that are not tied
+    std::vector<Affine> ties{};           ///< each tied dimension as the file says it
+    std::vector<FilePlace> uses{};        ///< where a dimension's measure was found out
+    std::vector<FilePlace> pin_places{};  ///< where a point is first named
+    std::vector<FilePlace> link_places{};
+    std::vector<FilePlace> drive_places{};
+
+    /// Limits on what one file describes, far above any mechanism: hostile files end at once.
+    static constexpr std::size_t most_links = 100, most_points = 400, most_joints = 100;
+};
+
+/// The keys of a table in the order of the text.
+std::vector<std::pair<std::string_view, const toml::node*>> in_order(const toml::table& table);
+
+/// Whether a name is one; reports it where it is not.
+bool is_name(LinkageReading& reading, std::string_view name, FilePlace place, std::string_view what);
+
+/// Names that differ by case only.
+void report_case_twins(LinkageReading& reading, const std::vector<std::string>& names,
+                       const std::vector<FilePlace>& places, std::string_view what);
+
+/// A number or an expression; absent if it is neither, which is reported.
+std::optional<LinkageNumber> to_linkage_number(LinkageReading& reading, const toml::node& node, std::string_view what,
+                                               Measure measure);
+
+/// The same as a number of the structure.
+linkage::Number add_number(LinkageReading& reading, LinkageNumber number);
+linkage::Number add_constant(LinkageReading& reading, double value, Measure measure);
+/// That of a key, or a constant where it has none.
+linkage::Number read_structure_number(LinkageReading& reading, Section& section, std::string_view key, Measure measure,
+                                      double preset = 0);
+
+/// [x, y] or { length, angle }.
+std::optional<linkage::Coordinates> to_coordinates(LinkageReading& reading, const toml::node& node,
+                                                   std::string_view what);
+
+/// A link or a point by its name; reports one that there is not.
+std::optional<std::size_t> find_link(LinkageReading& reading, std::string_view name, FilePlace place,
+                                     std::string_view what);
+std::optional<std::size_t> find_pin(LinkageReading& reading, std::string_view name, FilePlace place,
+                                    std::string_view what);
+std::optional<std::size_t> read_link(LinkageReading& reading, Section& section, std::string_view key, bool required);
+/// A slide by its name or its number from 1.
+std::optional<std::size_t> find_slide(LinkageReading& reading, const toml::node& node, std::string_view what);
+
+/// Records what a dimension counts, or reports that it counts something else elsewhere.
+void use(LinkageReading& reading, std::size_t dimension, Measure measure, FilePlace place);
+
+/// The tables of a list, [[name]], each with its number as a section.
+std::vector<Section> sections_in(LinkageReading& reading, std::string_view name, std::span<const Key> keys);
+
+void read_linkage_dimensions(LinkageReading& reading);
+/// After every other section: dimensions that nothing uses, measures of tied ones.
+void conclude_dimensions(LinkageReading& reading);
+void read_links(LinkageReading& reading);
+void read_slides(LinkageReading& reading);
+void read_slots(LinkageReading& reading);
+void read_gears(LinkageReading& reading);
+void read_racks(LinkageReading& reading);
+void read_drives(LinkageReading& reading);
+void read_linkage_motion(LinkageReading& reading);
+void read_sketch(LinkageReading& reading);
+void read_placement(LinkageReading& reading);
+/// Signals, and the quantities that are required or optimised.
+void read_signals(LinkageReading& reading);
+/// Mobility, order and, where all dimensions are given, whether it closes: only of a structure without errors.
+void settle(LinkageReading& reading);
+/// The sides of dyads; after `settle`.
+void read_assembly(LinkageReading& reading);
+
+}  // namespace mechwright::reading

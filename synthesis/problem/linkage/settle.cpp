@@ -1,0 +1,389 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include "synthesis/problem/linkage/closing.h"
+#include "synthesis/problem/linkage/reading.h"
+#include "synthesis/problem/text.h"
+
+namespace mechwright::reading {
+
+namespace {
+
+/// "a, b, c", at most ten of them.
+std::string joined(std::vector<std::string> names) {
+    const std::size_t count = names.size();
+    if (count > 10) names.resize(10);
+    return fmt::format("{}", fmt::join(names, ", ")) + (count > 10 ? fmt::format(" and {} more", count - 10) : "");
+}
+
+std::string plural(std::size_t n, std::string_view noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
+
+std::string numbered(std::size_t index, const std::string& name, std::string_view noun) {
+    return name.empty() ? fmt::format("{} {}", noun, index + 1) : fmt::format("{} '{}'", noun, name);
+}
+
+/// A joint as messages name it.
+std::string name_of(const Linkage& made, const linkage::Equation& equation) {
+    switch (equation.by) {
+        case linkage::Joined::pin: return fmt::format("pin {}", made.pins[equation.index]);
+        case linkage::Joined::slide: return numbered(equation.index, made.slides[equation.index], "slide");
+        case linkage::Joined::slot:
+            return fmt::format("slot of {}", made.pins[made.structure.slots[equation.index].pin]);
+        case linkage::Joined::gear: return fmt::format("gear or belt {}", equation.index + 1);
+        case linkage::Joined::rack: return fmt::format("rack {}", equation.index + 1);
+        case linkage::Joined::drive: return fmt::format("drive {}", equation.index + 1);
+    }
+    return "";
+}
+
+std::vector<std::string> names_of(const Linkage& made, const std::vector<linkage::Equation>& equations) {
+    std::vector<std::string> names;
+    for (const linkage::Equation& equation : equations)
+        if (std::string name = name_of(made, equation); std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(std::move(name));
+    return names;
+}
+
+/// Points that are on one link only although nothing but a joint would need them, where a like name is elsewhere.
+std::string alike(const Linkage& made) {
+    std::string text;
+    for (std::size_t i = 0; i < made.pins.size(); ++i) {
+        const auto& points = made.structure.pins[i].points;
+        if (points.size() != 1) continue;
+        std::vector<std::string_view> others;
+        const auto first = [&](std::size_t k) { return made.pins[k][0] | 0x20; };  // in lower case
+        for (std::size_t k = 0; k < made.pins.size(); ++k)
+            if (k != i && first(k) == first(i) && !linkage::is_on(made.structure.pins[k], points[0].link))
+                others.push_back(made.pins[k]);
+        const std::string_view nearest = nearest_name(made.pins[i], others);
+        if (!nearest.empty())
+            text += fmt::format(". The point '{}' is on '{}' only: did you mean '{}'?", made.pins[i],
+                                made.links[points[0].link], nearest);
+    }
+    return text;
+}
+
+std::string count_of(const linkage::Structure& s) {
+    std::size_t pins = 0;
+    for (const linkage::Pin& pin : s.pins)
+        pins += pin.points.empty() ? 0 : pin.points.size() - 1;
+    std::string text = fmt::format("3 x {}", plural(s.links - 1, "moving link"));
+    const auto less = [&](std::size_t times, std::size_t n, std::string_view noun) {
+        if (n > 0) text += fmt::format(" - {} x {}", times, plural(n, noun));
+    };
+    less(2, pins, "pin");
+    less(2, s.slides.size(), "slide");
+    less(1, s.slots.size(), "slot");
+    less(1, s.gears.size() + s.racks.size(), "gear or rack");
+    return text;
+}
+
+/// Links that no joint ties to the frame, even through others.
+std::vector<std::size_t> hanging(const linkage::Structure& s) {
+    std::vector<bool> held(s.links, false);
+    held[0] = true;
+    const auto spread = [&held](std::size_t a, std::size_t b) {
+        if (held[a] == held[b]) return false;
+        held[a] = held[b] = true;
+        return true;
+    };
+    for (bool more = true; more;) {
+        more = false;
+        for (const linkage::Pin& pin : s.pins)
+            for (const linkage::Point& point : pin.points)
+                more = spread(pin.points[0].link, point.link) || more;
+        for (const linkage::Slide& slide : s.slides)
+            more = spread(slide.link, slide.line.on) || more;
+        for (const linkage::Slot& slot : s.slots)
+            for (const linkage::Point& point : s.pins[slot.pin].points)
+                more = spread(slot.line.on, point.link) || more;
+    }
+    std::vector<std::size_t> links;
+    for (std::size_t i = 1; i < s.links; ++i)
+        if (!held[i]) links.push_back(i);
+    return links;
+}
+
+/// A link of two pins with nothing else, with the second let go: it only points there.
+std::optional<linkage::Structure> let_go(const linkage::Structure& s, std::size_t link) {
+    std::vector<std::size_t> pins;
+    for (std::size_t i = 0; i < s.pins.size(); ++i)
+        if (s.pins[i].points.size() > 1 && linkage::is_on(s.pins[i], link)) pins.push_back(i);
+    const auto has = [link](const auto& joint) { return joint.line.on == link; };
+    if (pins.size() != 2 || std::any_of(s.slots.begin(), s.slots.end(), has) ||
+        std::any_of(s.slides.begin(), s.slides.end(), [&](const auto& j) { return has(j) || j.link == link; }) ||
+        std::any_of(s.drives.begin(), s.drives.end(), [&](const auto& d) { return d.link == link || d.on == link; }) ||
+        std::any_of(s.gears.begin(), s.gears.end(),
+                    [&](const auto& g) { return g.first == link || g.second == link || g.carrier == link; }))
+        return {};
+    linkage::Structure less = s;
+    linkage::Line line;
+    line.on = link;
+    line.through = linkage::coordinates_on(s.pins[pins[0]], link);
+    line.towards = linkage::coordinates_on(s.pins[pins[1]], link);
+    std::erase_if(less.pins[pins[1]].points, [link](const linkage::Point& p) { return p.link == link; });
+    less.slots.push_back({pins[1], line});
+    return less;
+}
+
+linkage::Mobility mobility_of(const linkage::Structure& s, const std::vector<double>& numbers) {
+    return linkage::mobility<double>(s, 1, numbers);
+}
+
+/// Lets redundant links go, the last first, until the drives settle the rest. Returns whether they do then.
+bool let_redundant_go(Linkage& made, const std::vector<double>& numbers) {
+    linkage::Mobility now = made.mobility;
+    constexpr int most = 6;  // equations too many, beyond which nobody means them to fit
+    if (static_cast<int>(made.structure.drives.size()) - now.counted > most) return false;
+    int tries = 10;  // each takes a rank
+    for (std::size_t link = made.structure.links; link-- > 1 && !now.settled() && tries > 0;) {
+        const auto less = let_go(made.structure, link);
+        if (!less) continue;
+        --tries;
+        const linkage::Mobility then = mobility_of(*less, numbers);
+        if (!then.free.empty() || then.conflicting.size() >= now.conflicting.size()) continue;
+        made.structure = *less;
+        made.redundant.push_back(link);
+        now = then;
+    }
+    return now.settled();
+}
+
+/// Several designs of the file's ranges: one where all is given.
+std::vector<std::vector<double>> some_dimensions(const Linkage& made) {
+    std::vector<std::vector<double>> designs{usual_dimensions(made)};
+    std::mt19937_64 draw(1);
+    for (int i = 0; i < 3 && !made.given(); ++i) {
+        std::vector<double> design = designs[0];
+        for (std::size_t k = 0; k < design.size(); ++k) {
+            const LinkageDimension& d = made.dimensions[k];
+            // Near the usual one, so that it closes again.
+            const double share = 0.05 * (static_cast<double>(draw() >> 11) * 0x1p-53 - 0.5);
+            if (!d.tied) design[k] = std::clamp(design[k] + share * (d.max - d.min), d.min, d.max);
+        }
+        designs.push_back(design);
+    }
+    return designs;
+}
+
+/// The mobility with how it comes about; `more` is what else there is to be said of it.
+void report_mobility(LinkageReading& reading, const std::string& more = "") {
+    const Linkage& made = reading.made;
+    const linkage::Mobility& m = made.mobility;
+    const std::size_t drives = made.structure.drives.size();
+    std::string text =
+        fmt::format("the linkage has mobility {} ({} = {}", m.mobility, count_of(made.structure), m.counted);
+    if (m.redundant == 1) text += ", and one of these equations follows from others";
+    if (m.redundant > 1) text += fmt::format(", and {} of these equations follow from others", m.redundant);
+    text += fmt::format(") and {}", plural(drives, "drive"));
+    if (!m.free.empty()) {
+        std::vector<std::string> names;
+        for (const std::size_t link : m.free)
+            names.push_back("'" + made.links[link] + "'");
+        text += fmt::format("; with the drives at rest {} still move{}", joined(names), names.size() == 1 ? "s" : "");
+    }
+    if (!m.conflicting.empty())
+        text += fmt::format("; these hold the same twice: {}", joined(names_of(made, m.conflicting)));
+    text += more + alike(made);
+    const int missing = m.mobility - static_cast<int>(drives);
+    text += m.conflicting.empty() && missing > 0 ? fmt::format(". Add {}, or joints that hold what moves freely",
+                                                               plural(static_cast<std::size_t>(missing), "drive"))
+            : m.free.empty()                     ? ". Take away a joint, a link or a drive"
+                             : ". Move a joint or a drive from what is held twice to what moves freely";
+    add_error(reading.messages, place_of(reading.file, "links"), std::move(text));
+}
+
+/// Redundant links have to fit between their pins for all dimensions. Those that do not are joints too many.
+void check_redundant(LinkageReading& reading, const linkage::Structure& whole) {
+    Linkage& made = reading.made;
+    std::vector<std::string> names;
+    for (const std::size_t link : made.redundant)
+        names.push_back("'" + made.links[link] + "'");
+    double misfit = 0;
+    for (const std::vector<double>& dimensions : some_dimensions(made)) {
+        const double one = made.order.closed() ? redundant_misfit(made, numbers_of(made, dimensions)) : -1;
+        if (one > 1e-12 || one < 0) misfit = one < 0 || misfit < 0 ? -1 : std::max(misfit, one);
+    }
+    if (misfit == 0) return;
+    constexpr double nearly = 0.01;
+    if (misfit > 0 && misfit < nearly)
+        return add_error(
+            reading.messages, reading.link_places[made.redundant.back()],
+            fmt::format("the linkage has mobility {} and {}: {} {} redundant, which is right where it fits, and misses "
+                        "its pin by {:.3g} of the linkage's size. Give it dimensions with which it fits over the whole "
+                        "motion, or leave it out",
+                        made.mobility.mobility, plural(made.structure.drives.size(), "drive"), joined(names),
+                        names.size() == 1 ? "is" : "are", misfit));
+    made.structure = whole;
+    made.redundant.clear();
+    report_mobility(reading, misfit < 0 ? ""
+                                        : fmt::format("; {} would have to fit between its pins by its dimensions, "
+                                                      "and misses by {:.3g} of the linkage's size",
+                                                      joined(names), misfit));
+}
+
+/// Lengths that a dyad is made of and that are 0.
+bool report_no_length(LinkageReading& reading, const std::vector<double>& numbers) {
+    const Linkage& made = reading.made;
+    const auto sizes = linkage::sizes_of(made.structure, made.order, std::span<const double>(numbers));
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const linkage::Step& step = made.order.steps[i];
+        if (step.kind != linkage::Step::Kind::dyad) continue;
+        for (const auto& [locus, part] :
+             {std::pair(&step.first, &sizes[i].first), std::pair(&step.second, &sizes[i].second)})
+            if (locus->kind == linkage::Locus::Kind::circle && !(part->length > 0)) {
+                add_error(reading.messages, reading.link_places[locus->link],
+                          fmt::format("the points '{}' and '{}' of the link '{}' coincide: give it a length",
+                                      made.pins[locus->centre], made.pins[step.pin], made.links[locus->link]));
+                return true;
+            }
+    }
+    return false;
+}
+
+void check_closing(LinkageReading& reading) {
+    Linkage& made = reading.made;
+    const std::vector<double> numbers = numbers_of(made, usual_dimensions(made));
+    if (report_no_length(reading, numbers)) return;
+    const Gap gap = least_gap(made, numbers);
+    if (gap.missing == 0) return;
+    std::string where;
+    for (const linkage::Step& step : made.order.steps)
+        if (step.margin == gap.margin && step.margin != linkage::none)
+            where = step.kind == linkage::Step::Kind::tied
+                        ? fmt::format("the lines that hold '{}'", made.links[step.link])
+                        : fmt::format("the dyad closed at '{}'",
+                                      made.pins[step.kind == linkage::Step::Kind::dyad ? step.pin : step.far_pin]);
+    const bool slide = made.structure.drives.front().of_slide;
+    const double at = slide || !made.units.degrees ? gap.at : gap.at * 180 / std::numbers::pi;
+    add_error(
+        reading.messages, place_of(reading.file, "links"),
+        std::isfinite(gap.missing)
+            ? fmt::format("with these dimensions {} never closes: {:.6g} {} are missing where it comes nearest, at "
+                          "the {} {:.6g}. Change a length or a side",
+                          where, gap.missing, made.units.length, slide ? "displacement" : "crank angle", at)
+            : std::string("with these dimensions the linkage never closes: two of its places coincide"));
+}
+
+}  // namespace
+
+void settle(LinkageReading& reading) {
+    Linkage& made = reading.made;
+    const std::vector<double> numbers = numbers_of(made, usual_dimensions(made));
+    for (const double number : numbers)
+        if (!std::isfinite(number) || std::abs(number) > 1e100)
+            return add_error(reading.messages, "the numbers of this linkage are beyond what can be computed with");
+    for (const std::size_t link : hanging(made.structure))
+        add_error(
+            reading.messages, reading.link_places[link],
+            fmt::format("the link '{}' hangs free: no joint ties it to the frame{}", made.links[link], alike(made)));
+    if (reading.messages.failed) return;
+    made.mobility = mobility_of(made.structure, numbers);
+    const linkage::Structure whole = made.structure;
+    if (!made.mobility.settled()) {
+        if (!made.mobility.free.empty() || !let_redundant_go(made, numbers)) {
+            made.structure = whole;
+            made.redundant.clear();
+            return report_mobility(reading);
+        }
+    }
+    made.order = linkage::order_of(made.structure);
+    if (!made.redundant.empty()) check_redundant(reading, whole);
+}
+
+namespace {
+
+using Kind = linkage::Group::Kind;
+
+/// The dyad of two assemblies that a key names: by its inner pin or its slide.
+const linkage::Group* find_group(const Linkage& made, std::string_view key) {
+    for (const linkage::Group& group : made.order.groups) {
+        if (group.choice == linkage::none || made.links.empty()) continue;
+        if (made.pins[group.pin] == key) return &group;
+        if (group.by_slide && group.joint < made.slides.size() && made.slides[group.joint] == key) return &group;
+    }
+    return nullptr;
+}
+
+std::vector<std::string_view> keys_of_dyads(const Linkage& made) {
+    std::vector<std::string_view> keys;
+    for (const linkage::Group& group : made.order.groups)
+        if (group.choice != linkage::none) keys.push_back(made.pins[group.pin]);
+    return keys;
+}
+
+/// 1, -1 or 0 for the word of a side; absent if it is none of them.
+std::optional<std::int8_t> side_of(LinkageReading& reading, const toml::node& node, const linkage::Group& group,
+                                   const std::string& what) {
+    static constexpr std::array<std::string_view, 3> turned{"left", "right", "either"};
+    static constexpr std::array<std::string_view, 3> along{"ahead", "behind", "either"};
+    const auto word = to_choice(node, what, "side", group.kind == Kind::rrr ? turned : along, reading.messages);
+    if (!word) return {};
+    return static_cast<std::int8_t>(*word == 0 ? 1 : *word == 1 ? -1 : 0);
+}
+
+/// { side = "left", from = "B", to = "D" }
+std::optional<std::int8_t> side_between(LinkageReading& reading, const toml::table& table, const linkage::Group& group,
+                                        const std::string& what) {
+    const Linkage& made = reading.made;
+    Section section{&table, what, place_of(table)};
+    if (has(section, "group") || has(section, "index")) {
+        add_error(
+            reading.messages, section.place,
+            fmt::format("{}: groups are told by their inner pin here; {{ group, index }} is of groups that are no "
+                        "dyads, which this version does not place",
+                        what));
+        return {};
+    }
+    const toml::node* node = find(section, "side");
+    if (node == nullptr) add_error(reading.messages, section.place, fmt::format("'side' in {} is missing", what));
+    const auto side = node == nullptr ? std::nullopt : side_of(reading, *node, group, what);
+    const auto from = read_string(section, "from", reading.messages), to = read_string(section, "to", reading.messages);
+    report_unknown_keys(section, reading.messages);
+    if (!side || (!from && !to)) return side;
+    if (group.kind != Kind::rrr || !from || !to) {
+        add_error(reading.messages, section.place,
+                  fmt::format("{}: 'from' and 'to' are the two outer pins of a dyad of two links", what));
+        return {};
+    }
+    const std::string &first = made.pins[group.outer[0]], &second = made.pins[group.outer[1]];
+    if (*from == first && *to == second) return side;
+    if (*from == second && *to == first) return static_cast<std::int8_t>(-*side);
+    add_error(reading.messages, section.place,
+              fmt::format("{}: the outer pins of this dyad are '{}' and '{}'", what, first, second));
+    return {};
+}
+
+}  // namespace
+
+void read_assembly(LinkageReading& reading) {
+    Linkage& made = reading.made;
+    made.sides.assign(made.order.choices, 1);
+    std::optional<Section> section = read_section(reading.file, "assembly", reading.messages);
+    if (reading.messages.failed) return;
+    if (section)
+        for (const auto& [key, node] : in_order(*section->table)) {
+            const linkage::Group* group = find_group(made, key);
+            const std::string what = fmt::format("'{}' in [assembly]", key);
+            if (group == nullptr) {
+                const auto known = keys_of_dyads(made);
+                add_error(reading.messages, key_place(*section, key),
+                          fmt::format("{} is no dyad with two assemblies; {}", what,
+                                      known.empty() ? "there is none: leave it out" : remedy(key, known)));
+                continue;
+            }
+            const auto side = node->is_table() ? side_between(reading, *node->as_table(), *group, what)
+                                               : side_of(reading, *node, *group, what);
+            if (side) made.sides[group->choice] = *side;
+        }
+    if (!reading.messages.failed && made.given() && made.order.closed() && !made.structure.drives.empty())
+        check_closing(reading);
+}
+
+}  // namespace mechwright::reading

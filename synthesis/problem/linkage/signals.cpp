@@ -1,0 +1,307 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "synthesis/problem/linkage/reading.h"
+#include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/text.h"
+
+namespace mechwright::reading {
+
+namespace {
+
+using Word = std::string_view;
+
+/// A key that says what a signal is, with the keys that may stand beside it.
+struct SignalKind {
+    Word key;
+    std::array<Word, 2> beside;
+    Word unit;  ///< "" where it follows from other signals
+};
+
+constexpr std::array<SignalKind, 12> kinds{{{"angle", {"to", "near"}, "angle"},
+                                            {"x", {"on", ""}, "length"},
+                                            {"y", {"on", ""}, "length"},
+                                            {"along", {"point", "on"}, "length"},
+                                            {"distance", {"", ""}, "length"},
+                                            {"from-line", {"point", ""}, "length"},
+                                            {"slide", {"", ""}, "length"},
+                                            {"speed-of", {"", ""}, "speed"},
+                                            {"acceleration-of", {"", ""}, "acceleration"},
+                                            {"transmission-angle", {"", ""}, "angle"},
+                                            {"sum", {"", ""}, ""},
+                                            {"ratio", {"", ""}, ""}}};
+
+constexpr std::array<Word, 5> ready_made{"transmission-angle-worst", "total-length", "link-ratio", "full-turn-margin",
+                                         "joint-distance-least"};
+constexpr std::array<Word, 8> made_of{"least", "greatest", "range", "mean", "rms", "deviation", "at", "time-ratio"};
+constexpr std::array<Word, 3> derivatives{"speed", "acceleration", "jerk"};
+constexpr std::array<Word, 4> of_targets{"path-rms", "path-max", "pose-rms", "pose-max"};
+
+struct SignalReading {
+    LinkageReading& reading;
+    std::vector<const toml::table*> tables{};
+    std::vector<FilePlace> places{};
+    std::vector<Word> units{};  ///< found so far; "circle" while one is being found
+
+    const std::vector<LinkageSignal>& signals() const { return reading.made.signals; }
+    std::optional<std::size_t> find_signal(const toml::node& node, const std::string& what) const {
+        const auto name = node.value_exact<std::string>();
+        if (!name) return report_kind(node, what, "the name of a signal", reading.messages), std::nullopt;
+        return find_signal(*name, place_of(node), what);
+    }
+    std::optional<std::size_t> find_signal(Word name, FilePlace place, const std::string& what) const {
+        std::vector<Word> known;
+        for (std::size_t i = 0; i < signals().size(); ++i) {
+            if (signals()[i].name == name) return i;
+            known.push_back(signals()[i].name);
+        }
+        add_error(reading.messages, place,
+                  fmt::format("{}: there is no signal {}; {}", what, reading::quoted(name),
+                              known.empty() ? "signals stand in [signals]" : remedy(name, known)));
+        return {};
+    }
+    void pin(const toml::node& node, const std::string& what) const {
+        if (const auto name = node.value_exact<std::string>())
+            find_pin(reading, *name, place_of(node), what);
+        else
+            report_kind(node, what, "the name of a point", reading.messages);
+    }
+    void link(const toml::node& node, const std::string& what) const {
+        if (const auto name = node.value_exact<std::string>())
+            find_link(reading, *name, place_of(node), what);
+        else
+            report_kind(node, what, "the name of a link", reading.messages);
+    }
+    void two(const toml::node& node, const std::string& what) const {
+        const toml::array* list = node.as_array();
+        if (list == nullptr || list->size() != 2)
+            return add_error(reading.messages, place_of(node),
+                             fmt::format("{} must be two names, like [\"P\", \"Q\"]", what));
+        for (std::size_t i = 0; i < 2; ++i)
+            if (what.starts_with("'ratio'"))
+                find_signal(*list->get(i), what);
+            else
+                pin(*list->get(i), what);
+    }
+    void sum(const toml::node& node, const std::string& what) const {
+        const toml::table* terms = node.as_table();
+        if (terms == nullptr || terms->empty())
+            return add_error(
+                reading.messages, place_of(node),
+                fmt::format("{} must be signals with their factors, like {{ swing = 1, other = -0.5 }}", what));
+        const Section section{terms, what, place_of(node)};
+        for (const auto& [name, factor] : in_order(*terms)) {
+            find_signal(name, key_place(section, name), what);
+            to_number(*factor, fmt::format("the factor of '{}'", name), reading.messages);
+        }
+    }
+    /// What stands behind a key of a signal.
+    void check(Word key, const toml::node& node, const std::string& what, Word kind) const {
+        if (key == "near" || (key == "along" && kind == "along"))
+            to_number(node, what, reading.messages);
+        else if (key == "angle" || key == "to" || key == "on")
+            link(node, what);
+        else if (key == "distance" || key == "from-line" || key == "ratio")
+            two(node, what);
+        else if (key == "slide")
+            find_slide(reading, node, what);
+        else if (key == "sum")
+            sum(node, what);
+        else
+            pin(node, what);
+    }
+    const SignalKind* kind_of_table(std::size_t i) const {
+        const SignalKind* found = nullptr;
+        for (const SignalKind& kind : kinds)
+            if (tables[i]->contains(kind.key)) {
+                if (found != nullptr) return nullptr;
+                found = &kind;
+            }
+        return found;
+    }
+    void read(std::size_t i) {
+        LinkageSignal& signal = reading.made.signals[i];
+        const std::string title = fmt::format("the signal '{}'", signal.name);
+        const SignalKind* kind = kind_of_table(i);
+        if (kind == nullptr) {
+            std::vector<Word> words;
+            for (const SignalKind& one : kinds)
+                words.push_back(one.key);
+            return add_error(reading.messages, places[i],
+                             fmt::format("{} needs exactly one of {}", title, listed(words)));
+        }
+        signal.kind = kind->key;
+        Section section{tables[i], title, places[i]};
+        for (const Word key : {kind->key, kind->beside[0], kind->beside[1]}) {
+            if (key.empty()) continue;
+            const toml::node* node = find(section, key);
+            const bool needed = key == "point";
+            if (node != nullptr)
+                check(key, *node, name_of(section, key), kind->key);
+            else if (needed)
+                add_error(reading.messages, section.place, fmt::format("{} is missing", name_of(section, key)));
+        }
+        report_unknown_keys(section, reading.messages);
+    }
+    /// The unit of a signal: "mixed" where a sum adds different ones, "circle" where it is made of itself.
+    Word unit_of(std::size_t i) {
+        if (!units[i].empty()) return units[i];
+        for (const SignalKind& kind : kinds)
+            if (kind.key == signals()[i].kind && !kind.unit.empty()) return units[i] = kind.unit;
+        units[i] = "circle";
+        Word unit;
+        const auto take = [&](Word name) {
+            for (std::size_t k = 0; k < signals().size(); ++k)
+                if (signals()[k].name == name) {
+                    const Word more = unit_of(k);
+                    unit = unit.empty() || unit == more || more == "circle" ? more : unit == "circle" ? unit : "mixed";
+                }
+        };
+        if (const toml::table* terms = (*tables[i])["sum"].as_table())
+            for (const auto& [name, factor] : *terms)
+                take(name.str());
+        if (const toml::array* list = (*tables[i])["ratio"].as_array())
+            for (const toml::node& entry : *list)
+                if (const auto name = entry.value_exact<std::string>()) take(*name);
+        if (unit != "circle" && signals()[i].kind == "ratio") unit = unit == "mixed" ? "quotient" : "ratio";
+        return units[i] = unit.empty() ? Word("ratio") : unit;
+    }
+};
+
+bool is_one_of(std::span<const Word> words, Word word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// What is wrong with what stands behind a signal's name: ".speed.greatest", ".at(60)", ".least(10, 50)".
+std::string suffix_fault(Word rest) {
+    const auto next = [&rest] {
+        const std::size_t end = std::min(rest.find_first_of(".("), rest.size());
+        const Word word = rest.substr(0, end);
+        rest.remove_prefix(end);
+        return word;
+    };
+    Word word = next();
+    if (is_one_of(derivatives, word) && rest.starts_with('.')) {
+        rest.remove_prefix(1);
+        word = next();
+    }
+    if (!is_one_of(made_of, word)) return remedy(word, made_of);
+    if (word == "at" && rest.empty()) return "say where, like at(60)";
+    if (!rest.empty() && (!rest.starts_with('(') || !rest.ends_with(')')))
+        return "after it may stand a stretch, like (10, 50)";
+    return {};
+}
+
+void check_quantity(const SignalReading& signals, const toml::node& node, const std::string& what) {
+    const auto text = node.value_exact<std::string>();
+    if (!text) return report_kind(node, what, "the name of a quantity", signals.reading.messages);
+    const std::size_t dot = text->find('.');
+    if (dot == std::string::npos) {
+        if (is_one_of(ready_made, *text) || is_one_of(of_targets, *text)) return;
+        std::vector<Word> known(ready_made.begin(), ready_made.end());
+        for (const LinkageSignal& signal : signals.signals())
+            if (signal.name == *text)
+                return add_error(
+                    signals.reading.messages, place_of(node),
+                    fmt::format("{}: '{}' is a signal; say what of it, like {}.greatest", what, *text, *text));
+        return add_error(
+            signals.reading.messages, place_of(node),
+            fmt::format("{}: there is no quantity {}; {}", what, reading::quoted(*text), remedy(*text, known)));
+    }
+    if (!signals.find_signal(Word(*text).substr(0, dot), place_of(node), what)) return;
+    if (const std::string fault = suffix_fault(Word(*text).substr(dot + 1)); !fault.empty())
+        add_error(signals.reading.messages, place_of(node),
+                  fmt::format("{}: {} is no quantity of a signal; {}", what, reading::quoted(*text), fault));
+}
+
+void check_quantities(const SignalReading& signals, const toml::node& node, const std::string& what) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return check_quantity(signals, node, what);
+    for (const toml::node& entry : *list)
+        check_quantity(signals, entry, what);
+}
+
+}  // namespace
+
+void read_signals(LinkageReading& reading) {
+    SignalReading signals{reading};
+    if (std::optional<Section> section = read_section(reading.file, "signals", reading.messages)) {
+        for (const auto& [name, node] : in_order(*section->table)) {
+            const FilePlace place = key_place(*section, name);
+            if (is_one_of(ready_made, name) || is_one_of(of_targets, name)) {
+                add_error(reading.messages, place,
+                          fmt::format("'{}' cannot be the name of a signal: it is a quantity already", name));
+                continue;
+            }
+            if (!is_name(reading, name, place, "signal")) continue;
+            const toml::table* table = node->as_table();
+            if (table == nullptr) {
+                report_kind(*node, fmt::format("the signal '{}'", name), "a table, like { angle = \"rocker\" }",
+                            reading.messages);
+                continue;
+            }
+            reading.made.signals.push_back({std::string(name), {}});
+            signals.tables.push_back(table);
+            signals.places.push_back(place);
+        }
+        std::vector<std::string> names;
+        for (const LinkageSignal& signal : reading.made.signals)
+            names.push_back(signal.name);
+        report_case_twins(reading, names, signals.places, "signal");
+    }
+    for (std::size_t i = 0; i < signals.tables.size(); ++i)
+        signals.read(i);
+    signals.units.resize(signals.tables.size());
+    for (std::size_t i = 0; i < signals.tables.size(); ++i) {
+        const Word unit = signals.unit_of(i);
+        if (unit == "circle")
+            add_error(reading.messages, signals.places[i],
+                      fmt::format("the signal '{}' is made of itself", reading.made.signals[i].name));
+        else if (unit == "mixed")
+            add_error(reading.messages, signals.places[i],
+                      fmt::format("the signal '{}' adds what has different units: add angles to angles and lengths to "
+                                  "lengths",
+                                  reading.made.signals[i].name));
+    }
+    for (Section& section : sections_in(reading, "require", keys::requirement)) {
+        if (const toml::node* node = find(section, "quantity"))
+            check_quantity(signals, *node, name_of(section, "quantity"));
+        else
+            add_error(reading.messages, section.place, fmt::format("'quantity' in {} is missing", section.title));
+        const auto equal = read_number(section, "equal", reading.messages),
+                   min = read_number(section, "min", reading.messages),
+                   max = read_number(section, "max", reading.messages);
+        if (!has(section, "equal") && !has(section, "min") && !has(section, "max"))
+            add_error(reading.messages, section.place,
+                      fmt::format("{} asks for nothing: write 'equal', 'min' or 'max'", section.title));
+        if ((equal && (min || max)) || (min && max && *min > *max))
+            add_error(reading.messages, section.place,
+                      fmt::format("{} can be met by no value: write 'equal', or 'min' not above 'max'", section.title));
+        report_unknown_keys(section, reading.messages);
+    }
+    const toml::node* objective = find(reading.file, "objective");
+    if (objective == nullptr) return;
+    std::vector<const toml::table*> tables;
+    if (const toml::array* list = objective->as_array()) {
+        for (const toml::node& entry : *list)
+            if (entry.is_table()) tables.push_back(entry.as_table());
+    } else if (objective->is_table()) {
+        tables.push_back(objective->as_table());
+    }
+    if (tables.empty()) report_kind(*objective, "'objective'", "a table", reading.messages);
+    for (const toml::table* table : tables) {
+        Section section{table, "[objective]", place_of(*table), keys::objective};
+        for (const char* key : {"minimize", "maximize"})
+            if (const toml::node* node = find(section, key)) check_quantities(signals, *node, name_of(section, key));
+        read_number(section, "weight", reading.messages);
+        read_choice(section, "reduce", "reduction", reading.messages);
+        if (has(section, "minimize") == has(section, "maximize"))
+            add_error(reading.messages, section.place, "[objective] needs either 'minimize' or 'maximize'");
+        report_unknown_keys(section, reading.messages);
+    }
+}
+
+}  // namespace mechwright::reading

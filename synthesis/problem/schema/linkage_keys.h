@@ -1,0 +1,88 @@
+#pragma once
+/// \file
+/// The sections that only files of a linkage have, with their keys. What stands behind names that the file itself makes
+/// (links, points, assembly, signals) is in `problem_schema.cpp`.
+
+#include <array>
+#include <string_view>
+
+#include "synthesis/problem/schema/key.h"
+
+namespace mechwright::keys {
+
+inline constexpr std::array line_of_slot{
+    Key{"along", Shape::texts, "Two points of the link that the line is on: it runs from the first to the second."},
+    Key{"point", Shape::place, "A place on the line, by name or as [x, y]."},
+    Key{"direction", Shape::expression, "Angle of the line to the x axis of its link."}};
+
+inline constexpr std::array slide{
+    Key{"link", Shape::text, "What slides, without turning.", true},
+    Key{"on", Shape::text, "The link that it slides on.", true},
+    line_of_slot[0],
+    line_of_slot[1],
+    line_of_slot[2],
+    Key{"angle", Shape::expression, "Angle of what slides to the x axis of the link that it slides on. Preset: 0."},
+    Key{"offset", Shape::expression, "Distance of its origin from the line, positive to the left. Preset: 0."},
+    Key{"name", Shape::text, "What drives, sides and signals call it."},
+    Key{"min", Shape::expression, "Stop: its least displacement."},
+    Key{"max", Shape::expression, "Stop: its greatest displacement."}};
+
+inline constexpr std::array slot{
+    Key{"pin", Shape::text, "The point that stays in the slot.", true},
+    Key{"in", Shape::text, "The link that has the slot.", true},
+    line_of_slot[0],
+    line_of_slot[1],
+    line_of_slot[2],
+    Key{"centre", Shape::place, "Of a circular slot: its centre, by name or as [x, y]."},
+    Key{"radius", Shape::expression, "Of a circular slot: the same as a link of this length from centre to pin."},
+    Key{"min", Shape::expression, "Stop: the least displacement of the pin along the slot."},
+    Key{"max", Shape::expression, "Stop: its greatest displacement."}};
+
+inline constexpr std::array gear{
+    Key{"links", Shape::texts, "The two links that turn.", true},
+    Key{"carrier", Shape::text, "What both turn against. Preset: frame."},
+    Key{"ratio", Shape::expression, "Turn of the second over that of the first."},
+    Key{"teeth",
+        Shape::numbers,
+        "Teeth of the first and of the second, in place of the ratio.",
+        false,
+        {},
+        {},
+        positive},
+    Key{"internal", Shape::flag, "With teeth: both turn the same way. Preset: false."},
+    Key{"phase", Shape::expression, "Turn of the second where that of the first is 0. Preset: 0."}};
+
+inline constexpr std::array belt{gear[0],
+                                 gear[1],
+                                 gear[2],
+                                 gear[3],
+                                 Key{"crossed", Shape::flag, "Whether they turn in opposite senses. Preset: false."},
+                                 gear[5]};
+
+inline constexpr std::array rack{
+    Key{"link", Shape::text, "The link that slides.", true}, Key{"wheel", Shape::text, "The link that turns.", true},
+    Key{"carrier", Shape::text, "What it turns against. Preset: frame."},
+    Key{"radius", Shape::expression, "Displacement of the slide for a turn of one radian, of either sign.", true},
+    Key{"phase", Shape::expression, "Displacement where the turn is 0. Preset: 0."}};
+
+inline constexpr std::array drive{
+    Key{"link", Shape::text, "The link whose angle is the input."},
+    Key{"on", Shape::text, "The link that its angle counts from. Preset: frame."},
+    Key{"slide", Shape::value, "The slide whose displacement is the input: its name or its number from 1."},
+    Key{"ratio", Shape::number, "Of a further drive: its input over that of the first. Preset: 1."},
+    Key{"phase", Shape::number, "Of a further drive: its input where that of the first is 0. Preset: 0."},
+    Key{"speed", Shape::number, "Turns per minute."},
+    Key{"min", Shape::expression, "Stop: the least input."},
+    Key{"max", Shape::expression, "Stop: the greatest input."}};
+
+inline constexpr std::array sketch{
+    Key{"crank", Shape::number, "The input at which points are given.", true},
+    Key{"points", Shape::names, "Where points are about, in the frame's axes: { P = [x, y] }.", true}};
+
+inline constexpr std::array placement{
+    Key{"origin-x", Shape::range, "Where the frame's origin is. Preset: 0."},
+    Key{"origin-y", Shape::range, "Where the frame's origin is. Preset: 0."},
+    Key{"tilt", Shape::range, "Direction of the frame's x axis. Preset: 0."},
+    Key{"scale", Shape::range, "By which every length is multiplied. Preset: 1.", false, {}, {}, positive}};
+
+}  // namespace mechwright::keys

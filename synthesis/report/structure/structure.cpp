@@ -1,0 +1,322 @@
+#include "synthesis/report/structure/structure.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "synthesis/problem/linkage/closing.h"
+#include "synthesis/report/text/table.h"
+
+namespace mechwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using linkage::Group;
+using Kind = Group::Kind;
+
+constexpr std::array<std::string_view, 9> kind_names{"drive", "gear", "one position", "RRR",         "RRP",
+                                                     "RPR",   "RPP",  "PRP",          "larger group"};
+
+std::vector<std::string> names_of(const Linkage& l, const std::vector<std::size_t>& links) {
+    std::vector<std::string> names;
+    for (const std::size_t link : links)
+        names.push_back(l.links[link]);
+    return names;
+}
+
+std::vector<std::string> links_at(const Linkage& l, const linkage::Pin& pin) {
+    std::vector<std::size_t> links;
+    for (const linkage::Point& point : pin.points)
+        links.push_back(point.link);
+    std::sort(links.begin(), links.end());
+    return names_of(l, links);
+}
+
+bool is_redundant(const Linkage& l, std::size_t link) {
+    return std::find(l.redundant.begin(), l.redundant.end(), link) != l.redundant.end();
+}
+
+std::string slide_name(const Linkage& l, std::size_t slide) {
+    return l.slides[slide].empty() ? fmt::format("slide {}", slide + 1) : l.slides[slide];
+}
+
+Json joints_of(const Linkage& l) {
+    Json joints = Json::array();
+    const linkage::Structure& s = l.structure;
+    for (std::size_t i = 0; i < s.pins.size(); ++i) {
+        std::vector<std::string> links = links_at(l, s.pins[i]);
+        for (const linkage::Slot& slot : s.slots)  // the end of a redundant link that is let go
+            if (slot.pin == i && is_redundant(l, slot.line.on)) links.push_back(l.links[slot.line.on]);
+        if (links.size() > 1) joints.push_back({{"kind", "pin"}, {"name", l.pins[i]}, {"links", links}});
+    }
+    for (std::size_t i = 0; i < s.slides.size(); ++i)
+        joints.push_back({{"kind", "slide"},
+                          {"name", slide_name(l, i)},
+                          {"links", {l.links[s.slides[i].link], l.links[s.slides[i].line.on]}}});
+    for (const linkage::Slot& slot : s.slots)
+        if (!is_redundant(l, slot.line.on)) {
+            std::vector<std::string> links = links_at(l, s.pins[slot.pin]);
+            links.push_back(l.links[slot.line.on]);
+            joints.push_back({{"kind", "slot"}, {"name", l.pins[slot.pin]}, {"links", links}});
+        }
+    for (const linkage::Gear& g : s.gears)
+        joints.push_back({{"kind", "gear"},
+                          {"name", fmt::format("{} {}", l.links[g.first], l.links[g.second])},
+                          {"links", {l.links[g.first], l.links[g.second], l.links[g.carrier]}}});
+    for (const linkage::Rack& r : s.racks)
+        joints.push_back({{"kind", "rack"},
+                          {"name", fmt::format("{} {}", l.links[s.slides[r.slide].link], l.links[r.wheel])},
+                          {"links", {l.links[s.slides[r.slide].link], l.links[r.wheel], l.links[r.carrier]}}});
+    return joints;
+}
+
+Json drives_of(const Linkage& l) {
+    Json drives = Json::array();
+    for (std::size_t i = 0; i < l.structure.drives.size(); ++i) {
+        const linkage::Drive& drive = l.structure.drives[i];
+        Json one = drive.of_slide ? Json{{"slide", slide_name(l, drive.slide)}}
+                                  : Json{{"link", l.links[drive.link]}, {"on", l.links[drive.on]}};
+        if (i > 0) {
+            one["ratio"] = l.drives[i].ratio;
+            one["phase"] = l.drives[i].phase * (drive.of_slide || !l.units.degrees ? 1 : 180 / std::numbers::pi);
+        }
+        if (l.drives[i].speed) one["speed"] = *l.drives[i].speed;
+        drives.push_back(std::move(one));
+    }
+    return drives;
+}
+
+/// The numbers that a group reads: those of the joints that it has with itself and with what is placed before it.
+std::vector<linkage::Number> numbers_read(const Linkage& l, std::size_t group) {
+    std::vector<bool> own(l.structure.links, false), there(l.structure.links, false);
+    there[0] = true;
+    for (std::size_t i = 0; i <= group; ++i)
+        for (const std::size_t link : l.order.groups[i].links)
+            there[link] = true, own[link] = own[link] || i == group;
+    std::vector<linkage::Number> read;
+    const auto coordinates = [&read](const linkage::Coordinates& c) { read.insert(read.end(), {c.first, c.second}); };
+    const auto joined = [&](std::vector<std::size_t> links) {
+        return std::all_of(links.begin(), links.end(), [&](std::size_t i) { return there[i]; }) &&
+               std::any_of(links.begin(), links.end(), [&](std::size_t i) { return own[i]; });
+    };
+    const auto pin = [&](const linkage::Pin& at) {
+        for (const linkage::Point& point : at.points)
+            if (there[point.link]) coordinates(point.at);
+    };
+    const auto line = [&](const linkage::Line& of) {
+        coordinates(of.through);
+        if (of.by_angle)
+            read.push_back(of.angle);
+        else
+            coordinates(of.towards);
+    };
+    const linkage::Structure& s = l.structure;
+    for (const linkage::Pin& at : s.pins) {
+        std::size_t known = 0;
+        bool mine = false;
+        for (const linkage::Point& point : at.points)
+            known += there[point.link], mine = mine || own[point.link];
+        if (mine && known > 1) pin(at);
+    }
+    for (const linkage::Slide& slide : s.slides)
+        if (joined({slide.link, slide.line.on})) {
+            line(slide.line);
+            read.insert(read.end(), {slide.angle, slide.offset});
+        }
+    for (const linkage::Slot& slot : s.slots) {
+        const auto& points = s.pins[slot.pin].points;
+        if (std::any_of(points.begin(), points.end(), [&](const auto& p) { return joined({p.link, slot.line.on}); })) {
+            line(slot.line);
+            pin(s.pins[slot.pin]);
+        }
+    }
+    for (const linkage::Gear& gear : s.gears)
+        if (joined({gear.first, gear.second, gear.carrier})) read.insert(read.end(), {gear.ratio, gear.phase});
+    for (const linkage::Rack& rack : s.racks)
+        if (joined({s.slides[rack.slide].link, rack.wheel, rack.carrier}))
+            read.insert(read.end(), {rack.radius, rack.phase});
+    return read;
+}
+
+std::vector<std::string> dimensions_read(const Linkage& l, std::size_t group) {
+    std::vector<bool> in(l.dimensions.size(), false);
+    for (const linkage::Number number : numbers_read(l, group))
+        for (const auto& [dimension, factor] : l.numbers[number].value.terms)
+            in[dimension] = true;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < in.size(); ++i)
+        if (in[i]) names.push_back(l.dimensions[i].name);
+    return names;
+}
+
+std::string_view word_of(const Group& group, int side) {
+    if (group.kind == Kind::rrr) return side > 0 ? "left" : side < 0 ? "right" : "either";
+    return side > 0 ? "ahead" : side < 0 ? "behind" : "either";
+}
+
+/// A side as a file says it whatever the order of its links.
+Json side_of(const Linkage& l, const Group& group, int side) {
+    if (group.kind != Kind::rrr) return word_of(group, side);
+    return {{"side", word_of(group, side)}, {"from", l.pins[group.outer[0]]}, {"to", l.pins[group.outer[1]]}};
+}
+
+Json groups_of(const Linkage& l) {
+    Json groups = Json::array();
+    for (std::size_t i = 0; i < l.order.groups.size(); ++i) {
+        const Group& group = l.order.groups[i];
+        Json one{{"kind", kind_names[static_cast<std::size_t>(group.kind)]}, {"links", names_of(l, group.links)}};
+        if (group.links.size() == 1 && is_redundant(l, group.links[0])) one["redundant"] = true;
+        if (group.choice != linkage::none && !one.contains("redundant")) {
+            one["closed-at"] = l.pins[group.pin];
+            one["side"] = side_of(l, group, l.sides[group.choice]);
+        }
+        if (group.kind != Kind::larger) one["assemblies"] = one.contains("redundant") ? 1 : group.assemblies();
+        one["dimensions"] = dimensions_read(l, i);
+        groups.push_back(std::move(one));
+    }
+    return groups;
+}
+
+double shown_input(const Linkage& l, double at) {
+    return l.units.degrees && !l.structure.drives.front().of_slide ? at * 180 / std::numbers::pi : at;
+}
+
+/// All assemblies at an input: of each the sides and where its moving points are.
+Json assemblies_of(const Linkage& l, double at) {
+    LinkagePoses poses(l, numbers_of(l, usual_dimensions(l)));
+    Json list = Json::array();
+    std::vector<std::int8_t> open(l.order.choices, 0);
+    for (const Group& group : l.order.groups)
+        if (group.choice != linkage::none && is_redundant(l, group.links[0])) open[group.choice] = 1;
+    for_each_assembly(open, 10, [&](const std::vector<std::int8_t>& sides) {
+        if (!poses.place(at, sides) || poses.misfit() > 1e-9 * poses.size()) return;
+        Json one{{"sides", Json::object()}, {"points", Json::object()}};
+        bool meant = true;
+        for (const Group& group : l.order.groups)
+            if (group.choice != linkage::none && open[group.choice] == 0) {
+                one["sides"][l.pins[group.pin]] = word_of(group, sides[group.choice]);
+                meant = meant && l.sides[group.choice] * sides[group.choice] >= 0;
+            }
+        one["as-in-file"] = meant;
+        for (std::size_t i = 0; i < l.pins.size(); ++i)
+            if (!linkage::is_on(l.structure.pins[i], 0))
+                one["points"][l.pins[i]] = {poses.pose.pins[i].x, poses.pose.pins[i].y};
+        list.push_back(std::move(one));
+    });
+    return {{"crank", shown_input(l, at)}, {"assemblies", std::move(list)}};
+}
+
+std::string list_text(const Json& names) {
+    std::vector<std::string> words;
+    for (const Json& name : names)
+        words.push_back(name.get<std::string>());
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string side_text(const Json& group) {
+    if (group.contains("redundant")) return "redundant: it fits between its pins";
+    if (!group.contains("side")) return "";
+    const Json& side = group["side"];
+    const std::string at = fmt::format("closed at {}", group["closed-at"].get<std::string>());
+    if (side.is_string()) return at + ", " + side.get<std::string>();
+    return at + fmt::format(", {} of {} to {}", side["side"].get<std::string>(), side["from"].get<std::string>(),
+                            side["to"].get<std::string>());
+}
+
+std::string groups_text(const Json& groups) {
+    Table table{{Align::right, Align::left, Align::left, Align::left, Align::left}, {}};
+    std::string larger, reads;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const Json& group = groups[i];
+        const bool dyad = group.contains("assemblies");
+        table.rows.push_back({std::to_string(i + 1), group["kind"].get<std::string>(), list_text(group["links"]),
+                              side_text(group),
+                              !dyad                      ? "not solved here"
+                              : group["assemblies"] == 2 ? "2 assemblies"
+                                                         : ""});
+        if (!group["dimensions"].empty())
+            reads += folded(fmt::format("  {:>2}  ", i + 1), "reads " + list_text(group["dimensions"]));
+        if (!dyad)
+            larger = folded("",
+                            "A larger group is no dyad: its links have to be placed together, which this version "
+                            "does not do.");
+    }
+    return to_text(table, 2) + (reads.empty() ? "" : "\nDimensions\n" + reads) + (larger.empty() ? "" : "\n" + larger);
+}
+
+std::string assemblies_text(const Json& all, const Linkage& l) {
+    const bool slide = l.structure.drives.front().of_slide;
+    std::string text = fmt::format("\nAssemblies at the {} {}: {}\n", slide ? "displacement" : "crank angle",
+                                   number_text(all["crank"].get<double>()), all["assemblies"].size());
+    std::size_t shown = 0;
+    for (const Json& one : all["assemblies"]) {
+        if (++shown > 64) return text + "  ...\n";
+        std::string sides, points;
+        for (const auto& [pin, side] : one["sides"].items())
+            sides += fmt::format("{}{}{}{}", sides.empty() ? "" : ", ", pin, tied_space, side.get<std::string>());
+        for (const auto& [pin, at] : one["points"].items())
+            points += fmt::format("{}{}{}({},{}{})", points.empty() ? "" : ", ", pin, tied_space,
+                                  number_text(at[0].get<double>(), 6), tied_space, number_text(at[1].get<double>(), 6));
+        text += folded("  ", (sides.empty() ? "one position" : sides) + (one["as-in-file"] ? ", as in the file" : ""));
+        text += folded("    ", points);
+    }
+    return text;
+}
+
+bool is_placed(const Linkage& l) { return l.given() && l.order.closed() && !l.structure.drives.empty(); }
+
+}  // namespace
+
+Json structure_of(const Linkage& l, std::optional<double> at) {
+    Json json{{"title", l.title}, {"links", Json::array()}};
+    for (std::size_t link = 0; link < l.links.size(); ++link) {
+        std::vector<std::string> points;
+        for (std::size_t i = 0; i < l.pins.size(); ++i)
+            if (linkage::is_on(l.structure.pins[i], link)) points.push_back(l.pins[i]);
+        for (const linkage::Slot& slot : l.structure.slots)
+            if (slot.line.on == link && is_redundant(l, link)) points.push_back(l.pins[slot.pin]);
+        json["links"].push_back({{"name", l.links[link]}, {"points", points}});
+    }
+    json["joints"] = joints_of(l);
+    json["mobility"] = {{"mobility", l.mobility.mobility},
+                        {"counted", l.mobility.counted},
+                        {"drives", l.structure.drives.size()},
+                        {"redundant", names_of(l, l.redundant)}};
+    json["drives"] = drives_of(l);
+    json["groups"] = groups_of(l);
+    if (is_placed(l)) json.update(assemblies_of(l, at.value_or(l.at.value_or(0))));
+    return json;
+}
+
+std::string structure_text(const Linkage& l, std::optional<double> at, bool colour) {
+    const Json json = structure_of(l, at);
+    std::string text = l.title.empty() ? "" : emphasised(l.title, Emphasis::strong, colour) + "\n\n";
+    Json links = Json::array();
+    for (const Json& link : json["links"])
+        links.push_back(link["name"]);
+    text += folded("links      ", fmt::format("{}: {}", links.size(), list_text(links)));
+    std::string joints;
+    for (const Json& joint : json["joints"])
+        joints += fmt::format("{}{}{}{} ({})", joints.empty() ? "" : "; ", joint["kind"].get<std::string>(), tied_space,
+                              joint["name"].get<std::string>(), list_text(joint["links"]));
+    text += folded("joints     ", joints);
+    text += folded("mobility   ",
+                   fmt::format("{} by rank, {} by count", l.mobility.mobility, l.mobility.counted) +
+                       (l.redundant.empty() ? "" : "; redundant: " + list_text(json["mobility"]["redundant"])));
+    std::string drives;
+    for (const Json& drive : json["drives"])
+        drives += (drives.empty() ? "" : "; ") +
+                  (drive.contains("slide") ? "displacement of " + drive["slide"].get<std::string>()
+                                           : fmt::format("angle of {} against {}", drive["link"].get<std::string>(),
+                                                         drive["on"].get<std::string>()));
+    text += folded("drives     ", drives) + "\nOrder of solution\n" + groups_text(json["groups"]);
+    if (json.contains("assemblies")) text += assemblies_text(json, l);
+    return text;
+}
+
+}  // namespace mechwright
