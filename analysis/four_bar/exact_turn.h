@@ -22,8 +22,8 @@ namespace detail {
 inline std::optional<int> right_angles(double angle) {
     constexpr double right = std::numbers::pi / 2, most = 1e6;
     const double count = std::round(angle / right);
-    const double rounding = std::numeric_limits<double>::epsilon() * std::abs(angle);
-    if (!(std::abs(count) < most) || !(std::abs(angle - count * right) <= rounding)) return std::nullopt;
+    const double one_unit = std::numeric_limits<double>::epsilon() * std::abs(angle);
+    if (!(std::abs(count) < most) || !(std::abs(angle - count * right) <= one_unit)) return std::nullopt;
     return ((static_cast<int>(count) % 8) + 8) % 8;
 }
 

@@ -23,10 +23,11 @@ T transmission_angle(const FourBar<T>& m, const HalfTurn<T>& half) {
 /// Whether the linkage has a toggle at a crank angle, but for the rounding of that angle.
 template <class T>
 bool is_toggle(const FourBar<T>& m, const HalfTurn<T>& half) {
-    constexpr double rounding = 2e-15;
+    constexpr double toggle_within = 2e-15;
     const auto margins = assembly_margins(m, half);
     const double size = static_cast<double>(value_of(m.ground + m.crank + m.coupler + m.rocker));
-    return std::abs(value_of(margins.stretch)) < rounding * size || std::abs(value_of(margins.fold)) < rounding * size;
+    return std::abs(value_of(margins.stretch)) < toggle_within * size ||
+           std::abs(value_of(margins.fold)) < toggle_within * size;
 }
 
 /// The transmission angle at an end of a limited range. A toggle at the end counts as one in spite of the rounding of

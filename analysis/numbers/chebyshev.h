@@ -30,7 +30,7 @@ T chebyshev_value(std::span<const double> series, const T& x) {
 /// The series of f to rounding, with as few terms as it takes; nothing if 512 do not.
 template <class Function>
 std::optional<std::vector<double>> chebyshev_series(const Function& f) {
-    constexpr double rounding = 1e-15;
+    constexpr double last_digits = 1e-15;
     for (std::size_t n = 16; n <= 512; n *= 2) {
         const double step = std::numbers::pi / static_cast<double>(n);
         std::vector<double> values(n);
@@ -46,7 +46,7 @@ std::optional<std::vector<double>> chebyshev_series(const Function& f) {
                 sum += values[j] * std::cos(static_cast<double>(k) * (static_cast<double>(j) + 0.5) * step);
             series[k] = (k == 0 ? 1.0 : 2.0) * sum / static_cast<double>(n);
         }
-        const auto negligible = [&](double c) { return std::abs(c) <= 4 * rounding * greatest; };
+        const auto negligible = [&](double c) { return std::abs(c) <= 4 * last_digits * greatest; };
         if (!std::all_of(series.end() - static_cast<std::ptrdiff_t>(n / 4), series.end(), negligible)) continue;
         while (series.size() > 1 && negligible(series.back()))
             series.pop_back();

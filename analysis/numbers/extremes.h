@@ -18,8 +18,8 @@ namespace mechwright {
 template <class T, class Function>
 T zero_between(const Function& g, T a, T b, T ga, T gb) {
     using std::abs;
-    const T rounding = std::numeric_limits<T>::epsilon();
-    const T floor = rounding * abs(b - a);  // of the scale of a zero at zero itself, which has no relative rounding
+    const T one_unit = std::numeric_limits<T>::epsilon();
+    const T floor = one_unit * abs(b - a);  // of the scale of a zero at zero itself, which has no relative rounding
     T c = a, gc = ga;
     T t(0.5);
     while (true) {
@@ -37,7 +37,7 @@ T zero_between(const Function& g, T a, T b, T ga, T gb) {
         a = x;
         ga = gx;
         const T best = abs(ga) < abs(gb) ? a : b;
-        const T least = rounding * (abs(best) > floor ? abs(best) : floor) / abs(b - a);
+        const T least = one_unit * (abs(best) > floor ? abs(best) : floor) / abs(b - a);
         if (ga == T(0) || !(least < T(0.5))) return best;
         const T xi = (a - b) / (c - b);
         const T phi = (ga - gb) / (gc - gb);
@@ -120,11 +120,11 @@ template <class T, std::size_t M>
 SecondDual<T, M - 1> stationary_value(const SecondDual<T, M>& f) {
     using std::abs, std::max;
     constexpr std::size_t n = M - 1;
-    constexpr double rounding = 1e-12;
+    constexpr double unchanged_within = 1e-12;
     T size = abs(f.value);
     for (std::size_t i = 0; i < n; ++i)
         size = max(size, T(abs(f.first[i])));
-    const bool moves = abs(f.mixed(n, n)) > rounding * size;
+    const bool moves = abs(f.mixed(n, n)) > unchanged_within * size;
     SecondDual<T, n> r(f.value);
     for (std::size_t i = 0; i < n; ++i) {
         r.first[i] = f.first[i];

@@ -107,7 +107,7 @@ MarkdownTable dearest(const std::vector<Cost>& all) {
     return table;
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     const std::vector<Cost> all = costs(sheet);
     std::string text =
         "The program of a problem at one point: the value of objective and constraints, in medians over the problems; "
@@ -128,7 +128,7 @@ std::string told(const Sheet& sheet) {
     return text;
 }
 
-std::vector<Diagram> drawn(const Sheet& sheet) {
+std::vector<Diagram> diagrams(const Sheet& sheet) {
     Diagram d;
     d.name = "gradients";
     d.title = "Value with derivatives over the value alone";
@@ -152,8 +152,8 @@ Section gradients() {
             "Gradients: every problem that comes with mechwright",
             {"problem", "kind", "variables", "rows", "value", "gradient", "differences", "hessian", "instructions"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -95,7 +95,7 @@ std::vector<Measurement> measurements(const Effort&) {
     return all;
 }
 
-std::string rates_told(const Sheet& sheet) {
+std::string rates_paragraph(const Sheet& sheet) {
     MarkdownTable table{
         {"coupler points a second, one thread", "theirs", "ours one by one", "ratio", "ours in lanes", "ratio"}, {}};
     for (const Row& row : sheet.where("of", points)) {
@@ -109,7 +109,7 @@ std::string rates_told(const Sheet& sheet) {
 
 std::string number_or_dash(double number, const std::string& text) { return std::isnan(number) ? "-" : text; }
 
-std::string paths_told(const Sheet& sheet) {
+std::string paths_paragraph(const Sheet& sheet) {
     MarkdownTable table{{"path", "peer", "their error", "ours", "theirs over ours", "their evaluations", "ours",
                          "their time", "ours", "ratio of times"},
                         {}};
@@ -136,14 +136,14 @@ std::string paths_told(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     return "Figures of peers, as they were published or measured of their programs on a machine of the kind that the "
            "results in\nthe source tree are from (`synthesis/bench/peers.cpp` names the sources), and ours in this "
            "run.\n\n" +
-           rates_told(sheet) + paths_told(sheet);
+           rates_paragraph(sheet) + paths_paragraph(sheet);
 }
 
-std::vector<Diagram> drawn(const Sheet&) { return {}; }
+std::vector<Diagram> diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -153,8 +153,8 @@ Section peers() {
             {"measurement", "of", "peer", "their error", "their evaluations", "their seconds", "our error",
              "our evaluations", "our seconds", "their rate", "our rate one by one", "our rate in lanes"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

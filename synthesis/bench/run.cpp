@@ -101,10 +101,10 @@ std::optional<std::string> write_report(const std::filesystem::path& folder, con
         if (sheet.rows.empty()) continue;
         const std::string name(p.section->name);
         if (const auto fault = write_atomically(folder / "bench" / (name + ".csv"), csv_of(sheet))) return fault;
-        Chapter chapter{p.section, p.section->told(sheet), {}};
-        for (const Diagram& diagram : p.section->drawn(sheet)) {
+        Chapter chapter{p.section, p.section->chapter(sheet), {}};
+        for (const Diagram& diagram : p.section->diagrams(sheet)) {
             const std::string picture =
-                drawn_by_gnuplot(gnuplot_script(diagram), {Picture::Format::svg, 800, 420, true});
+                gnuplot_picture(gnuplot_script(diagram), {Picture::Format::svg, 800, 420, true});
             if (const auto fault = write_atomically(folder / "bench" / (diagram.name + ".svg"), picture)) return fault;
             chapter.diagrams.push_back({diagram.name, diagram.title});
         }

@@ -242,7 +242,7 @@ std::string threads_text(const Sheet& sheet) {
     return text;
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     return "How times grow with the size of what is asked. An untimed path has a variable more for each point. Where "
            "few "
            "dimensions are free, they come to be so in this order: place, tilt and crank angle, coupler point, links. "
@@ -269,7 +269,7 @@ Diagram diagram(const Sheet& sheet, const char* name, const char* title, const c
     return d;
 }
 
-std::vector<Diagram> drawn(const Sheet& sheet) {
+std::vector<Diagram> diagrams(const Sheet& sheet) {
     return {diagram(sheet, "scaling-points", "Time over the points of a path", "points",
                     {timed_value, timed_gradient, untimed_value, untimed_gradient, untimed_hessian, solve_points}),
             diagram(sheet, "scaling-runs", "Time of whole runs",
@@ -284,8 +284,8 @@ Section scaling() {
             "Scaling: time over the size of the problem",
             {"measurement", "series", "size", "seconds", "lower", "upper"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What `mechwright bench` measures: sections, each of which fills one table, is told about in one chapter of
-/// results/README.md and drawn in its diagrams. All that is told and drawn comes from the table alone.
+/// What `mechwright bench` measures: sections, each of which fills one table, has one chapter in
+/// results/README.md with its diagrams. Both come from the table alone.
 
 #include <atomic>
 #include <filesystem>
@@ -64,8 +64,8 @@ struct Section {
     std::string_view title;                 ///< of its chapter
     std::vector<std::string_view> columns;  ///< the first is the name of the measurement
     std::vector<Measurement> (*measurements)(const Effort&);
-    std::string (*told)(const Sheet&);  ///< Markdown: tables, and what they say
-    std::vector<Diagram> (*drawn)(const Sheet&);
+    std::string (*chapter)(const Sheet&);  ///< Markdown: tables, and what they say
+    std::vector<Diagram> (*diagrams)(const Sheet&);
 };
 
 /// All sections in the order of their chapters.

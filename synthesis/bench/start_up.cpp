@@ -57,7 +57,7 @@ std::vector<Measurement> measurements(const Effort&) {
     return all;
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     MarkdownTable table{{"command", "median", "quartiles", "ratio to " + std::string(baseline)}, {}};
     const auto first = sheet.where("command", baseline);
     const double nothing = first.empty() ? std::nan("") : sheet.number(first.front(), "ms");
@@ -74,7 +74,7 @@ std::string told(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::vector<Diagram> drawn(const Sheet&) { return {}; }
+std::vector<Diagram> diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -83,8 +83,8 @@ Section start_up() {
             "Whole runs of the program",
             {"command", "ms", "ms lower quartile", "ms upper quartile"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -189,21 +189,21 @@ std::vector<Pins> pins_for(const AccuracyProblem& a, const Scales& s, SolutionCo
 }
 
 /// The scales that are neither given nor solved for.
-std::vector<std::size_t> drawn_scales(const AccuracyProblem& a) {
+std::vector<std::size_t> searched_scales(const AccuracyProblem& a) {
     const Solved solved = solved_starts(a);
-    std::vector<std::size_t> drawn;
+    std::vector<std::size_t> searched;
     for (std::size_t k = 0; k < 4; ++k)
-        if (!a.scale(k).fixed() && !(k == 0 && solved.input) && !(k == 2 && solved.output)) drawn.push_back(k);
-    return drawn;
+        if (!a.scale(k).fixed() && !(k == 0 && solved.input) && !(k == 2 && solved.output)) searched.push_back(k);
+    return searched;
 }
 
-Scales scales_for(const AccuracyProblem& a, const std::vector<std::size_t>& drawn, std::span<const double> numbers) {
+Scales scales_for(const AccuracyProblem& a, const std::vector<std::size_t>& searched, std::span<const double> numbers) {
     Scales s;
     for (std::size_t k = 0; k < 4; ++k)
         s[k] = a.scale(k).min;
-    for (std::size_t j = 0; j < drawn.size(); ++j) {
-        const DimensionRange& range = a.scale(drawn[j]);
-        s[drawn[j]] = range.min + numbers[j] * (range.max - range.min);
+    for (std::size_t j = 0; j < searched.size(); ++j) {
+        const DimensionRange& range = a.scale(searched[j]);
+        s[searched[j]] = range.min + numbers[j] * (range.max - range.min);
     }
     return s;
 }
@@ -256,12 +256,12 @@ std::string why_no_accuracy_points(const Problem& problem) {
 
 ExactDesigns accuracy_point_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const AccuracyProblem a(problem);
-    const std::vector<std::size_t> drawn = drawn_scales(a);
-    if (drawn.empty()) return isolated(a);
+    const std::vector<std::size_t> searched = searched_scales(a);
+    if (searched.empty()) return isolated(a);
     return search_family(
-        problem, drawn.size(),
+        problem, searched.size(),
         [&](std::span<const double> numbers) {
-            const Scales s = scales_for(a, drawn, numbers);
+            const Scales s = scales_for(a, searched, numbers);
             SolutionCounts counts;
             std::optional<ExactDesign> best;
             for (const Pins& pins : pins_for(a, s, counts))

@@ -70,9 +70,9 @@ std::string miss_defect(const Problem& problem, const Design& design) {
 /// An angle of a full turn, moved by whole turns into its range where that can be done.
 double moved_into(double angle, const DimensionRange& range) {
     constexpr double turn = 2 * std::numbers::pi;
-    constexpr double rounding = 1e-11;
-    const double moved = angle + turn * std::ceil((range.min - rounding - angle) / turn);
-    return moved <= range.max + rounding ? std::clamp(moved, range.min, range.max) : angle;
+    constexpr double same_within = 1e-11;
+    const double moved = angle + turn * std::ceil((range.min - same_within - angle) / turn);
+    return moved <= range.max + same_within ? std::clamp(moved, range.min, range.max) : angle;
 }
 
 void move_angles_into_ranges(const Problem& problem, Design& design) {
@@ -106,13 +106,13 @@ double closure_along_path(const Problem& problem, const Design& design) {
 
 /// What is given as one number is that number where it has come out so but for rounding.
 void settle_given(const Problem& problem, Design& design) {
-    constexpr double rounding = 1e-11;
+    constexpr double same_within = 1e-11;
     double size = 0;
     for (std::size_t i = 0; i < design.dimensions.size(); ++i)
         if (scales(problem.mechanism->dimensions[i].kind)) size = std::max(size, std::abs(design.dimensions[i]));
     for (std::size_t i = 0; i < design.dimensions.size(); ++i) {
         const DimensionRange& range = problem.dimensions[i];
-        const double slack = rounding * (scales(problem.mechanism->dimensions[i].kind) ? size : 1);
+        const double slack = same_within * (scales(problem.mechanism->dimensions[i].kind) ? size : 1);
         if (range.fixed() && std::abs(design.dimensions[i] - range.min) <= slack) design.dimensions[i] = range.min;
     }
 }

@@ -17,8 +17,8 @@ std::optional<double> size_in_ranges(const Problem& problem, std::span<const Uni
         high = std::min(high, std::max(first, second));
         if ((range.fixed() || range.start) && wanted == 0) wanted = range.start.value_or(range.min) / value;
     }
-    constexpr double rounding = 1e-14;
-    if (low > high * (1 + rounding) || !(high > 0)) return std::nullopt;
+    constexpr double same_within = 1e-14;
+    if (low > high * (1 + same_within) || !(high > 0)) return std::nullopt;
     const double middle = std::sqrt(std::max(low, 0.01 * high) * high);
     return std::clamp(wanted > 0 ? wanted : middle, std::min(low, high), high);
 }

@@ -141,15 +141,15 @@ VectorXd by_rows(const Program& program, const std::vector<Active>& active, cons
 }
 
 /// A violation that rounding explains.
-constexpr double rounding = 4e-15;
+constexpr double least_violation = 4e-15;
 
 /// Whether a step was worth taking: much closer to the constraints, at a price in the objective that the way back onto
 /// them explains; or lower, by more than the constraints that it strays from are worth at `price` for each unit.
 bool better(const LocalOutcome& there, const LocalOutcome& here, double price) {
     const double size = 1 + std::abs(here.objective);
-    if (there.violation < 0.5 * here.violation && here.violation > rounding)
+    if (there.violation < 0.5 * here.violation && here.violation > least_violation)
         return there.objective < here.objective + 1e3 * here.violation * size;
-    const double strayed = there.violation - std::max(here.violation, rounding);
+    const double strayed = there.violation - std::max(here.violation, least_violation);
     return there.violation <= LocalOutcome::feasible_below &&
            there.objective + price * std::max(0.0, strayed) < here.objective;
 }

@@ -48,7 +48,7 @@ void for_each_kronrod_node(const ResolvedIntervals::Interval& interval, const Us
 template <class Function>
 ResolvedIntervals resolved_intervals(const Function& function, double scale) {
     // The rule of 21 points is then right to about the square of this.
-    constexpr double agree_within = 1e-9, rounding = 1e-14, narrowest = 1e-10;
+    constexpr double agree_within = 1e-9, last_digits = 1e-14, narrowest = 1e-10;
     const auto resolved = [&](const ResolvedIntervals::Interval& interval) {
         double slope_apart = 0, slope_size = 0, square_apart = 0, square = 0, size = 0;
         for_each_kronrod_node(interval, [&](double share, double weight, double gauss_weight) {
@@ -62,7 +62,7 @@ ResolvedIntervals resolved_intervals(const Function& function, double scale) {
         // Where the mechanism does not assemble there is nothing to resolve.
         if (!std::isfinite(square) || !std::isfinite(slope_size)) return true;
         return std::abs(slope_apart) <= agree_within * (slope_size + scale * (interval.to - interval.from)) &&
-               std::abs(square_apart) <= agree_within * square + rounding * scale * size;
+               std::abs(square_apart) <= agree_within * square + last_digits * scale * size;
     };
     ResolvedIntervals out, open;
     open.at[open.count++] = {0.5, 1};

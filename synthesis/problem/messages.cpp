@@ -64,7 +64,7 @@ void add_warning(Messages& messages, FilePlace place, std::string text) {
     add(messages, place, message_at(messages, place, std::move(text), true));
 }
 
-std::string told(const Messages& messages, FilePlace place) {
+std::string place_text(const Messages& messages, FilePlace place) {
     if (messages.nodes == nullptr) return fmt::format("in line {}", place.line);
     return message_at(messages, place, {}, false).name;
 }

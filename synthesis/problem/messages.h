@@ -52,7 +52,7 @@ void add_error(Messages& messages, FilePlace place, std::string text);
 void add_warning(Messages& messages, FilePlace place, std::string text);
 
 /// How a message speaks of another place: "in line 7", or the name of the value that stands there.
-std::string told(const Messages& messages, FilePlace place);
+std::string place_text(const Messages& messages, FilePlace place);
 
 /// An error about the problem file as a whole.
 void add_error(Messages& messages, std::string text);

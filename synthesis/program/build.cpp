@@ -233,8 +233,8 @@ struct Builder {
 
     /// A limit on a distance, less what the rounding of a design's dimensions can add to it; half of it at the least.
     static double within_rounding(double limit) {
-        constexpr double rounding = 1.5e-14;  // some rounding units of positions, of a program's order one
-        return std::max(limit - rounding, 0.5 * limit);
+        constexpr double kept_below_limit = 1.5e-14;  // some rounding units of positions, of a program's order one
+        return std::max(limit - kept_below_limit, 0.5 * limit);
     }
 
     void add_path_requirement(const Quantity& quantity, const Requirement& r) {

@@ -251,9 +251,9 @@ double unscaled(const Program& program, std::size_t dimension, double value) {
     if (value == v.lower && v.lower == range.min / program.length) return range.min;
     if (value == v.upper) return range.max;
     const double plain = value * program.length;
-    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-    if (std::abs(plain - range.min) <= rounding * std::abs(range.min)) return range.min;
-    if (std::abs(plain - range.max) <= rounding * std::abs(range.max)) return range.max;
+    constexpr double few_units = 4 * std::numeric_limits<double>::epsilon();
+    if (std::abs(plain - range.min) <= few_units * std::abs(range.min)) return range.min;
+    if (std::abs(plain - range.max) <= few_units * std::abs(range.max)) return range.max;
     return plain;
 }
 

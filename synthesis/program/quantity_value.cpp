@@ -57,7 +57,7 @@ Motion motion_of(const Problem& problem, const Design& design) {
 namespace {
 
 bool assembles_over(const Problem& problem, const Motion& motion, const Design& design) {
-    constexpr double rounding = 1e-12;  // of margins over the longest length
+    constexpr double closed_within = 1e-12;  // of margins over the longest length
     if (!problem.crank_range || motion.full_turn) return true;
     const auto& families = problem.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
@@ -65,7 +65,7 @@ bool assembles_over(const Problem& problem, const Motion& motion, const Design& 
     Motion over = motion;
     over.family = static_cast<std::size_t>(limited - families.begin());
     return least_component(*limited->assembly_margin, over, design.dimensions) >=
-           -rounding * longest_length(*problem.mechanism, design.dimensions);
+           -closed_within * longest_length(*problem.mechanism, design.dimensions);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 constexpr std::size_t parameters = Box::most;
 constexpr double pi = std::numbers::pi;
 /// What rounding in the linear algebra can do to a distance, in parts of the size of the targets.
-constexpr double rounding = 1e-13;
+constexpr double distance_error = 1e-13;
 /// Columns whose length falls below this part in orthogonalisation have no direction of their own.
 constexpr double dependent_below = 1e-9;
 /// A direction that is known no better than this, in radians, is tried without.
@@ -347,7 +347,7 @@ BoxBound TimedPathBound::operator()(const Box& box) const {
         std::size_t other = 0;
         distance = std::max(distance, distance_over(plane_of(known), turns, box, crank, other));
     }
-    distance -= rounding * plane_.target_beyond_origin.norm();
+    distance -= distance_error * plane_.target_beyond_origin.norm();
     result.least = distance > 0 ? distance * distance : 0;
     return result;
 }

@@ -93,7 +93,7 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     limits.stop = options.stop;
     limits.polishing = seconds_of(options.trace, &SearchTrace::polishing);
 
-    const auto drawn = [&](const Program& program, int number) {
+    const auto random_start = [&](const Program& program, int number) {
         const Timed timed(seconds_of(options.trace, &SearchTrace::screening));
         return screened_start(program, problem.solver.seed, number, candidates);
     };
@@ -111,7 +111,7 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
             if (limits.reached() || task > zero_at) return;
             const auto variant = static_cast<std::size_t>(task % count);
             Slot& slot = slots[static_cast<std::size_t>(task)];
-            const Start start = drawn(programs[variant], task / count);
+            const Start start = random_start(programs[variant], task / count);
             const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
             LocalOutcome outcome = search(programs[variant], start.x);
             slot.evaluations += outcome.evaluations;

@@ -56,8 +56,8 @@ std::vector<double> path_angles(const Program& program, const PathTiming& timing
     return angles;
 }
 
-std::vector<double> drawn_path_angles(const Program& program, const LowDiscrepancy& sequence, std::uint64_t k,
-                                      Eigen::VectorXd& x) {
+std::vector<double> random_path_angles(const Program& program, const LowDiscrepancy& sequence, std::uint64_t k,
+                                       Eigen::VectorXd& x) {
     const PathTarget& path = *program.problem->path;
     if (program.untimed_path()) {
         const std::vector<double> angles =

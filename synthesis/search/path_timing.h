@@ -28,7 +28,7 @@ std::vector<double> path_angles(const Program& program, const PathTiming& timing
 
 /// Guess number k of a sequence for a program with a path: the crank angles at its points, and in x the variables that
 /// they belong to (the angles themselves, or the start of a timed path, where it is one).
-std::vector<double> drawn_path_angles(const Program& program, const LowDiscrepancy& sequence, std::uint64_t k,
-                                      Eigen::VectorXd& x);
+std::vector<double> random_path_angles(const Program& program, const LowDiscrepancy& sequence, std::uint64_t k,
+                                       Eigen::VectorXd& x);
 
 }  // namespace mechwright

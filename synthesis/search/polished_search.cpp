@@ -26,13 +26,13 @@ bool is_feasible(const LocalOutcome& outcome) { return outcome.violation <= Loca
 LocalOutcome levelled(const Program& program, LocalOutcome outcome, const LocalLimits& limits) {
     const double size = std::abs(outcome.objective);
     if (!asks_for_one_worst(program) || !is_feasible(outcome) || !(size > 0)) return outcome;
-    const Program great = magnified(program, size);
+    const Program magnified_program = magnified(program, size);
     Eigen::VectorXd x = outcome.x;
-    settle_epigraphs(great, x);
-    if (unbalanced_part(great, x) <= balanced_within) return outcome;
+    settle_epigraphs(magnified_program, x);
+    if (unbalanced_part(magnified_program, x) <= balanced_within) return outcome;
     LocalLimits enough = limits;
     enough.most_evaluations = evaluations_to_level;
-    const LocalOutcome level = polish(great, minimax(great, x, enough), limits);
+    const LocalOutcome level = polish(magnified_program, minimax(magnified_program, x, enough), limits);
     outcome.evaluations += level.evaluations;
     outcome.hessians += level.hessians;
     if (!is_feasible(level) || !(level.objective * size < outcome.objective)) return outcome;
@@ -62,10 +62,10 @@ LocalOutcome polished_search(const Program& program, const Eigen::VectorXd& star
     for (int pass = 0; pass < most_magnifications && !program.closest_to_reference; ++pass) {
         const double size = std::abs(outcome.objective);
         if (!is_feasible(outcome) || !(size > 0 && size < small_objective)) break;
-        const Program great = magnified(program, size);
+        const Program magnified_program = magnified(program, size);
         Eigen::VectorXd x = outcome.x;
-        settle_epigraphs(great, x);
-        const LocalOutcome further = polish(great, method(great, x, near), limits);
+        settle_epigraphs(magnified_program, x);
+        const LocalOutcome further = polish(magnified_program, method(magnified_program, x, near), limits);
         outcome.evaluations += further.evaluations;
         outcome.hessians += further.hessians;
         if (!is_feasible(further) || !(further.objective * size < outcome.objective)) break;

@@ -152,7 +152,7 @@ std::vector<ScreenedPoint> ScreenedStarts::points() const {
 }
 
 /// Variables that are drawn and not fitted.
-int ScreenedStarts::drawn_variables() const {
+int ScreenedStarts::random_variables() const {
     const PathRoles& roles = program_.problem->mechanism->point->roles;
     const auto fitted = [&](std::size_t i, std::size_t j) {
         return is_free(program_, i) && is_free(program_, j) ? 2 : 0;
@@ -175,7 +175,7 @@ bool ScreenedStarts::stays_assembled(const VectorXd& x) const {
 std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) const {
     std::vector<VectorXd> starts;
     if (!can_screen_) {
-        const int candidates = std::min(groups, 1 + candidates_per_variable * drawn_variables());
+        const int candidates = std::min(groups, 1 + candidates_per_variable * random_variables());
         for (int i = 0; i < keep; ++i)
             starts.push_back(start_point(program_, seed_, round * keep + i, candidates));
         return starts;
@@ -188,7 +188,7 @@ std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) 
     std::vector<Candidate> best(static_cast<std::size_t>(groups));
     VectorXd x = VectorXd::Zero(static_cast<Index>(program_.size()));
     for (int g = 0; g < groups; ++g) {
-        const std::vector<double> angles = drawn_path_angles(program_, of_timing, group_number(g), x);
+        const std::vector<double> angles = random_path_angles(program_, of_timing, group_number(g), x);
         for (std::size_t i = 0; i < targets.size(); ++i)
             targets[i].half = {std::cos(angles[i] / 2), std::sin(angles[i] / 2)};
         std::array<Group, most_lengths> lengths{};
@@ -217,7 +217,7 @@ std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) 
     for (const Candidate& c : best) {
         if (static_cast<int>(starts.size()) >= keep || !(c.score < unlimited)) break;
         x = program_.reference;
-        drawn_path_angles(program_, of_timing, group_number(c.group), x);
+        random_path_angles(program_, of_timing, group_number(c.group), x);
         for (std::size_t i = 0; i < lengths_; ++i)
             if (is_free(program_, i)) x[program_.variable_of[i]] = std::clamp(c.lengths[i], lower_[i], upper_[i]);
         fit_placement(program_, x);

@@ -29,7 +29,7 @@ private:
     struct Candidate;
 
     bool meets_conditions(const Lengths& x) const;
-    int drawn_variables() const;
+    int random_variables() const;
     void draw_shapes();
     std::optional<Eigen::MatrixXd> lengths_of_margins() const;
     double beyond_range(const Lengths& x, double size) const;

@@ -259,7 +259,7 @@ void draw_front(ChartData& data, const Problem& problem, const StudyChart& chart
                      "$front using 1:2 with linespoints lw 2 pt 7 ps 0.6 lc rgb '#b8442c' title 'front'\n";
 }
 
-ChartScript drawn(ChartData& data, const Problem& problem, const StudyChart& chart, ChartScript picture) {
+ChartScript chart_script(ChartData& data, const Problem& problem, const StudyChart& chart, ChartScript picture) {
     switch (chart.kind) {
         case ChartKind::map:
         case ChartKind::contours: draw_map(data, problem, chart, picture); break;
@@ -310,8 +310,9 @@ std::vector<ChartScript> chart_scripts(const std::filesystem::path& file, const 
             if (!column->empty()) data.require(*column);
         const std::string where = chart.where.empty() ? "status = 'solved'" : "(" + chart.where + ")";
         const auto picture = [&](const std::string& name, const std::string& title, const std::string& points) {
-            return drawn(data, problem, chart,
-                         {.name = name, .title = title, .script = {}, .frame = {}, .upwards = {}, .where = points});
+            return chart_script(
+                data, problem, chart,
+                {.name = name, .title = title, .script = {}, .frame = {}, .upwards = {}, .where = points});
         };
         if (chart.each.empty()) return {picture(chart.name, title_of(problem, chart), where)};
         std::vector<ChartScript> scripts;

@@ -38,7 +38,7 @@ struct ChartOfPoints {
 PageChart page_chart(const StudyChart& chart, const ChartScript& script) {
     const ChartFrame& frame = script.frame;
     return {.title = script.title,
-            .svg = drawn_by_gnuplot(script.script, {}),
+            .svg = gnuplot_picture(script.script, {}),
             .left = ChartFrame::left,
             .right = frame.right,
             .bottom = 1 - ChartFrame::bottom,

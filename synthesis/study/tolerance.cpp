@@ -37,7 +37,7 @@ constexpr std::array<std::array<int, 13>, 9> tolerances{{
 constexpr double deviations_in_zone = 6;
 
 /// The deviations of pieces, one for each of the study: from the numbers of sample and dimension alone.
-double drawn(const Deviation& deviation, double size, std::uint64_t seed, std::uint64_t number) {
+double random_deviation(const Deviation& deviation, double size, std::uint64_t seed, std::uint64_t number) {
     const std::uint64_t bits = mixed(mixed(mixed(seed) ^ deviation.dimension) ^ number);
     const double part = std::ldexp(static_cast<double>(bits >> 11) + 0.5, -53);
     if (deviation.uniform) return size * (2 * part - 1);
@@ -119,7 +119,7 @@ Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_
     Design piece = design.nominal.design;
     for (std::size_t i = 0; i < study.deviations.size(); ++i)
         piece.dimensions[study.deviations[i].dimension] +=
-            drawn(study.deviations[i], design.sizes[i], study.seed, number);
+            random_deviation(study.deviations[i], design.sizes[i], study.seed, number);
     const std::optional<PathTarget>& path = design.problem.path;
     if (path && path->prescribed_timing)
         for (std::size_t i = 0; i < path->crank_angles.size(); ++i)

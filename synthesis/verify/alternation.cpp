@@ -243,8 +243,8 @@ std::vector<Check> check_alternation(const Json& stated, const Claim& claim) {
     const Error error(claim);
     if (!all_passed(error.design.of_motion)) return {};
     const Json extremes = stated.value("extremes", Json());
-    constexpr double rounding = 1e-11;
-    if (error.greatest < rounding) {
+    constexpr double zero_within = 1e-11;
+    if (error.greatest < zero_within) {
         // Of errors that are nothing but rounding neither places nor their number mean anything.
         const char* what = claim.function ? "error" : "distance";
         check.passed = extremes.is_array() && std::all_of(extremes.begin(), extremes.end(), [&](const Json& e) {

@@ -26,8 +26,8 @@ constexpr std::array<std::string_view, 29> only_where_asked{
     "expression",  "points",   "start",   "end",     "body_length"};
 
 bool same_number(double a, double b) {
-    constexpr double rounding = 1e-14;
-    return a == b || std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+    constexpr double same_within = 1e-14;
+    return a == b || std::abs(a - b) <= same_within * std::max(std::abs(a), std::abs(b));
 }
 
 std::string shown(const Json* value) {

@@ -90,14 +90,15 @@ std::vector<ExtremeAgain> ErrorAgain::extremes() const {
     return found;
 }
 
-std::vector<ExtremeAgain> greatest_of(const std::vector<ExtremeAgain>& all, const Digits50& rounding) {
+std::vector<ExtremeAgain> greatest_of(const std::vector<ExtremeAgain>& all, const Digits50& equal_within) {
     constexpr double as_great_within = 1e-6;
     Digits50 greatest = 0;
     for (const ExtremeAgain& e : all)
         greatest = std::max<Digits50>(greatest, abs(e.error));
     std::vector<ExtremeAgain> kept;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(kept),
-                 [&](const ExtremeAgain& e) { return abs(e.error) >= (1 - as_great_within) * greatest - rounding; });
+    std::copy_if(all.begin(), all.end(), std::back_inserter(kept), [&](const ExtremeAgain& e) {
+        return abs(e.error) >= (1 - as_great_within) * greatest - equal_within;
+    });
     return kept;
 }
 

@@ -44,7 +44,7 @@ private:
     Digits50 shift_ = 0;  ///< of the output asked for, to tell signs
 };
 
-/// The places among extremes whose errors are as great as the greatest, to a millionth and to `rounding`.
-std::vector<ExtremeAgain> greatest_of(const std::vector<ExtremeAgain>& all, const Digits50& rounding);
+/// The places among extremes whose errors are as great as the greatest, to a millionth and to `equal_within`.
+std::vector<ExtremeAgain> greatest_of(const std::vector<ExtremeAgain>& all, const Digits50& equal_within);
 
 }  // namespace mechwright

@@ -86,7 +86,7 @@ TEST(BenchDiagram, IsDrawnWithoutWhatCannotBe) {
     EXPECT_EQ(script.find("nan"), std::string::npos);
     EXPECT_EQ(script.find("inf"), std::string::npos);
     EXPECT_EQ(script.find("nothing"), std::string::npos);
-    const std::string picture = drawn_by_gnuplot(script, {Picture::Format::svg, 800, 420, true});
+    const std::string picture = gnuplot_picture(script, {Picture::Format::svg, 800, 420, true});
     EXPECT_NE(picture.find("It's `true`"), std::string::npos);
     EXPECT_NE(picture.find("one"), std::string::npos);
 }

@@ -43,12 +43,12 @@ TEST(Charts, OfAGridHoldTheWholeGrid) {
 TEST(Charts, AreDrawnByGnuplot) {
     const Drawn study(small_chart());
     const auto scripts = chart_scripts(study.data, study.problem, charts_of(study.problem)[0]);
-    const std::string svg = drawn_by_gnuplot(scripts[0].script, {});
+    const std::string svg = gnuplot_picture(scripts[0].script, {});
     EXPECT_EQ(svg.find("<?xml"), 0u);
     EXPECT_NE(svg.find("</svg>"), std::string::npos);
     EXPECT_NE(svg.find("swing, deg"), std::string::npos);
-    EXPECT_EQ(drawn_by_gnuplot(scripts[0].script, {.format = Picture::Format::png}).substr(1, 3), "PNG");
-    EXPECT_THROW(drawn_by_gnuplot("plot nothing at all\n", {}), ChartFault);
+    EXPECT_EQ(gnuplot_picture(scripts[0].script, {.format = Picture::Format::png}).substr(1, 3), "PNG");
+    EXPECT_THROW(gnuplot_picture("plot nothing at all\n", {}), ChartFault);
 }
 
 TEST(Charts, AreChosenWhereNoneIsAskedFor) {
@@ -125,7 +125,7 @@ TEST(Charts, HoldTextsThatGnuplotCannotTakeForCommands) {
                                {"count = 80", "count = 3"},
                                {"count = 125", "count = 3"}}));
     const auto scripts = chart_scripts(study.data, study.problem, charts_of(study.problem)[0]);
-    const std::string svg = drawn_by_gnuplot(scripts[0].script, {});
+    const std::string svg = gnuplot_picture(scripts[0].script, {});
     EXPECT_NE(svg.find("b's \\ `touch"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(trap));
 }

@@ -188,7 +188,7 @@ std::string alone(const Sheet& sheet, const std::vector<Compared>& all) {
     return "\nProblems that one method answers:\n\n" + to_markdown(table);
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     std::vector<Compared> all;
     for (const std::string& problem : sheet.distinct("problem"))
         all.push_back(compared(sheet, problem));
@@ -212,7 +212,7 @@ std::string told(const Sheet& sheet) {
            agreeing(sheet, all) + elsewhere(sheet, all) + alone(sheet, all);
 }
 
-std::vector<Diagram> drawn(const Sheet&) { return {}; }
+std::vector<Diagram> diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -222,8 +222,8 @@ Section agreement() {
             {"problem", "method", "answer", "status", "verified", "proved", "value", "second value", "difference",
              "away", "nearby", "evaluations", "starts", "hits", "seconds", "alone"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

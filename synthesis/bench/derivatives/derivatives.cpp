@@ -18,7 +18,7 @@ constexpr const char* central = "central differences";
 constexpr const char* extrapolated = "Ridders' extrapolation";
 constexpr const char* dual = "dual numbers";
 constexpr const char* loop = "implicit function theorem";
-constexpr const char* rounding = "rounding of the dimensions";
+constexpr const char* rounded_dimensions = "rounding of the dimensions";
 
 /// Greatest over the places.
 template <class Measure, class Method>
@@ -57,7 +57,7 @@ std::vector<Row> errors() {
     add(extrapolated, nullptr, error(by_extrapolation<Measure>));
     add(dual, nullptr, error(by_dual_numbers<Measure>));
     add(loop, nullptr, error(Measure::by_loop));
-    add(rounding, nullptr, rounded);
+    add(rounded_dimensions, nullptr, rounded);
     return rows;
 }
 
@@ -127,7 +127,7 @@ MarkdownTable table(const Sheet& sheet) {
     MarkdownTable table{{"gradient of", "by", "digits", "error", "best step", "time", "over the value alone"}, {}};
     for (const std::string& measure : sheet.distinct("measure")) {
         const double alone = way(sheet, measure, value_alone).seconds;
-        for (const char* method : {value_alone, forward, central, extrapolated, dual, loop, rounding}) {
+        for (const char* method : {value_alone, forward, central, extrapolated, dual, loop, rounded_dimensions}) {
             const Way w = way(sheet, measure, method);
             const std::string digits = std::isnan(w.error) ? "" : significant(digits_left(w.error));
             table.rows.push_back({measure, method, digits, significant(w.error, 2), power_text(w.step),
@@ -166,7 +166,7 @@ CommonStep common_step(const Sheet& sheet, const char* method) {
     return best;
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     const auto measures = sheet.distinct("measure");
     const auto digits = [&](const char* method) {
         return span_of(measures, [&](const std::string& m) { return digits_left(way(sheet, m, method).error); });
@@ -191,7 +191,7 @@ std::string told(const Sheet& sheet) {
                "function theorem; {} by forward and {} by central differences. \"{}\" is what the gradient changes by "
                "when a dimension is off by half a unit of its last place: what the data themselves leave open.\n",
                digits(forward), digits(central), digits(dual), digits(loop), significant(common.digits, 2),
-               power_text(common.step), ratio(dual), ratio(loop), ratio(forward), ratio(central), rounding);
+               power_text(common.step), ratio(dual), ratio(loop), ratio(forward), ratio(central), rounded_dimensions);
 }
 
 /// Steps over which a horizontal line is drawn.
@@ -213,12 +213,12 @@ Diagram diagram(const Sheet& sheet, const std::string& measure, std::size_t numb
                 curve.points.emplace_back(sheet.number(row, "step"), sheet.number(row, "error"));
         d.curves.push_back(std::move(curve));
     }
-    for (const char* method : {extrapolated, dual, loop, rounding})
+    for (const char* method : {extrapolated, dual, loop, rounded_dimensions})
         d.curves.push_back({method, level(way(sheet, measure, method).error)});
     return d;
 }
 
-std::vector<Diagram> drawn(const Sheet& sheet) {
+std::vector<Diagram> diagrams(const Sheet& sheet) {
     std::vector<Diagram> diagrams;
     for (const std::string& measure : sheet.distinct("measure"))
         diagrams.push_back(diagram(sheet, measure, diagrams.size() + 1));
@@ -232,8 +232,8 @@ Section derivatives() {
             "Derivatives: differences, dual numbers, implicit functions",
             {"measure", "method", "step", "error", "seconds", "lower", "upper"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -56,14 +56,15 @@ std::vector<Row> solve_all(const Effort& effort) {
     return {timed_row(whole, "", nullptr, nine_point_paths, t, nullptr, found.solutions.size())};
 }
 
-double drawn(std::uint64_t k, std::uint64_t i) {
+double random_number(std::uint64_t k, std::uint64_t i) {
     return std::ldexp(static_cast<double>(mixed(mixed(k) ^ i) >> 11) + 0.5, -53) - 0.5;
 }
 
 std::array<Displacement, 4> random_poses(std::uint64_t k) {
     std::array<Displacement, 4> poses;
     for (std::uint64_t i = 0; i < 4; ++i)
-        poses[i] = {{3 * drawn(k, 3 * i), 3 * drawn(k, 3 * i + 1)}, std::polar(1.0, 6 * drawn(k, 3 * i + 2))};
+        poses[i] = {{3 * random_number(k, 3 * i), 3 * random_number(k, 3 * i + 1)},
+                    std::polar(1.0, 6 * random_number(k, 3 * i + 2))};
     return poses;
 }
 
@@ -173,7 +174,7 @@ std::string of_all(const Sheet& sheet, const Paths& paths) {
     return to_markdown(table);
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     const auto paths = paths_of(sheet);
     if (!paths) return {};
     std::string text = fmt::format(
@@ -199,7 +200,7 @@ std::string told(const Sheet& sheet) {
     return text;
 }
 
-std::vector<Diagram> drawn(const Sheet& sheet) {
+std::vector<Diagram> diagrams(const Sheet& sheet) {
     const auto paths = paths_of(sheet);
     if (!paths) return {};
     Diagram rate;
@@ -230,8 +231,8 @@ Section exact() {
             "Exact synthesis: paths, dyads, certificates",
             {"measurement", "piece", "way", "tolerance", "solutions", "seconds", "lower", "upper", "steps", "distinct"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

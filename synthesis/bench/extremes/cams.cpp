@@ -114,8 +114,8 @@ ExtremeCase translating() {
     return pressure_angle_case(
         "pressure angle, translating roller", translating_text,
         [](std::vector<double>& dimensions, std::size_t k) {
-            dimensions[0] = 30 + 30 * drawn(k, 0);
-            dimensions[1] = 10 * drawn(k, 1);
+            dimensions[0] = 30 + 30 * random_number(k, 0);
+            dimensions[1] = 10 * random_number(k, 1);
         },
         [](const std::vector<double>& d, int samples) {
             return sampled_pressure_angle(TranslatingRoller<double>{d[0], d[1], d[2], 1}, 20, samples);
@@ -126,8 +126,8 @@ ExtremeCase oscillating() {
     return pressure_angle_case(
         "pressure angle, oscillating roller", oscillating_text,
         [](std::vector<double>& dimensions, std::size_t k) {
-            dimensions[0] = 30 + 20 * drawn(k, 0);
-            dimensions[1] = 88 + 10 * drawn(k, 1);
+            dimensions[0] = 30 + 20 * random_number(k, 0);
+            dimensions[1] = 88 + 10 * random_number(k, 1);
         },
         [](const std::vector<double>& d, int samples) {
             return sampled_pressure_angle(OscillatingRoller<double>{d[0], d[1], d[2], d[3], 1},

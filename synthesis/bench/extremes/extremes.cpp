@@ -131,7 +131,7 @@ std::string at_equal_time(const std::vector<Found>& slower) {
                        span_of(slower, [](const Found& f) { return f.error_at_equal_time(); }));
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     constexpr double tolerance = 1e-9;  // that of a problem, unless it says another
     const auto all = all_found(sheet);
     std::vector<Found> slower;  // than the coarsest sampling
@@ -160,7 +160,7 @@ std::string told(const Sheet& sheet) {
                all.size(), sample_counts.front(), at_equal_time(slower));
 }
 
-std::vector<Diagram> drawn(const Sheet& sheet) {
+std::vector<Diagram> diagrams(const Sheet& sheet) {
     Diagram d;
     d.name = "extremes";
     d.title = "Extremes over the motion: error over time";
@@ -186,8 +186,8 @@ Section extremes() {
             "Extremes over the motion: exact against sampled",
             {"extreme", "method", "samples", "error", "seconds", "lower", "upper"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -37,7 +37,7 @@ std::vector<double> dimensions_of(const Problem& problem) {
     return dimensions;
 }
 
-double drawn(std::size_t k, std::size_t i) {
+double random_number(std::size_t k, std::size_t i) {
     return std::ldexp(static_cast<double>(mixed(mixed(k) ^ i) >> 11) + 0.5, -53);
 }
 

@@ -28,6 +28,6 @@ std::shared_ptr<const Problem> problem_of(std::string_view text);
 std::vector<double> dimensions_of(const Problem& problem);
 
 /// Number i, in (0, 1), of mechanism k.
-double drawn(std::size_t k, std::size_t i);
+double random_number(std::size_t k, std::size_t i);
 
 }  // namespace mechwright::bench

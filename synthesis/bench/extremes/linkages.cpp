@@ -41,7 +41,8 @@ FourBar<double> links_of(std::span<const double> dimensions) {
 
 /// The crank is the shortest link; three margins make the others.
 std::vector<double> crank_rocker(std::vector<double> dimensions, std::size_t k) {
-    const double crank = 0.2 + drawn(k, 0), p = drawn(k, 1), q = drawn(k, 2), s = drawn(k, 3);
+    const double crank = 0.2 + random_number(k, 0), p = random_number(k, 1), q = random_number(k, 2),
+                 s = random_number(k, 3);
     const std::array<double, 4> links{crank + (q + s) / 2, crank, crank + (p + s) / 2, crank + (p + q) / 2};
     std::ranges::copy(links, dimensions.begin());
     return dimensions;
@@ -63,7 +64,7 @@ ExtremeCase case_of(std::string_view name, std::vector<GivenDesign> designs, std
 /// The crank starts anywhere: where it happens to be on the ground line, the samples would hit the extreme.
 double sampled_over_turn(const GivenDesign& design, std::size_t k, int samples) {
     const FourBar<double> m = links_of(design.dimensions);
-    const double start = turn * drawn(k, 4);
+    const double start = turn * random_number(k, 4);
     double least = std::numbers::pi;
     for (int i = 0; i < samples; ++i)
         least = std::min(least, transmission_angle(m, half_turn(start + turn * i / samples)));
@@ -92,7 +93,7 @@ ExtremeCase over_range() {
     std::vector<GivenDesign> designs;
     for (std::size_t k = 0; k < mechanisms; ++k) {
         Problem problem = *problem_of(four_bar_text);
-        problem.crank_range = Vector<double>{-0.2 - drawn(k, 5), 0.2 + drawn(k, 6)};
+        problem.crank_range = Vector<double>{-0.2 - random_number(k, 5), 0.2 + random_number(k, 6)};
         auto dimensions = crank_rocker(dimensions_of(problem), k);
         designs.emplace_back(std::make_shared<const Problem>(std::move(problem)), std::move(dimensions));
     }
@@ -124,15 +125,15 @@ ExtremeCase straightness() {
     std::vector<GivenDesign> designs;
     for (std::size_t k = 0; k < mechanisms; ++k) {
         std::vector<double> dimensions = dimensions_of(*problem);
-        dimensions[0] += 0.3 * drawn(k, 0);
-        dimensions[2] = dimensions[3] = 2.5 + 0.3 * drawn(k, 1);
+        dimensions[0] += 0.3 * random_number(k, 0);
+        dimensions[2] = dimensions[3] = 2.5 + 0.3 * random_number(k, 1);
         dimensions[problem->mechanism->point->roles.along] = 2 * dimensions[2];
-        dimensions[problem->mechanism->input->start] += 0.3 * drawn(k, 2);
+        dimensions[problem->mechanism->input->start] += 0.3 * random_number(k, 2);
         const FollowedShape& line = *problem->mechanism->line;
         std::array<double, Reads::most> room;
         line.fit(problem->mechanism->form(0), deviation_from(*problem->mechanism, line.name).reads.of(dimensions, room),
                  std::span(dimensions).subspan(line.place, line.numbers.size()), {true, true, false});
-        dimensions[line.place + 1] += 0.004 * (drawn(k, 3) - 0.5);
+        dimensions[line.place + 1] += 0.004 * (random_number(k, 3) - 0.5);
         designs.emplace_back(problem, std::move(dimensions));
     }
     return case_of("deviation from a line", std::move(designs), "line-deviation", sampled_deviation);

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
+#include "synthesis/bench/kernels/chapter.h"
 #include "synthesis/bench/kernels/lanes.h"
 #include "synthesis/bench/kernels/measured_kernel.h"
 #include "synthesis/bench/kernels/screening.h"
-#include "synthesis/bench/kernels/told.h"
 #include "synthesis/bench/sections.h"
 
 namespace mechwright::bench {
@@ -54,8 +54,8 @@ Section kernels() {
              "ns by instructions", "ns of the longest chain", "digits usual median", "digits usual least",
              "digits hard median", "digits hard least"},
             measurements,
-            kernels_told,
-            kernels_drawn};
+            kernel_chapter,
+            kernel_diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -27,7 +27,7 @@ std::string others(const std::filesystem::path& folder) {
 }
 
 std::string chapter_text(const Chapter& chapter) {
-    std::string text = fmt::format("\n## {}\n\n{}", chapter.section->title, chapter.told);
+    std::string text = fmt::format("\n## {}\n\n{}", chapter.section->title, chapter.text);
     for (const auto& [name, title] : chapter.diagrams)
         text += fmt::format("\n![{}](bench/{}.svg)\n", title, name);
     return text + fmt::format("\nAll rows: [{0}.csv](bench/{0}.csv)\n", chapter.section->name);

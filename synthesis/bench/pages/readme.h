@@ -12,7 +12,7 @@ namespace mechwright::bench {
 
 struct Chapter {
     const Section* section;
-    std::string told;
+    std::string text;
     struct Drawn {
         std::string name;
         std::string title;

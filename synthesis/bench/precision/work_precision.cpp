@@ -265,7 +265,7 @@ std::vector<std::string> summary_of(const Sheet& sheet, const std::string& metho
     return line;
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     std::string text =
         "Local searches from the same starts, each with tolerances from 1e-2 to 1e-14. An error is that of the "
         "objective,\nrelative to the best that is known (absolute where that is 0), or the greatest violation if that "
@@ -284,9 +284,9 @@ std::string told(const Sheet& sheet) {
 }
 
 /// Errors of less than a rounding are drawn as one.
-constexpr double least_drawn = 1e-16;
+constexpr double least_in_diagram = 1e-16;
 
-std::vector<Diagram> drawn(const Sheet& sheet) {
+std::vector<Diagram> diagrams(const Sheet& sheet) {
     std::vector<Diagram> all;
     for (const std::string& problem : sheet.distinct("problem")) {
         if (!is_representative(problem)) continue;
@@ -303,7 +303,7 @@ std::vector<Diagram> drawn(const Sheet& sheet) {
         for (const std::string& method : sheet.distinct("method")) {
             Curve curve{method, {}};
             for (const Row& row : rows_of(sheet, problem, method))
-                curve.points.emplace_back(std::max(sheet.number(row, "error"), least_drawn),
+                curve.points.emplace_back(std::max(sheet.number(row, "error"), least_in_diagram),
                                           sheet.number(row, "evaluations of one"));
             if (!curve.points.empty()) diagram.curves.push_back(std::move(curve));
         }
@@ -320,8 +320,8 @@ Section work_precision() {
             {"problem", "method", "tolerance", "starts", "arrived", "1e-3", "1e-6", "1e-9", "evaluations", "seconds",
              "error", "evaluations of one", "seconds of one"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -53,9 +53,9 @@ double start_merit(const Arena& arena, std::uint64_t seed) {
     constexpr int most_tries = 1000;
     constexpr double assembled_below = 1e5;
     std::uint64_t state = mixed(seed);
-    double merit = arena.merit(drawn_point(arena.known.program, state));
+    double merit = arena.merit(random_point(arena.known.program, state));
     for (int i = 0; i < most_tries && !(merit < assembled_below); ++i)
-        merit = arena.merit(drawn_point(arena.known.program, state));
+        merit = arena.merit(random_point(arena.known.program, state));
     return merit;
 }
 
@@ -224,7 +224,7 @@ MarkdownTable profile_table(const std::vector<Runs>& all) {
     return table;
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     const std::vector<Runs> all = runs_of(sheet);
     if (all.empty()) return {};
     std::string text = fmt::format(
@@ -269,7 +269,7 @@ Diagram profile(const std::vector<Runs>& all, const char* name, const char* targ
     return diagram;
 }
 
-std::vector<Diagram> drawn(const Sheet& sheet) {
+std::vector<Diagram> diagrams(const Sheet& sheet) {
     const std::vector<Runs> all = runs_of(sheet);
     if (all.empty()) return {};
     return {profile(all, "data-profiles-3", "way 1e-3", "1e-3"), profile(all, "data-profiles-7", "way 1e-7", "1e-7")};
@@ -282,8 +282,8 @@ Section data_profiles() {
             "Whole searches: seeds that come to the optimum",
             {"measurement", "problem", "search", "seed", "target", "variables", "values", "gradients", "hessians"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

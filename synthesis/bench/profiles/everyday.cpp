@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "synthesis/bench/pages/markdown.h"
-#include "synthesis/bench/profiles/drawn.h"
+#include "synthesis/bench/profiles/random_number.h"
 #include "synthesis/bench/profiles/success.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
@@ -50,40 +50,40 @@ std::string waves(std::uint64_t k, int count) {
         const double part = static_cast<double>(i) / (count - 1);
         double height = 0;
         for (std::uint64_t wave = 1; wave <= 3; ++wave)
-            height += (10 * drawn_number(k, wave) - 5) * std::sin(static_cast<double>(wave) * std::numbers::pi * part);
+            height += (10 * random_number(k, wave) - 5) * std::sin(static_cast<double>(wave) * std::numbers::pi * part);
         points += fmt::format("[{:.4f}, {:.4f}], ", 20 * part, height);
     }
     return points;
 }
 
 std::string open_path(std::uint64_t k, std::string_view timing) {
-    const int count = 7 + static_cast<int>(10 * drawn_number(k, 10));
+    const int count = 7 + static_cast<int>(10 * random_number(k, 10));
     return fmt::format("[path]\npoints = [{}]\ntiming = \"{}\"\n[objective]\nminimize = \"path-{}\"\n", waves(k, count),
-                       timing, drawn_number(k, 11) < 0.5 ? "rms" : "max");
+                       timing, random_number(k, 11) < 0.5 ? "rms" : "max");
 }
 
 /// Six to ten poses on a wavy way, turned from one to the next by 2 to 15 deg.
 std::string poses(std::uint64_t k) {
-    const int count = 6 + static_cast<int>(5 * drawn_number(k, 10));
-    double angle = 360 * drawn_number(k, 20);
+    const int count = 6 + static_cast<int>(5 * random_number(k, 10));
+    double angle = 360 * random_number(k, 20);
     std::string list;
     for (int i = 0; i < count; ++i) {
         const double part = static_cast<double>(i) / (count - 1);
         list += fmt::format("[{:.3f}, {:.3f}, {:.3f}], ", 20 * part,
-                            6 * (drawn_number(k, 1) - 0.5) * std::sin(2 * std::numbers::pi * part), angle);
-        angle += 2 + 13 * drawn_number(k, 21 + static_cast<std::uint64_t>(i));
+                            6 * (random_number(k, 1) - 0.5) * std::sin(2 * std::numbers::pi * part), angle);
+        angle += 2 + 13 * random_number(k, 21 + static_cast<std::uint64_t>(i));
     }
     return fmt::format(
         "body-angle = {{ min = 0, max = 360 }}\n[poses]\nposes = [{}]\nlength = 10\n[objective]\n"
         "minimize = \"pose-{}\"\n",
-        list, drawn_number(k, 11) < 0.5 ? "rms" : "max");
+        list, random_number(k, 11) < 0.5 ? "rms" : "max");
 }
 
 /// An oval with a dent, at even crank angles.
 std::string timed_oval(std::uint64_t k) {
-    const int count = 8 + static_cast<int>(9 * drawn_number(k, 10));
-    const double width = 2 + 4 * drawn_number(k, 1), height = 2 + 4 * drawn_number(k, 2);
-    const double dent = drawn_number(k, 3) - 0.5;
+    const int count = 8 + static_cast<int>(9 * random_number(k, 10));
+    const double width = 2 + 4 * random_number(k, 1), height = 2 + 4 * random_number(k, 2);
+    const double dent = random_number(k, 3) - 0.5;
     std::string points, angles;
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * std::numbers::pi * i / count;
@@ -144,7 +144,7 @@ std::vector<Measurement> measurements(const Effort&) {
     return all;
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     MarkdownTable table{
         {"task", "runs", "solved", "95 % interval", "unverified", "two seeds agree", "median time", "slowest"}, {}};
     for (const Row& row : sheet.rows) {
@@ -165,7 +165,7 @@ std::string told(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::vector<Diagram> drawn(const Sheet&) { return {}; }
+std::vector<Diagram> diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -174,8 +174,8 @@ Section everyday() {
             "Everyday tasks",
             {"task", "problems", "runs", "solved", "unverified", "alike", "seconds", "slowest"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -7,7 +7,7 @@
 
 #include "analysis/four_bar.h"
 #include "synthesis/bench/pages/markdown.h"
-#include "synthesis/bench/profiles/drawn.h"
+#include "synthesis/bench/profiles/random_number.h"
 #include "synthesis/bench/profiles/success.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
@@ -25,7 +25,7 @@ constexpr double met_within = 1e-10;
 /// A random crank-rocker or drag link with at least 0.02 of Grashof margin, links from 0.2 to 1.
 FourBar<double> random_linkage(std::uint64_t k) {
     for (std::uint64_t tries = 0;; ++tries) {
-        const auto length = [&](std::uint64_t i) { return 0.2 * std::pow(5.0, drawn_number(k, 10 * tries + i)); };
+        const auto length = [&](std::uint64_t i) { return 0.2 * std::pow(5.0, random_number(k, 10 * tries + i)); };
         const FourBar<double> m{length(1), length(2), length(3), length(4)};
         const FourBarClass kind = classify(m).kind;
         const bool turns = kind == FourBarClass::crank_rocker || kind == FourBarClass::double_crank;
@@ -56,10 +56,10 @@ assembly = "either"
 
 TracedPath traced(std::uint64_t k, int count, bool timed) {
     const FourBar<double> m = random_linkage(k);
-    const CouplerPoint<double> point{2 * drawn_number(k, 901) - 1, 2 * drawn_number(k, 902) - 1};
-    const Placement<double> placement{{2 * drawn_number(k, 903) - 1, 2 * drawn_number(k, 904) - 1},
-                                      turn * drawn_number(k, 905)};
-    const double start = turn * drawn_number(k, 906);
+    const CouplerPoint<double> point{2 * random_number(k, 901) - 1, 2 * random_number(k, 902) - 1};
+    const Placement<double> placement{{2 * random_number(k, 903) - 1, 2 * random_number(k, 904) - 1},
+                                      turn * random_number(k, 905)};
+    const double start = turn * random_number(k, 906);
     TracedPath path;
     Vector<double> first{};
     std::string points, angles;
@@ -106,7 +106,7 @@ std::vector<Measurement> measurements(const Effort&) {
     return all;
 }
 
-std::string told(const Sheet& sheet) {
+std::string chapter(const Sheet& sheet) {
     MarkdownTable table{{"path", "linkages", "met", "95 % interval", "median time", "slowest"}, {}};
     for (const Row& row : sheet.rows) {
         const double linkages = sheet.number(row, "linkages"), met = sheet.number(row, "met");
@@ -123,7 +123,7 @@ std::string told(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::vector<Diagram> drawn(const Sheet&) { return {}; }
+std::vector<Diagram> diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -132,8 +132,8 @@ Section recovery() {
             "Random linkages found again from their paths",
             {"path", "points", "timing", "linkages", "met", "seconds", "slowest"},
             measurements,
-            told,
-            drawn};
+            chapter,
+            diagrams};
 }
 
 }  // namespace mechwright::bench

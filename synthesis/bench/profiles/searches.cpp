@@ -53,7 +53,7 @@ std::vector<Mark> differential_evolution(const Arena& arena, std::uint64_t seed)
     std::vector<VectorXd> all;
     std::vector<double> merits;
     for (std::size_t k = 0; k < size; ++k) {
-        all.push_back(drawn_point(program, state));
+        all.push_back(random_point(program, state));
         merits.push_back(watched(all.back()));
     }
     const auto any = [&] { return static_cast<std::size_t>(fraction(state) * static_cast<double>(size)); };
@@ -76,7 +76,7 @@ std::vector<Mark> differential_evolution(const Arena& arena, std::uint64_t seed)
 std::vector<Mark> by_controlled_random_search(const Arena& arena, std::uint64_t seed) {
     const Program& program = arena.known.program;
     std::uint64_t state = mixed(seed);
-    const VectorXd start = drawn_point(program, state);
+    const VectorXd start = random_point(program, state);
     Watched watched{arena};
     BoxFunction box{[&](const std::vector<double>& x) {
                         return watched(Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
@@ -140,7 +140,7 @@ std::optional<Arena> arena_of(const Problem& problem, long budget, const RunOpti
     return Arena{&problem, *std::move(known), units, budget};
 }
 
-VectorXd drawn_point(const Program& program, std::uint64_t& state) {
+VectorXd random_point(const Program& program, std::uint64_t& state) {
     VectorXd x(static_cast<Eigen::Index>(program.size()));
     for (std::size_t i = 0; i < program.size(); ++i) {
         const Variable& v = program.variables[i];

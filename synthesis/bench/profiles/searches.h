@@ -40,7 +40,7 @@ struct Arena {
 std::optional<Arena> arena_of(const Problem& problem, long budget, const RunOptions& options);
 
 /// A point drawn evenly from the ranges of the variables.
-Eigen::VectorXd drawn_point(const Program& program, std::uint64_t& state);
+Eigen::VectorXd random_point(const Program& program, std::uint64_t& state);
 
 struct GlobalSearch {
     std::string_view name;

@@ -36,7 +36,7 @@ std::string picture_of(const ShownDesign& shown, const DrawOptions& options) {
         const MotionPlots plots = motion_plots(shown.design, shown.document, plot_steps);
         const int height = plots_height(plots, width);
         picture.below =
-            svg_element(drawn_by_gnuplot(plots_script(plots), {.width = width, .height = height, .fixed = true}));
+            svg_element(gnuplot_picture(plots_script(plots), {.width = width, .height = height, .fixed = true}));
         picture.below_height = height;
     }
     return svg_picture(shown.design, picture);

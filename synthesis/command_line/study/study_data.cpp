@@ -102,8 +102,8 @@ void draw(const ChartScript& chart, const std::filesystem::path& folder, bool pn
     };
     const std::string script = chart.name + ".gnuplot";
     write(script, chart.script);
-    write(chart.name + ".svg", drawn_by_gnuplot(chart.script, {}));
-    if (png) write(chart.name + ".png", drawn_by_gnuplot(chart.script, {.format = Picture::Format::png}));
+    write(chart.name + ".svg", gnuplot_picture(chart.script, {}));
+    if (png) write(chart.name + ".png", gnuplot_picture(chart.script, {.format = Picture::Format::png}));
 }
 
 int charts(const ChartOptions& options, Console& console) {

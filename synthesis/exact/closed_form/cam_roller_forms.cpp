@@ -136,7 +136,7 @@ template <template <class> class F>
 Centre closest_centre(const Problem& problem, const Motion& motion, std::span<const double> d,
                       const std::vector<AngleLimit>& limits, const Vector<double>& target) {
     constexpr int most_steps = 100;
-    constexpr double rounding = 1e-14;
+    constexpr double zero_within = 1e-14;
     const auto follower = follower_of<F, double>(d, motion.assembly);
     Centre centre{{.at = target}, fixed_rows(problem, follower)};
     std::vector<Row>& rows = centre.rows;
@@ -161,7 +161,7 @@ Centre closest_centre(const Problem& problem, const Motion& motion, std::span<co
             const auto row =
                 row_of(follower, limit.sign, tangent, lift_at(placed.segment, place.piece, place.u, placed.start_lift));
             const double missed = row.level - dot(row.normal, at);
-            if (step > 0 && !(missed > rounding * scale * std::hypot(row.normal.x, row.normal.y))) continue;
+            if (step > 0 && !(missed > zero_within * scale * std::hypot(row.normal.x, row.normal.y))) continue;
             rows.push_back({limit, place, row});
             planes.push_back(row);
             added = true;

@@ -18,14 +18,14 @@ const std::array<ClosedForm, 8>& closed_forms() {
 
 /// Whether the dimensions meet the linear conditions of a family, to rounding.
 bool is_mechanism(const Mechanism& mechanism, const Design& design) {
-    constexpr double rounding = 1e-9;
+    constexpr double met_within = 1e-9;
     const auto meets = [&](const LinearCondition& condition) {
         double sum = 0, size = 0;
         for (std::size_t i = 0; i < condition.coefficients.size(); ++i) {
             sum += condition.coefficients[i] * design.dimensions[i];
             size += std::abs(condition.coefficients[i] * design.dimensions[i]);
         }
-        return sum >= -rounding * size;
+        return sum >= -met_within * size;
     };
     return std::any_of(mechanism.families.begin(), mechanism.families.end(), [&](const Family& family) {
         return std::all_of(family.conditions.begin(), family.conditions.end(), meets);

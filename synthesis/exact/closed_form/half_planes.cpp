@@ -33,7 +33,7 @@ std::vector<Plane> seen_from(const Vector<double>& target, std::span<const HalfP
 Fine missed_by(const Plane& plane, const Vector<Fine>& step) { return plane.level - dot(plane.normal, step); }
 
 /// Far above the rounding of fifty digits, far below that of what comes in.
-constexpr double rounding = 1e-40;
+constexpr double zero_within = 1e-40;
 
 Active foot(const std::vector<Plane>& planes, std::size_t i) {
     return {{i}, {planes[i].level}, 1, planes[i].level * planes[i].normal};
@@ -58,7 +58,7 @@ bool has_valid_weights(const Active& active) {
 bool holds_all(const std::vector<Plane>& planes, const Active& before, const Vector<Fine>& step) {
     for (std::size_t i = 0; i < before.count; ++i) {
         const Plane& plane = planes[before.plane[i]];
-        if (missed_by(plane, step) > rounding * (abs(plane.level) + sqrt(dot(step, step)))) return false;
+        if (missed_by(plane, step) > zero_within * (abs(plane.level) + sqrt(dot(step, step)))) return false;
     }
     return true;
 }
@@ -124,7 +124,7 @@ ClosestPoint closest_point(const Vector<double>& target, std::span<const HalfPla
         Fine most(0);
         for (std::size_t i = 0; i < planes.size(); ++i) {
             const Fine missed = missed_by(planes[i], active.step);
-            if (missed > rounding * (abs(planes[i].level) + sqrt(dot(active.step, active.step))) && missed > most) {
+            if (missed > zero_within * (abs(planes[i].level) + sqrt(dot(active.step, active.step))) && missed > most) {
                 most = missed;
                 worst = i;
             }

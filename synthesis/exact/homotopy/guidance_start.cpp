@@ -131,7 +131,7 @@ std::optional<GuidanceSystem> find_system(std::string_view name) {
 
 OrbitKey orbit_of(const GuidanceSystem& system, const GuidanceValues& u) {
     using S = GuidanceSystem;
-    constexpr double rounding = 1e-14;
+    constexpr double last_digits = 1e-14;
     OrbitKey key;
     if (system.poses > 1) {
         key.pivots = u[S::a] + u[S::b];
@@ -143,7 +143,7 @@ OrbitKey orbit_of(const GuidanceSystem& system, const GuidanceValues& u) {
         const Number x = number(u[i]), y = number(u[j]), a = number(u[fixed]), b = number(u[other]);
         const Number k = x / (x - y);
         const double doubt = std::abs(k * (b - a)) * (1 + (std::abs(x) + std::abs(y)) / std::abs(x - y));
-        key.rounding = std::max(key.rounding, rounding * doubt);
+        key.rounding = std::max(key.rounding, last_digits * doubt);
         return plain(2.0 * a + b + k * (b - a));
     };
     key.pivots = sum(S::x, S::y, S::a, S::b);

@@ -18,7 +18,7 @@ using Conic = Eigen::Matrix3d;
 using Point = Eigen::Vector3cd;  ///< of the projective plane
 
 /// Below this, relative, a number is taken for zero where rounding alone would make it so.
-constexpr double rounding = 1e-11;
+constexpr double zero_within = 1e-11;
 /// Pivots farther away than this, lengths being near 1, are those of sliders.
 constexpr double infinite_beyond = 1e7;
 
@@ -50,7 +50,7 @@ std::vector<double> degenerate_members(const Conic& A, const Conic& B) {
     const double size = std::abs(c0) + std::abs(c1) + std::abs(c2) + std::abs(c3);
     std::vector<double> angles;
     if (!(size > 0)) return angles;
-    if (std::abs(c3) < rounding * size) angles.push_back(turn + std::acos(0.0));
+    if (std::abs(c3) < zero_within * size) angles.push_back(turn + std::acos(0.0));
     if (std::abs(c3) > 0) {
         Eigen::Matrix3d companion;
         companion << 0, 0, -c0 / c3, 1, 0, -c1 / c3, 0, 1, -c2 / c3;
@@ -190,7 +190,8 @@ std::optional<Eigen::Vector4d> left_by(std::span<const Displacement> displacemen
         if (const double size = rows.row(i).norm(); size > 0) rows.row(i) /= size;
     }
     const Eigen::ColPivHouseholderQR<Eigen::Matrix4d> qr(rows.transpose());
-    if (!(std::abs(qr.matrixR()(count - 1, count - 1)) > rounding * std::abs(qr.matrixR()(0, 0)))) return std::nullopt;
+    if (!(std::abs(qr.matrixR()(count - 1, count - 1)) > zero_within * std::abs(qr.matrixR()(0, 0))))
+        return std::nullopt;
     const Eigen::Matrix4d basis = qr.householderQ();
     const auto angle = [&](std::size_t k) { return k < numbers.size() ? std::numbers::pi * numbers[k] : 0.0; };
     Eigen::Vector4d left = std::cos(angle(0)) * basis.col(3);
@@ -214,7 +215,7 @@ DyadSolutions dyads_meeting(const DyadConditions& conditions) {
         if (const double size = rows.row(i).norm(); size > 0) rows.row(i) /= size;
     const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 7, 4>> qr(rows.transpose());
     DyadSolutions found;
-    found.isolated = std::abs(qr.matrixR()(3, 3)) > rounding * std::abs(qr.matrixR()(0, 0));
+    found.isolated = std::abs(qr.matrixR()(3, 3)) > zero_within * std::abs(qr.matrixR()(0, 0));
     if (!found.isolated) return found;
     const Eigen::Matrix<double, 7, 7> basis = qr.householderQ();
     const Plane plane = basis.rightCols<3>();

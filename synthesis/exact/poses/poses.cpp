@@ -24,9 +24,9 @@ PivotRanges rocker_pivot_ranges(const PoseTargets& g, Complex crank_pivot) {
 }
 
 bool is_same(const Dyad& a, const Dyad& b) {
-    constexpr double rounding = 1e-7;
+    constexpr double same_within = 1e-7;
     return std::abs(a.fixed - b.fixed) + std::abs(a.moving - b.moving) <=
-           rounding * (1 + std::abs(a.fixed) + std::abs(a.moving));
+           same_within * (1 + std::abs(a.fixed) + std::abs(a.moving));
 }
 
 /// Every four-bar of a crank dyad and those of the rocker.

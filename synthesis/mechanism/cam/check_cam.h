@@ -48,10 +48,10 @@ Check closes(std::span<const Digits50> d, std::size_t assembly) {
 
 /// Whether every part of the cam is there after the roller or face has passed over it.
 template <template <class> class F>
-Check not_undercut(const Motion& motion, std::span<const Digits50> d, double rounding) {
+Check not_undercut(const Motion& motion, std::span<const Digits50> d, double closed_within) {
     const auto f = follower_of<F, Digits50>(d, motion.assembly);
     const Digits50 margin = again::undercut_margin<F>(motion, d);
-    Check check{"the cam is not undercut", margin >= -rounding, "margin " + short_number(margin)};
+    Check check{"the cam is not undercut", margin >= -closed_within, "margin " + short_number(margin)};
     if (check.passed) return check;
     if constexpr (Layout<F>::roller)
         check.detail += ": the roller radius " + short_number(f.roller_radius) + " is larger than " +
@@ -74,13 +74,13 @@ std::vector<Check> check_cam(const Motion& motion, std::span<const Digits50> d) 
         greatest_lift = std::max<Digits50>(greatest_lift, abs(d[slots<F>.lift(i)]));
         least_angle = std::min(least_angle, d[slots<F>.angle(i)]);
     }
-    constexpr double rounding = 1e-9;
+    constexpr double closed_within = 1e-9;
     const Digits50 open = again::turn<F>(motion, d) - turn, left = again::lift_balance<F>(motion, d);
     checks.push_back(
-        {"segments make up a full turn", abs(open) <= rounding && least_angle > 0,
+        {"segments make up a full turn", abs(open) <= closed_within && least_angle > 0,
          least_angle > 0 ? "off by " + short_number(open * 180 / pi<Digits50>()) + " deg" : "a segment has no angle"});
-    checks.push_back(
-        {"follower returns to where it began", abs(left) <= rounding * greatest_lift, "off by " + short_number(left)});
+    checks.push_back({"follower returns to where it began", abs(left) <= closed_within * greatest_lift,
+                      "off by " + short_number(left)});
     checks.push_back(detail::closes<F>(d, motion.assembly));
     if (!checks.back().passed || !(least_angle > 0)) return checks;
     const Digits50 released = again::over<F, anywhere, again::Released>(motion, d);
@@ -88,7 +88,7 @@ std::vector<Check> check_cam(const Motion& motion, std::span<const Digits50> d) 
                       Layout<F>::roller ? "least cosine of the pressure angle " + short_number(-released)
                                         : "least turning of the face against the cam " + short_number(-released)});
     if (!checks.back().passed) return checks;
-    checks.push_back(detail::not_undercut<F>(motion, d, rounding));
+    checks.push_back(detail::not_undercut<F>(motion, d, closed_within));
     return checks;
 }
 

@@ -88,8 +88,8 @@ bool moves_at(const Motion& motion, std::size_t index, bool end) {
     const Segment<double> segment = segment_of(program_of(motion), motion.assembly, index, some);
     const std::size_t piece = end ? pieces(segment) - 1 : 0;
     const double u = break_before(segment, end ? piece + 1 : 0);
-    constexpr double rounding = 1e-9;
-    return std::abs(Derivative::of(lift_at(segment, piece, u, 0.0))) > rounding;
+    constexpr double least_lift = 1e-9;
+    return std::abs(Derivative::of(lift_at(segment, piece, u, 0.0))) > least_lift;
 }
 
 /// The segments at whose ends a derivative of the lift can jump at all; one, where it can at none.

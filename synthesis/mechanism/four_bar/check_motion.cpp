@@ -14,9 +14,9 @@ using namespace four_bar::again;
 std::string number(const Digits50& value) { return fmt::format("{:.9g}", value.convert_to<double>()); }
 
 std::string degrees(const Digits50& radians) {
-    constexpr double rounding = 1e-12;
+    constexpr double end_within = 1e-12;
     const Digits50 angle = radians * 180 / boost::math::constants::pi<Digits50>();
-    return number(abs(angle) < rounding ? Digits50(0) : angle) + " deg";
+    return number(abs(angle) < end_within ? Digits50(0) : angle) + " deg";
 }
 
 /// How far a position is from coming apart and from changing its branch.
@@ -39,7 +39,7 @@ Digits50 margin(const Linkage<Digits50>& m, const Pose<Digits50>& p) {
 /// Everywhere on the motion where margin or sine can be least: where the diagonal or the transmission angle is
 /// stationary, the ends, and one place between them.
 std::vector<Position> positions(const Motion& motion, std::span<const Digits50> dimensions) {
-    const double rounding = 1e-12;  // of crank angles, and of margins over the unit of length
+    const double end_within = 1e-12;  // of crank angles, and of margins over the unit of length
     const auto m = linkage(motion.assembly, dimensions);
     const Digits50 unit = length_unit(dimensions);
     const Sweep sweep = sweep_of(motion);
@@ -48,14 +48,14 @@ std::vector<Position> positions(const Motion& motion, std::span<const Digits50> 
         const auto p = pose(m, x);
         const Digits50 closed = margin(m, p);
         const Digits50 sine = m.side * cross(p.coupler, p.rocker) / (m.coupler * m.rocker);
-        all.push_back({x, unit * closed, sine, end && abs(closed) <= rounding});
+        all.push_back({x, unit * closed, sine, end && abs(closed) <= end_within});
     };
     add(Digits50(sweep.from), !motion.full_turn);
     add(Digits50(sweep.from / 2 + sweep.to / 2), false);
     for (const auto& stationary :
          {stationary_crank_angles<Diagonal>(m, sweep), stationary_crank_angles<TransmissionAngle>(m, sweep)})
         for (const Digits50& x : stationary)
-            if (motion.full_turn || (x > sweep.from + rounding && x < sweep.to - rounding)) add(x, false);
+            if (motion.full_turn || (x > sweep.from + end_within && x < sweep.to - end_within)) add(x, false);
     add(Digits50(sweep.to), !motion.full_turn);
     return all;
 }

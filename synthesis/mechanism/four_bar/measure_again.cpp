@@ -44,18 +44,18 @@ struct Extremes {
 };
 
 /// Squares of lengths, relative to the links, that are nothing but the rounding of a crank angle.
-const double rounding = 4e-15;
+const double toggle_within = 4e-15;
 
 /// A value at an end of the motion. Where that is a toggle but for the rounding of its crank angle, the transmission
 /// angle is that of the toggle, and the velocity ratio infinite.
 Digits50 value_at_end(const TransmissionAngle&, const Linkage<Digits50>& m, const Pose<Digits50>& p) {
-    if (abs(p.stretch) < rounding) return boost::math::constants::pi<Digits50>();
-    if (abs(p.fold) < rounding) return 0;
+    if (abs(p.stretch) < toggle_within) return boost::math::constants::pi<Digits50>();
+    if (abs(p.fold) < toggle_within) return 0;
     return TransmissionAngle::value(m, p);
 }
 
 Digits50 value_at_end(const VelocityRatio&, const Linkage<Digits50>& m, const Pose<Digits50>& p) {
-    if (abs(p.stretch) >= rounding && abs(p.fold) >= rounding) return VelocityRatio::value(m, p);
+    if (abs(p.stretch) >= toggle_within && abs(p.fold) >= toggle_within) return VelocityRatio::value(m, p);
     // cross(coupler, crank) by the triangle of crank pin and fixed pivots: next to a change point it is all rounding.
     const bool positive = m.side * p.crank.y * dot(p.coupler, p.diagonal) > 0;
     return positive ? std::numeric_limits<Digits50>::infinity() : -std::numeric_limits<Digits50>::infinity();

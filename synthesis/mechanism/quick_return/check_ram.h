@@ -11,14 +11,14 @@
 
 namespace mechwright::quick_return::again {
 
-inline constexpr double rounding = 1e-12;   // of crank angles, and of margins over the unit of length
-inline constexpr double no_margin = 1e-30;  // places are found to forty digits
+inline constexpr double end_within = 1e-12;  // of crank angles, and of margins over the unit of length
+inline constexpr double no_margin = 1e-30;   // places are found to forty digits
 
 inline std::string number(const Digits50& value) { return fmt::format("{:.9g}", value.convert_to<double>()); }
 
 inline std::string degrees(const Digits50& radians) {
     const Digits50 angle = radians * 180 / boost::math::constants::pi<Digits50>();
-    return number(abs(angle) < rounding ? Digits50(0) : angle) + " deg";
+    return number(abs(angle) < end_within ? Digits50(0) : angle) + " deg";
 }
 
 template <class Geometry>
@@ -47,12 +47,12 @@ std::vector<RodPlace> rod_places(const Rebuilt<Geometry>& m, const Motion& motio
     const auto add = [&](const Digits50& x, bool end) {
         const auto s = m.at(x);
         const Digits50 margin = std::min(s.right.c[0], s.left.c[0]);
-        all.push_back({x, margin, end && abs(margin) <= rounding});
+        all.push_back({x, margin, end && abs(margin) <= end_within});
     };
     add(Digits50(sweep.from), !motion.full_turn);
     add(Digits50(sweep.from / 2 + sweep.to / 2), false);
     for (const Digits50& x : stationary_crank_angles(m, sweep, Slope::rod_height))
-        if (motion.full_turn || (x > sweep.from + rounding && x < sweep.to - rounding)) add(x, false);
+        if (motion.full_turn || (x > sweep.from + end_within && x < sweep.to - end_within)) add(x, false);
     add(Digits50(sweep.to), !motion.full_turn);
     return all;
 }

@@ -96,7 +96,7 @@ struct UsualGeometry {
 /// A mechanism in fifty digits and in double, lengths over a power of two.
 template <class Geometry>
 struct Rebuilt {
-    static constexpr double rounding = 8e-15;  ///< of margins, relative to the links
+    static constexpr double dead_within = 8e-15;  ///< of margins, relative to the links
     Digits50 unit;
     typename Geometry::template Input<Digits50> input;
     Rod<Digits50> rod;
@@ -121,13 +121,13 @@ struct Rebuilt {
     }
     /// Whether the rod stands square to the slide, but for the rounding of a crank angle.
     bool rod_is_square(const RamState<Digits50>& s) const {
-        return !(std::min(s.right.c[0], s.left.c[0]) > rounding * (rod.arm + rod.rod + abs(rod.offset)));
+        return !(std::min(s.right.c[0], s.left.c[0]) > dead_within * (rod.arm + rod.rod + abs(rod.offset)));
     }
     /// Whether that is so, or the input is at a toggle: the ram is infinitely fast.
     bool is_dead_position(const RamState<Digits50>& s, const Digits50& crank_angle) const {
         if constexpr (Geometry::input_margins > 0)
             for (const Digits50& margin : Geometry::margins_of_input(input, crank_angle))
-                if (abs(margin) < rounding) return true;
+                if (abs(margin) < dead_within) return true;
         return rod_is_square(s);
     }
 

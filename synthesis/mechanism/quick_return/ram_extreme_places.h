@@ -59,10 +59,10 @@ T value_at(const std::array<T, N>& x, const RamPlace& place, const Function& f) 
 /// Whether the rod stands square to the slide at a crank angle, but for the rounding of that angle.
 template <class Drive>
 bool rod_is_square(const Drive& m, double crank_angle) {
-    constexpr double rounding = 8e-15;
+    constexpr double square_within = 8e-15;
     const SliderCrank<double> output = output_of(m);
     const SliderCrankPose<double> p = ram_of(pose_at(m, crank_angle));
-    return !(std::min(p.left, p.right) > rounding * (output.crank + output.rod + std::abs(output.offset)));
+    return !(std::min(p.left, p.right) > square_within * (output.crank + output.rod + std::abs(output.offset)));
 }
 
 /// Whether a drive stands at a dead position, where the ram is infinitely fast, as at the ends of a limited motion: its

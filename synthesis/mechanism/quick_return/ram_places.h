@@ -43,14 +43,14 @@ std::vector<Digits50> stationary_crank_angles(const Rebuilt<Geometry>& m, const 
 /// rounding in double can show zeros that fifty digits do not confirm.
 template <class Geometry>
 std::vector<Digits50> turning_points(const Rebuilt<Geometry>& m, const Motion& motion) {
-    constexpr double rounding = 1e-12;          // of crank angles
+    constexpr double same_within = 1e-12;       // of crank angles
     constexpr double confirmed_within = 1e-25;  // of crank angles at which fifty digits show a zero
     const Digits50& turn = boost::math::constants::two_pi<Digits50>();
     std::vector<Digits50> found;
     for (const Digits50& x : stationary_crank_angles(m, sweep_of(motion), Slope::position)) {
         const bool known = std::any_of(found.begin(), found.end(), [&](const Digits50& y) {
             const Digits50 apart = abs(x - y);
-            return apart < rounding || abs(apart - turn) < rounding;
+            return apart < same_within || abs(apart - turn) < same_within;
         });
         const auto position = m.at(x).position;
         const bool confirmed =

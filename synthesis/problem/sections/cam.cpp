@@ -290,14 +290,14 @@ void check_turn(Problem& problem, FilePlace place, Messages& messages) {
     Sum sum;
     for (std::size_t i = 0; i < program_of(*problem.mechanism)->segments.size(); ++i)
         sum.add(problem.dimensions[cam_angle_dimension(*problem.mechanism, i)], 1);
-    const double rounding = 1e-12 * full_turn;
+    const double same_within = 1e-12 * full_turn;
     const char* unit = problem.units.degrees ? " deg" : " rad";
     const auto shown = [&](double angle) { return fmt::format("{:.10g}{}", shown_angle(problem.units, angle), unit); };
-    if (sum.least > full_turn + rounding)
+    if (sum.least > full_turn + same_within)
         add_error(messages, place,
                   fmt::format("the segments' angles add up to {}{}, {} more than a full turn",
                               sum.fixed() ? "" : "at least ", shown(sum.least), shown(sum.least - full_turn)));
-    else if (sum.greatest < full_turn - rounding)
+    else if (sum.greatest < full_turn - same_within)
         add_error(messages, place,
                   fmt::format("the segments' angles add up to {}{}, {} short of a full turn",
                               sum.fixed() ? "" : "at most ", shown(sum.greatest), shown(full_turn - sum.greatest)));
@@ -322,11 +322,11 @@ void check_lifts(Problem& problem, const std::vector<FilePlace>& places, Message
                 fmt::format("this return ends {} below the lowest position: let the first segment begin there",
                             shown(-sum.greatest)));
     }
-    const double rounding = 1e-12 * highest;
-    if (sum.least > rounding || sum.greatest < -rounding)
+    const double same_within = 1e-12 * highest;
+    if (sum.least > same_within || sum.greatest < -same_within)
         add_error(messages, places.back(),
                   fmt::format("rises and returns do not add up to zero: the follower ends {} from where it began",
-                              shown(sum.least > rounding ? sum.least : sum.greatest)));
+                              shown(sum.least > same_within ? sum.least : sum.greatest)));
     else if (!sum.fixed())
         require_closure(problem, "lift-balance", 0);
 }

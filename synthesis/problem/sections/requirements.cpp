@@ -65,9 +65,9 @@ void narrow(Bounds& bounds, const Values& values, const Section& section, std::s
     bounds.equal |= min == max;
     bounds.last = section.place;
     if (bounds.min <= bounds.max) return;
-    add_error(
-        messages, section.place,
-        fmt::format("no value of '{}' can meet both this and the requirement {}", quantity, told(messages, earlier)));
+    add_error(messages, section.place,
+              fmt::format("no value of '{}' can meet both this and the requirement {}", quantity,
+                          place_text(messages, earlier)));
     bounds = {};
 }
 

@@ -60,8 +60,8 @@ void read_pareto(Section& solver, Problem& problem, Messages& messages) {
 double to_radians(const Units& units, double angle) { return units.degrees ? angle * std::numbers::pi / 180 : angle; }
 
 double full_turn(const Units& units) {
-    constexpr double rounding = 1e-9;
-    return (units.degrees ? 360.0 : 2 * std::numbers::pi) * (1 + rounding);
+    constexpr double turn_within = 1e-9;
+    return (units.degrees ? 360.0 : 2 * std::numbers::pi) * (1 + turn_within);
 }
 
 void read_units(Section& file, Problem& problem, Messages& messages) {

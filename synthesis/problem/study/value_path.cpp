@@ -15,31 +15,31 @@ namespace mechwright::reading {
 namespace {
 
 /// The keys whose words tell the elements of a list of tables apart.
-constexpr std::array<std::string_view, 4> telling_keys{"quantity", "minimize", "maximize", "kind"};
+constexpr std::array<std::string_view, 4> naming_keys{"quantity", "minimize", "maximize", "kind"};
 
 struct Element {
     std::size_t index = 0;
     std::string fault;
 };
 
-bool is_told_by(const toml::node& element, std::string_view word) {
+bool is_named_by(const toml::node& element, std::string_view word) {
     const toml::table* table = element.as_table();
-    return table != nullptr && std::any_of(telling_keys.begin(), telling_keys.end(), [&](std::string_view key) {
+    return table != nullptr && std::any_of(naming_keys.begin(), naming_keys.end(), [&](std::string_view key) {
                return (*table)[key].value_or(std::string_view()) == word;
            });
 }
 
 Element element_by_word(const toml::array& list, std::string_view word, std::string_view above) {
-    std::vector<std::size_t> told;
+    std::vector<std::size_t> named;
     for (std::size_t i = 0; i < list.size(); ++i)
-        if (is_told_by(list[i], word)) told.push_back(i);
-    if (told.empty())
+        if (is_named_by(list[i], word)) named.push_back(i);
+    if (named.empty())
         return {0, fmt::format("{} has no element {}: write its quantity or kind, or its number, 1 to {}",
                                quoted(above), quoted(word), list.size())};
-    if (told.size() > 1)
+    if (named.size() > 1)
         return {0, fmt::format("{} has more than one element {}: write its number, as in '{}.{}'", quoted(above),
-                               quoted(word), above, told.front() + 1)};
-    return {told.front(), {}};
+                               quoted(word), above, named.front() + 1)};
+    return {named.front(), {}};
 }
 
 Element element_of(const toml::array& list, std::string_view step, std::string_view above) {

@@ -119,8 +119,8 @@ void add_levels(MotionPlots& plots, const nlohmann::ordered_json& document, bool
 /// a function, or the distance from a line or an arc. NaN where there is none.
 double error_at(const FinishedDesign& design, const MotionRow& row) {
     const double share = (row.values().front() - design["input-start"]) / design["input-range"];
-    constexpr double rounding = 1e-12;
-    if (!(share >= -rounding && share <= 1 + rounding)) return std::numeric_limits<double>::quiet_NaN();
+    constexpr double end_within = 1e-12;
+    if (!(share >= -end_within && share <= 1 + end_within)) return std::numeric_limits<double>::quiet_NaN();
     if (design.function) {
         const bool angle = deviation_from(*design.mechanism, "function").unit == Unit::angle;
         const double asked = design["output-start"] + design["output-range"] * part_at(*design.function, share);

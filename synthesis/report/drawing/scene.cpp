@@ -172,16 +172,16 @@ std::optional<Vector<double>> guided_point(const FinishedDesign& design, const S
 }
 
 Scene scene_of(const FinishedDesign& design, double fineness) {
-    const Drawing& drawn = drawing_of(design);
+    const Drawing& drawing = drawing_of(design);
     constexpr double symbol_share = 0.018, coarse = 1e-3;
     Scene scene;
-    scene.pivots = drawn.pivots(design);
+    scene.pivots = drawing.pivots(design);
     // Symbols are sized by the drawing without them.
     const Box bare = passed(
-        design, drawn.bodies(design, 0, coarse * longest_length(*design.mechanism, design.dimensions)), scene.pivots);
+        design, drawing.bodies(design, 0, coarse * longest_length(*design.mechanism, design.dimensions)), scene.pivots);
     const double extent = bare.extent() > 0 ? bare.extent() : 1;
     scene.symbol = symbol_share * extent;
-    scene.bodies = drawn.bodies(design, scene.symbol, fineness * extent);
+    scene.bodies = drawing.bodies(design, scene.symbol, fineness * extent);
     const Box box = passed(design, scene.bodies, scene.pivots);
     scene.low = box.low;
     scene.high = box.high;

@@ -22,7 +22,7 @@ std::string terminal(const Picture& picture) {
 
 }  // namespace
 
-std::string drawn_by_gnuplot(const std::string& script, const Picture& picture) {
+std::string gnuplot_picture(const std::string& script, const Picture& picture) {
     ProgramRun run = run_program({"gnuplot", "-e", terminal(picture), "-"}, script);
     if (run.error == ENOENT) throw ChartFault("there is no gnuplot: install it (Debian: gnuplot-nox)");
     if (run.error != 0) throw ChartFault("cannot run gnuplot: " + std::generic_category().message(run.error));

@@ -22,7 +22,7 @@ struct Picture {
 
 /// The picture that gnuplot makes of a script, which leaves the terminal to the format. Throws ChartFault where there
 /// is no gnuplot or it fails.
-std::string drawn_by_gnuplot(const std::string& script, const Picture& picture);
+std::string gnuplot_picture(const std::string& script, const Picture& picture);
 
 /// A text in a gnuplot script, in single quotes: in double quotes gnuplot would run what stands between backticks.
 std::string gnuplot_text(std::string_view text);

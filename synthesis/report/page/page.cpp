@@ -162,7 +162,7 @@ std::string plots_section(const Page& page, const Writing& writing) {
         const MotionPlots plots = motion_plots(first.design, first.document, result_steps);
         constexpr int width = 720;
         still =
-            svg_element(drawn_by_gnuplot(plots_script(plots), {.width = width, .height = plots_height(plots, width)}));
+            svg_element(gnuplot_picture(plots_script(plots), {.width = width, .height = plots_height(plots, width)}));
     }
     return "<section id=\"motion\"><h2>Motion</h2><div id=\"plots\"></div><div id=\"still-plots\">" + still +
            "</div></section>";

@@ -130,18 +130,18 @@ Finding check_path(const ProofContext& c, const Digits50& bound, PathMeasure mea
 }  // namespace
 
 Finding check_bound_again(const ProofContext& c) {
-    constexpr double closed_within = 1.1e-6, rounding = 1e-9;
+    constexpr double closed_within = 1.1e-6, same_within = 1e-9;
     const Json* bound = member(c.search, "bound");
     const Json* objective = member(c.document, "objective");
     const Json* value = objective && objective->is_object() ? member(*objective, "value") : nullptr;
     if (c.infeasible || !bound || !bound->is_number() || !value || !value->is_number())
         return fails("there is no bound of an objective");
     const double least = bound->get<double>(), reached = value->get<double>();
-    if (!(least >= (1 - closed_within) * reached && least <= (1 + rounding) * reached))
+    if (!(least >= (1 - closed_within) * reached && least <= (1 + same_within) * reached))
         return fails(fmt::format("the bound {} does not meet the objective {}", least, reached));
     const Quantity* quantity = single_objective(c, false);
     if (!quantity) return fails("one quantity is to be least for this");
-    const Digits50 inside = from_document(least, quantity->unit, c.problem.units) * (1 - rounding);
+    const Digits50 inside = from_document(least, quantity->unit, c.problem.units) * (1 - same_within);
     const Claim& claim = *c.design.claim;
     const bool timed = claim.path && claim.path->prescribed_timing && claim.path->directions.empty();
     if (claim.function && quantity == &deviation_from(*claim.mechanism, "function")) return check_function(c, inside);

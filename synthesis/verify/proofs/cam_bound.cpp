@@ -24,9 +24,9 @@ std::optional<again::Derivatives<Digits50>> lift_of(const MotionProgram& program
     const std::size_t count = segment.kind == SegmentKind::dwell ? 1 : pieces(segment);
     if (place.piece >= count || !(place.u >= 0 && place.u <= 1)) return std::nullopt;
     if (segment.kind == SegmentKind::dwell) return again::Derivatives<Digits50>{p.start_lift, 0, 0};
-    constexpr double rounding = 1e-12;
-    if (place.u < break_before(segment, place.piece) - rounding ||
-        place.u > break_before(segment, place.piece + 1) + rounding)
+    constexpr double same_within = 1e-12;
+    if (place.u < break_before(segment, place.piece) - same_within ||
+        place.u > break_before(segment, place.piece + 1) + same_within)
         return std::nullopt;
     const again::Here<Digits50> here{&segment, p.start_lift, place.piece, Digits50(place.u)};
     return again::derivatives<Digits50>([&](const Digits50& t) { return here.lift(t); });

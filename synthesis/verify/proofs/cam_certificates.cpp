@@ -48,7 +48,7 @@ Digits50 loosened(const ProofContext& c, const Digits50& limit) {
 
 /// Whether a limit on the pressure angle in a segment is one that the problem has, loosened or not.
 bool is_asked(const ProofContext& c, std::size_t segment, double limit) {
-    constexpr double rounding = 1e-14;
+    constexpr double same_within = 1e-14;
     if (segment >= program_of(*c.problem.mechanism)->segments.size()) return false;
     const cam::SegmentKind kind = program_of(*c.problem.mechanism)->segments[segment].kind;
     const double slack = c.infeasible ? c.problem.solver.tolerance : 0;
@@ -58,7 +58,7 @@ bool is_asked(const ProofContext& c, std::size_t segment, double limit) {
                             (name == "pressure-angle-rise" && kind == cam::SegmentKind::rise) ||
                             (name == "pressure-angle-return" && kind == cam::SegmentKind::fall);
         const double most = r.max.value_or(r.equal.value_or(10));
-        return covers && limit < 0.5 * pi && limit >= most + slack * std::max(most, 1.0) - rounding;
+        return covers && limit < 0.5 * pi && limit >= most + slack * std::max(most, 1.0) - same_within;
     });
 }
 
@@ -125,7 +125,7 @@ CamLimits cam_limits(const ProofContext& c) {
 /// The least that all parts leave of the dimension: nothing below it, whatever the assembly.
 template <class CertificateKind>
 Finding check_cam(const ProofContext& c) {
-    constexpr double rounding = 1e-9;
+    constexpr double same_within = 1e-9;
     if (!is_cam(*c.problem.mechanism) || !program_of(*c.problem.mechanism)) return fails("it is about cams");
     const MotionProgram program = whole_program(c);
     Reader in;
@@ -169,7 +169,7 @@ Finding check_cam(const ProofContext& c) {
     const Quantity* objective = single_objective(c, false);
     if (!objective || objective->name != name) return fails(fmt::format("{} is not what is to be least", name));
     const Digits50 reached = c.design.dimensions[dimension];
-    if (!(std::max<Digits50>(least, range.min) >= reached * (1 - rounding)))
+    if (!(std::max<Digits50>(least, range.min) >= reached * (1 - same_within)))
         return fails(fmt::format("{} is {:.12g}, and only less than {:.12g} is excluded", name,
                                  reached.convert_to<double>(), least.convert_to<double>()));
     return holds(fmt::format("{} is at least {:.12g}", name, least.convert_to<double>()));

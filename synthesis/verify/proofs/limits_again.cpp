@@ -201,7 +201,7 @@ DigitsRange limit_again(const ProofContext& c, std::string_view limit, const Qua
 }  // namespace
 
 Finding check_limit_again(const ProofContext& c) {
-    constexpr double rounding = 1e-9;
+    constexpr double same_within = 1e-9;
     claims::Reader in;
     const std::string name = in.text(member(c.certificate, "limit"), "search.certificate.limit");
     const std::string quantity_name = in.text(member(c.certificate, "quantity"), "search.certificate.quantity");
@@ -211,7 +211,7 @@ Finding check_limit_again(const ProofContext& c) {
     if (index < 0) return fails("there is no such quantity");
     const Quantity& quantity = c.problem.mechanism->quantities[static_cast<std::size_t>(index)];
     const Digits50 value = from_document(stated, quantity.unit, c.problem.units);
-    const Digits50 room = rounding * std::max<Digits50>(1, abs(value));
+    const Digits50 room = same_within * std::max<Digits50>(1, abs(value));
     const DigitsRange exact = limit_again(c, name, quantity, Strictness::exact);
     const bool above = !c.infeasible || asked_again(c, quantity.name, Strictness::exact).least > value;
     const auto in_words = [&](const Digits50& number) { return shown(number, quantity.unit, c.problem.units); };

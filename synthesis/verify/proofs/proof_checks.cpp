@@ -35,7 +35,7 @@ Finding check_given(const ProofContext& c) {
 }
 
 Finding check_zero(const ProofContext& c) {
-    constexpr double rounding = 1e-12;
+    constexpr double zero_within = 1e-12;
     const Quantity* quantity = single_objective(c, false);
     if (c.infeasible || !quantity) return fails("one quantity is to be least for this");
     if (possible_values(quantity->name).least != 0) return fails(fmt::format("{} can be negative", quantity->name));
@@ -47,7 +47,7 @@ Finding check_zero(const ProofContext& c) {
         size = std::max(c.design.longest, c.design.path ? c.design.path->size : Digits50(0));
         if (quantity->unit == Unit::area) size *= size;
     }
-    if (!(again->value <= rounding * size)) return fails("it is " + shown_small(again->value) + ", not zero");
+    if (!(again->value <= zero_within * size)) return fails("it is " + shown_small(again->value) + ", not zero");
     return holds(fmt::format("{} cannot be negative, and is {}", quantity->name, shown_small(again->value)));
 }
 

@@ -6,7 +6,7 @@
 
 namespace mechwright::bench {
 
-std::string kernels_told(const Sheet& sheet);
-std::vector<Diagram> kernels_drawn(const Sheet& sheet);
+std::string kernel_chapter(const Sheet& sheet);
+std::vector<Diagram> kernel_diagrams(const Sheet& sheet);
 
 }  // namespace mechwright::bench

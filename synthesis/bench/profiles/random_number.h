@@ -10,7 +10,7 @@
 namespace mechwright::bench {
 
 /// Number i in (0, 1) of problem k.
-inline double drawn_number(std::uint64_t k, std::uint64_t i) {
+inline double random_number(std::uint64_t k, std::uint64_t i) {
     return std::ldexp(static_cast<double>(mixed(mixed(k) ^ (i * 7919)) >> 11) + 0.5, -53);
 }
 

@@ -1,4 +1,4 @@
-#include "synthesis/bench/kernels/told.h"
+#include "synthesis/bench/kernels/chapter.h"
 
 #include <fmt/format.h>
 
@@ -159,7 +159,7 @@ std::string against_bound(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::string lanes_told(const Sheet& sheet) {
+std::string lanes_paragraph(const Sheet& sheet) {
     const std::vector<Row> rows = sheet.where("kernel", lanes_name);
     if (rows.empty()) return {};
     MarkdownTable table{{"order", "how", "per linkage", "linkages a second", "ratio to one by one"}, {}};
@@ -175,7 +175,7 @@ std::string lanes_told(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::string screening_told(const Sheet& sheet) {
+std::string screening_paragraph(const Sheet& sheet) {
     const std::vector<Row> rows = sheet.where("kernel", screening_name);
     if (rows.empty()) return {};
     const double narrowest = sheet.number(rows.front(), "ns");
@@ -191,12 +191,12 @@ std::string screening_told(const Sheet& sheet) {
 
 }  // namespace
 
-std::string kernels_told(const Sheet& sheet) {
-    return against_textbook(sheet) + hard_sets() + what_orders_cost(sheet) + lanes_told(sheet) + screening_told(sheet) +
-           against_bound(sheet);
+std::string kernel_chapter(const Sheet& sheet) {
+    return against_textbook(sheet) + hard_sets() + what_orders_cost(sheet) + lanes_paragraph(sheet) +
+           screening_paragraph(sheet) + against_bound(sheet);
 }
 
-std::vector<Diagram> kernels_drawn(const Sheet& sheet) {
+std::vector<Diagram> kernel_diagrams(const Sheet& sheet) {
     Diagram diagram{"kernels",
                     "Digits kept in the hardest case against time",
                     "ns per call",
