@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 /// A sum of squares below this part of its start, or a gain below that part of the sum, is rounding.
-constexpr double least_gain = 1e-30;
+constexpr double zero_within = 1e-30;
 constexpr double least_gain = 1e-13;
 constexpr int most_small_gains = 3;
 /// While rows are missed by more than this, a gain below that part leads to new multipliers.
@@ -70,7 +70,7 @@ LocalOutcome levenberg_marquardt(const Program& program, const VectorXd& start, 
     PathPlace at, next;
     at.x = within_bounds(program, start);
     if (!fit.evaluate(at)) return outcome;
-    Descent descent{fit, program, limits, least_gain * at.sum, 1e-2, 1};
+    Descent descent{fit, program, limits, zero_within * at.sum, 1e-2, 1};
     descent.go_down(at, next);
     for (int time = 0; time < most_multipliers && !descent.over() && fit.greatest_excess(at) > rows_within; ++time) {
         fit.sharpen(at);

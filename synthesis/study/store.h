@@ -21,7 +21,7 @@
 namespace mechwright {
 
 /// How long another program may hold the data before this one gives up.
-constexpr int patience_in_milliseconds = 10'000;
+constexpr int patience_in_milliseconds = 5'000;
 
 /// A value of the data; nothing where there is none.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;

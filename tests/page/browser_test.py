@@ -92,7 +92,7 @@ def compare_positions(test, problems):
         with test.subTest(name):
             open_page(results.page(name))
             _, poses = motion_of(results.result(name))
-            steps = range(0, len(poses), 9)
+            steps = range(0, len(poses), 15)
             shown = []
             for step in steps:
                 scrub(step)
@@ -179,6 +179,11 @@ class Page(unittest.TestCase):
         driver.find_element(By.TAG_NAME, "body").send_keys(" ")
         self.assertEqual(driver.find_element(By.ID, "play").text, "Pause")
         driver.find_element(By.TAG_NAME, "body").send_keys(" ")
+
+
+class PageReadings(unittest.TestCase):
+    def tearDown(self):
+        self.assertEqual(complaints_of(driver), [])
 
     def test_names_everything_for_screen_readers(self):
         open_page(results.page("problem-3"))

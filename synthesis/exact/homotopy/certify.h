@@ -145,18 +145,16 @@ std::optional<double> contraction(const Augmented<Ball, n>& at_middle, const Aug
 /// mirrored(const Point<T>&)`, which takes solutions to solutions where the parameters are real, and keeps real ones.
 template <class System>
 std::optional<Certificate<System>> certify(const System& system,
-                                           const typename System::template Point<double>& approximation,
+                                           const typename System::template Point<Digits50>& approximation,
                                            const typename System::template Parameters<Digits50>& parameters) {
     constexpr std::size_t n = System::size;
     // A wide box where double does for the inverse; a narrow one where solutions lie close together.
     constexpr double wide = 1e-22, narrow = 1e-27;
-    Certificate<System> certificate;
+    Certificate<System> certificate{approximation};
     auto& m = certificate.solution;
     double size = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        m[i] = {Digits50(approximation[i].re), Digits50(approximation[i].im)};
-        size = std::max(size, std::sqrt(norm(approximation[i])));
-    }
+    for (const Complex<Digits50>& z : approximation)
+        size = std::max(size, std::sqrt(norm(detail::rounded(z))));
     if (!detail::refined(system, m, parameters)) return {};
     const auto balls = detail::in_balls<System>(parameters);
     const auto at_middle = detail::at_box(system, m, 0, balls);
@@ -175,6 +173,17 @@ std::optional<Certificate<System>> certify(const System& system,
     }
     certificate.real = apart + *off < certificate.radius;
     return certificate;
+}
+
+/// From an approximation in double.
+template <class System>
+std::optional<Certificate<System>> certify(const System& system,
+                                           const typename System::template Point<double>& approximation,
+                                           const typename System::template Parameters<Digits50>& parameters) {
+    typename System::template Point<Digits50> fine;
+    for (std::size_t i = 0; i < fine.size(); ++i)
+        fine[i] = {Digits50(approximation[i].re), Digits50(approximation[i].im)};
+    return certify(system, fine, parameters);
 }
 
 }  // namespace mechwright::homotopy

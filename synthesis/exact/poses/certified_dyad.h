@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "analysis/geometry/vector.h"
 #include "synthesis/exact/poses/dyads.h"
@@ -31,6 +32,16 @@ struct CertifiedDyad {
     Vector<Digits50> fixed;
     Vector<Digits50> moving;
 };
+
+/// Dyads that doubles do not part, each proven to be another one.
+struct PartedDyads {
+    std::vector<CertifiedDyad> real;
+    std::size_t others = 0;  ///< that are not real
+};
+
+/// The dyads that four conditions leave, from those found in double and from what Newton's method left of the singular
+/// ones: each in fifty digits, and with each the one that lies next to it.
+PartedDyads parted(const DyadSolutions& found, std::span<const ExactCondition, 4> conditions);
 
 /// The one real dyad near an approximation that meets the conditions; nothing where that is not proven.
 std::optional<CertifiedDyad> certified(const Dyad& approximation, std::span<const ExactCondition, 4> conditions);

@@ -153,10 +153,12 @@ DyadSolutions dyads_at(const std::vector<Point>& points, const Plane& plane, con
         const bool regular = correct(conditions, dyad) < regular_below;
         const bool known = std::any_of(found.dyads.begin(), found.dyads.end(),
                                        [&](const ComplexDyad& other) { return distance(dyad, other) < same_within; });
-        if (regular && !known)
+        if (regular && !known) {
             found.dyads.push_back(dyad);
-        else
-            ++found.singular;
+            continue;
+        }
+        ++found.singular;
+        found.unsettled.push_back(dyad);
     }
     return found;
 }

@@ -56,10 +56,11 @@ DyadCondition moving_pivot_on_line(std::complex<double> point, std::complex<doub
 
 /// What four conditions leave.
 struct DyadSolutions {
-    std::vector<ComplexDyad> dyads;  ///< regular ones, four at most, each corrected by Newton's method
-    std::size_t at_infinity = 0;     ///< a pivot of these lies infinitely far away
-    std::size_t singular = 0;        ///< coincide with others
-    bool isolated = true;            ///< false: the conditions are not independent, and whole families meet them
+    std::vector<ComplexDyad> dyads;      ///< regular ones, four at most, each corrected by Newton's method
+    std::size_t at_infinity = 0;         ///< a pivot of these lies infinitely far away
+    std::size_t singular = 0;            ///< coincide with others, as far as doubles tell
+    std::vector<ComplexDyad> unsettled;  ///< where Newton's method ended for these
+    bool isolated = true;                ///< false: the conditions are not independent, and whole families meet them
 };
 
 /// The dyads that meet four conditions: four over the complex numbers. Lengths should be near 1.

@@ -99,28 +99,35 @@ struct RealDyad {
     std::optional<CertifiedDyad> proof;
 };
 
-/// The dyads of five poses, added to what has been counted.
+/// The dyads of five poses, added to what has been counted. Those that doubles do not part are parted in fifty digits.
 std::vector<RealDyad> counted(const std::vector<Displacement>& displacements,
                               const std::vector<ExactDisplacement>& exact, SolutionCounts& counts, bool& complete) {
     const DyadSolutions found = dyads_through(std::span<const Displacement, 4>(displacements));
-    counts.tracked += 4;
-    counts.distinct += found.dyads.size();
-    counts.at_infinity += found.at_infinity;
-    counts.singular += found.singular;
-    complete = complete && found.isolated && found.dyads.size() + found.at_infinity == 4;
+    std::array<ExactCondition, 4> conditions;
+    if (exact.size() == 4) std::transform(exact.begin(), exact.end(), conditions.begin(), exact_condition);
+    std::size_t distinct = found.dyads.size(), singular = found.singular;
     std::vector<RealDyad> dyads;
-    for (const ComplexDyad& dyad : found.dyads) {
-        const auto real = real_dyad(dyad);
-        if (!real) continue;
-        RealDyad one{*real, {}};
-        if (exact.size() == 4) {
-            one.proof =
-                certified(*real, std::array<ExactCondition, 4>{exact_condition(exact[0]), exact_condition(exact[1]),
-                                                               exact_condition(exact[2]), exact_condition(exact[3])});
+    const PartedDyads fine = exact.size() == 4 && singular > 0 ? parted(found, conditions) : PartedDyads{};
+    if (fine.real.size() + fine.others > distinct) {
+        distinct = fine.real.size() + fine.others;
+        singular -= std::min(singular, distinct - found.dyads.size());
+        for (const CertifiedDyad& dyad : fine.real)
+            dyads.push_back({dyad.dyad, dyad});
+    } else {
+        for (const ComplexDyad& dyad : found.dyads) {
+            const auto real = real_dyad(dyad);
+            if (!real) continue;
+            RealDyad one{*real, {}};
+            if (exact.size() == 4) one.proof = certified(*real, conditions);
             if (one.proof) one.dyad = one.proof->dyad;
+            dyads.push_back(std::move(one));
         }
-        dyads.push_back(std::move(one));
     }
+    counts.tracked += 4;
+    counts.distinct += distinct;
+    counts.at_infinity += found.at_infinity;
+    counts.singular += singular;
+    complete = complete && found.isolated && distinct + found.at_infinity == 4;
     return dyads;
 }
 

@@ -17,27 +17,17 @@ constexpr char given_file[] = {
 #include "task_crank-shaper-given.inc"
 };
 
-Task with_stroke() {
-    return {"crank-shaper",
-            "stroke",
-            "a ram of given stroke and time ratio, as uniform as possible while it works",
-            {stroke(), time_ratio("2", 1.01)},
-            stroke_file};
-}
-
-Task given() {
-    return {"crank-shaper",
-            "given",
-            "all dimensions known: what does it do",
-            {length_of("centre-distance", "Crank pivot to lever pivot, mm", "300"),
-             length_of("crank", "Length of the crank, shorter than that, mm", "150"),
-             length_of("lever", "Lever pivot to rod pin, mm", "200"), length_of("rod", "Length of the rod, mm", "300"),
-             length_of("ram-distance", "Lever pivot to ram line, mm", "187")},
-            given_file};
-}
-
 }  // namespace
 
-std::vector<Task> crank_shaper_tasks() { return {with_stroke(), given()}; }
+std::vector<Task> crank_shaper_tasks() {
+    return ram_tasks(
+        "crank-shaper", {uniform_while_working, {stroke(), time_ratio("2", 1.01)}, stroke_file},
+        {all_known,
+         {length_of("centre-distance", "Crank pivot to lever pivot, mm", "300"),
+          length_of("crank", "Length of the crank, shorter than that, mm", "150"),
+          length_of("lever", "Lever pivot to rod pin, mm", "200"), length_of("rod", "Length of the rod, mm", "300"),
+          length_of("ram-distance", "Lever pivot to ram line, mm", "187")},
+         given_file});
+}
 
 }  // namespace mechwright

@@ -17,26 +17,18 @@ constexpr char given_file[] = {
 #include "task_slider-crank-given.inc"
 };
 
-Task with_stroke() {
-    return {"slider-crank",
-            "stroke",
-            "a ram of given stroke and time ratio, with the best transmission angle",
-            {stroke(), time_ratio("1.2", 1)},
-            stroke_file};
-}
-
-Task given() {
-    return {"slider-crank",
-            "given",
-            "all dimensions known: what does it do",
-            {length_of("crank", "Length of the crank, mm", "50"),
-             length_of("rod", "Length of the rod, mm", "150"),
-             {"offset", "Distance of the slide line from the crank pivot, mm", "20"}},
-            given_file};
-}
-
 }  // namespace
 
-std::vector<Task> slider_crank_tasks() { return {with_stroke(), given()}; }
+std::vector<Task> slider_crank_tasks() {
+    return ram_tasks("slider-crank",
+                     {"a ram of given stroke and time ratio, with the best transmission angle",
+                      {stroke(), time_ratio("1.2", 1)},
+                      stroke_file},
+                     {all_known,
+                      {length_of("crank", "Length of the crank, mm", "50"),
+                       length_of("rod", "Length of the rod, mm", "150"),
+                       {"offset", "Distance of the slide line from the crank pivot, mm", "20"}},
+                      given_file});
+}
 
 }  // namespace mechwright
