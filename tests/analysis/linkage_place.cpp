@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -456,6 +457,44 @@ TEST(LinkagePlace, DrivesASlideAndARack) {
     EXPECT_NEAR(placed["C"].x, 3, 1e-15);
     EXPECT_NEAR(placed["C"].y, std::sqrt(5.), 1e-15);
     EXPECT_NEAR(placed.pose.turns[wheel], -1, 1e-15);
+}
+
+TEST(LinkagePlace, IsKlannsLeg) {
+    // Every link in the axes of its published position, in which the foot is at the origin.
+    MadeLinkage m;
+    m.points(0, {{"M", 1.599, 0.750}, {"L", 1.009, 0.574}, {"U", 1.366, 1.366}});
+    m.drive(m.link({{"M", 0, 0}, {"X", 0.268, 0}}));
+    m.link({{"X", 1.331, 0.750}, {"E", 0.741, 0.750}, {"K", 0.232, 0.866}});
+    m.link({{"L", 1.009, 0.574}, {"E", 0.741, 0.750}});
+    m.link({{"K", 0.232, 0.866}, {"H", 0.866, 1.5}, {"F", 0, 0}});
+    m.link({{"U", 1.366, 1.366}, {"H", 0.866, 1.5}});
+    const auto sides = sides_of(m, {{"E", -1}, {"H", 1}});
+    for (const auto& [degrees, x, y] : {std::array{180., 0., 0.},
+                                        {0., 1.0001295030465367, 3.4704035220634677e-5},
+                                        {90., 0.49671655705424742, 0.0045807619921161699},
+                                        {225., 0.27936903054752927, 0.39813069346223261},
+                                        {270., 0.53381618559074872, 0.43522300395018968}}) {
+        const Placed<double> placed(m, {degrees * degree}, sides);
+        ASSERT_TRUE(placed.closed);
+        EXPECT_NEAR(placed["F"].x, x, 1e-13);
+        EXPECT_NEAR(placed["F"].y, y, 1e-13);
+    }
+}
+
+TEST(LinkagePlace, HasChebyshevsDeviation) {
+    const MadeLinkage chebyshev = four_bar_linkage({4, 5, 2, 5}, 1, 0);  // levers crossed
+    const Placed<double> farthest(chebyshev, {73.350559342972807 * degree}, {-1});
+    EXPECT_NEAR(std::abs(farthest["P"].y - 4), 0.0097537330863600058, 1e-13);
+    // The lambda linkage has the same curve: its greatest height at a turn of its crank.
+    const MadeLinkage lambda = four_bar_linkage({2, 1, 2.5, 2.5}, 5, 0);
+    for (const double degrees : {90., 180., 270.})
+        EXPECT_NEAR(Placed<double>(lambda, {degrees * degree}, {1})["P"].y, 4, 1e-14);
+    using Once = Dual<double, 1>;
+    const Placed<Once> highest(lambda, {Once::variable(128.68218745348944 * degree, 0)}, {1});
+    EXPECT_NEAR(highest["P"].y.value, 4.00975373308636, 1e-13);
+    EXPECT_NEAR(highest["P"].y.partial[0], 0, 1e-12);
+    EXPECT_NEAR(Placed<Once>(lambda, {Once::variable(150 * degree, 0)}, {1})["P"].x.partial[0], -1.3353018585808267,
+                1e-13);
 }
 
 TEST(LinkagePlace, SaysByHowMuchItDoesNotClose) {
