@@ -80,9 +80,10 @@ void use(LinkageReading& reading, std::size_t dimension, Measure measure, FilePl
         d.measure = measure;
         reading.uses[dimension] = place;
     } else if (d.measure != measure) {
-        add_error(reading.messages, place,
-                  fmt::format("'{}' is used as {} here and as {} {}: give each a dimension of its own", d.name,
-                              name_of(measure), name_of(d.measure), told(reading.messages, reading.uses[dimension])));
+        add_error(
+            reading.messages, place,
+            fmt::format("'{}' is used as {} here and as {} {}: give each a dimension of its own", d.name,
+                        name_of(measure), name_of(d.measure), place_text(reading.messages, reading.uses[dimension])));
     }
 }
 
