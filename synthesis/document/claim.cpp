@@ -10,9 +10,11 @@
 #include "synthesis/document/claimed_cam.h"
 #include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/mechanism/function_target.h"
-#include "synthesis/mechanism/targets/with_targets.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/target/followed/document.h"
+#include "synthesis/target/function/document.h"
+#include "synthesis/target/path/document.h"
+#include "synthesis/target/with_targets.h"
 
 namespace mechwright {
 
@@ -21,7 +23,6 @@ namespace {
 using namespace claims;
 using namespace names;
 
-constexpr std::size_t most_points = 10000;
 constexpr std::size_t most_entries = 1000;  // requirements, terms of the objective
 constexpr double loosest_tolerance = 1e-2;
 
@@ -222,102 +223,6 @@ void read_quantities(Reader& in, const Json& document, Claim& claim) {
         const int index = find_quantity(*claim.mechanism, name);
         if (index < 0) return in.fail(fmt::format("a {} does not have {}", claim.mechanism->name, place));
         claim.quantities.emplace_back(static_cast<std::size_t>(index), in.number(&value, place));
-    }
-}
-
-/// Numbers, or null where any direction will do.
-std::vector<std::optional<double>> read_directions(Reader& in, const Json* json) {
-    std::vector<std::optional<double>> directions;
-    if (!in.array(json, "poses.directions", most_points)) return directions;
-    for (std::size_t i = 0; i < json->size(); ++i) {
-        const Json& one = (*json)[i];
-        const std::string place = fmt::format("poses.directions[{}]", i);
-        directions.push_back(one.is_null() ? std::nullopt : std::optional(in.number(&one, place)));
-    }
-    return directions;
-}
-
-void read_path(Reader& in, const Json& document, Claim& claim) {
-    const Json* poses = member(document, of_document("poses"));
-    const Json* json = poses ? poses : member(document, of_document("path"));
-    if (!json || !in.object(json, poses ? "poses" : "path")) return;
-    if (!claim.mechanism->point)
-        return in.fail(fmt::format("a {} guides no point along a path", claim.mechanism->name));
-    if (poses && !claim.mechanism->body) return in.fail(fmt::format("a {} guides no body", claim.mechanism->name));
-    ClaimedPath path;
-    path.points = in.points(member(*json, of_path("points")), "path.points", most_points);
-    if (path.points.empty()) in.fail("path.points is empty");
-    const std::size_t count = path.points.size();
-    if (const Json* timing = member(*json, of_path("timing"))) {
-        const std::string name = in.text(timing, "path.timing");
-        path.prescribed_timing = name == "prescribed";
-        path.any_order = name == "none";
-        if (name != "prescribed" && name != "free" && name != "none")
-            in.fail("path.timing is not one of free, prescribed and none");
-    }
-    if (poses) {
-        path.directions = read_directions(in, member(*json, of_poses("directions")));
-        path.body_length = in.number(member(*json, of_poses("body_length")), "poses.body_length");
-        if (const Json* reached = member(*json, of_poses("reached_directions")))
-            path.reached_directions = in.numbers(reached, "poses.reached_directions", most_points, true);
-        if (path.directions.size() != count) in.fail("poses.directions has not one angle for each point");
-        if (!(path.body_length > 0)) in.fail("poses.body_length is not greater than 0");
-    }
-    if (const Json* closed = member(*json, of_path("closed"))) path.closed = in.flag(closed, "path.closed");
-    path.weights.assign(count, 1.0);
-    if (const Json* weights = member(*json, of_path("weights")))
-        path.weights = in.numbers(weights, "path.weights", most_points, false);
-    for (const double w : path.weights)
-        if (w < 0) in.fail("path.weights has a negative weight");
-    if (path.weights.size() != count) in.fail("path.weights has not one weight for each point");
-    if (path.prescribed_timing) {
-        path.prescribed_angles =
-            in.numbers(member(*json, of_path("prescribed_angles")), "path.prescribed_angles", most_points, true);
-        if (path.prescribed_angles.size() != count) in.fail("path.prescribed_angles has not one angle for each point");
-    }
-    if (const Json* reached = member(*json, of_path("reached")))
-        path.reached = in.points(reached, "path.reached", most_points);
-    if (const Json* angles = member(*json, of_path("crank_angles")))
-        path.crank_angles = in.numbers(angles, "path.crank_angles", most_points, true);
-    if (const Json* distances = member(*json, of_path("distances")))
-        path.distances = in.numbers(distances, "path.distances", most_points, false);
-    claim.path = std::move(path);
-}
-
-void read_function(Reader& in, const Json& document, Claim& claim) {
-    const Json* json = member(document, of_document("function"));
-    if (!json || !in.object(json, "function")) return;
-    if (!claim.mechanism->function) return in.fail(fmt::format("a {} generates no functions", claim.mechanism->name));
-    auto target = std::make_shared<FunctionTarget>();
-    if (const Json* expression = member(*json, of_function("expression"))) {
-        target->expression = in.text(expression, "function.expression");
-        const auto x = in.numbers(member(*json, of_function("x")), "function.x", 2, false);
-        if (x.size() != 2 || !(x[0] < x[1])) return in.fail("function.x is not [from, to]");
-        target->from = x[0];
-        target->to = x[1];
-    } else {
-        target->samples = in.points(member(*json, of_function("samples")), "function.samples", most_points);
-        for (std::size_t i = 1; i < target->samples.size(); ++i)
-            if (!(target->samples[i].x > target->samples[i - 1].x)) in.fail("function.samples do not rise in x");
-        if (target->samples.size() < 2) in.fail("function.samples are fewer than two");
-    }
-    if (const Json* points = member(*json, of_function("accuracy_points")))
-        target->accuracy_points = in.numbers(points, "function.accuracy_points", most_points, false);
-    if (!in.understood()) return;
-    if (const std::string why = complete(*target); !why.empty()) return in.fail("function: " + why);
-    claim.function = std::move(target);
-}
-
-void read_followed(Reader& in, const Json& document, Claim& claim) {
-    for (const auto& [name, shape] :
-         {std::pair{of_document("line"), Followed::line}, std::pair{of_document("arc"), Followed::arc}}) {
-        const Json* json = member(document, name);
-        if (!json || !in.object(json, name)) continue;
-        claim.followed = FollowedTarget{shape};
-        if (!followed_shape_of(*claim.mechanism, *claim.followed))
-            return in.fail(fmt::format("a {} follows no {}", claim.mechanism->name, name));
-        if (const Json* turns = member(*json, of_followed("full_turn")))
-            claim.followed->full_turn = in.flag(turns, std::string(name) + ".full_turn");
     }
 }
 

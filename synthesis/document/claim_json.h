@@ -14,6 +14,8 @@ namespace mechwright::claims {
 
 using Json = nlohmann::ordered_json;
 
+inline constexpr std::size_t most_points = 10000;  ///< of a target
+
 /// The member of an object, or null where there is none.
 const Json* member(const Json& object, const std::string& name);
 

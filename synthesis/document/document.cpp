@@ -5,8 +5,7 @@
 
 #include "synthesis/document/cam_document.h"
 #include "synthesis/document/fields.h"
-#include "synthesis/document/followed_document.h"
-#include "synthesis/document/function_document.h"
+#include "synthesis/document/lists.h"
 #include "synthesis/document/proof_document.h"
 #include "synthesis/document/versions.h"
 #include "synthesis/mechanism/cam/cam.h"
@@ -14,6 +13,9 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/singular.h"
 #include "synthesis/program/standing.h"
+#include "synthesis/target/followed/document.h"
+#include "synthesis/target/function/document.h"
+#include "synthesis/target/path/document.h"
 
 namespace mechwright {
 
@@ -23,25 +25,9 @@ using Json = nlohmann::ordered_json;
 
 using namespace names;
 
-bool finite(double number) { return std::isfinite(number); }
-
 /// Numbers that are not finite are never written.
 void put(Json& object, std::string_view name, double number) {
-    if (finite(number)) object[std::string(name)] = number;
-}
-
-Json pairs(const std::vector<Vector<double>>& points) {
-    Json list = Json::array();
-    for (const Vector<double>& p : points)
-        list.push_back({p.x, p.y});
-    return list;
-}
-
-Json angles(const std::vector<double>& radians, const Units& units) {
-    Json list = Json::array();
-    for (const double angle : radians)
-        list.push_back(finite(angle) ? Json(in_file_unit(angle, Unit::angle, units)) : Json());
-    return list;
+    if (std::isfinite(number)) object[std::string(name)] = number;
 }
 
 Json given_dimensions(const Problem& problem) {
@@ -136,35 +122,12 @@ Json quantities_of(const Problem& problem, const Design& design) {
     return json;
 }
 
-Json path_of(const Problem& problem, const Solution* best) {
-    const PathTarget& target = *problem.path;
-    Json json{{of_path("points"), pairs(target.points)},
-              {of_path("timing"), target.prescribed_timing ? "prescribed"
-                                  : target.any_order       ? "none"
-                                                           : "free"},
-              {of_path("closed"), target.closed}};
-    if (target.guides_body()) {
-        json[of_poses("directions")] = angles(target.directions, problem.units);
-        json[of_poses("body_length")] = target.body_length;
-    }
-    if (std::any_of(target.weights.begin(), target.weights.end(), [](double w) { return w != 1; }))
-        json[of_path("weights")] = target.weights;
-    if (target.prescribed_timing) json[of_path("prescribed_angles")] = angles(target.crank_angles, problem.units);
-    if (!best) return json;
-    if (const std::optional<PathValues> values = path_values(problem, best->design)) {
-        json[of_path("reached")] = pairs(values->reached);
-        if (target.guides_body()) json[of_poses("reached_directions")] = angles(values->directions, problem.units);
-        json[of_path("crank_angles")] = angles(best->design.path_angles, problem.units);
-        json[of_path("distances")] = values->distances;
-    }
-    return json;
-}
-
 Json alternative_of(const Problem& problem, const Solution& solution) {
     Json one{{of_alternative("design"), design_of(problem, solution.design)}};
     put(one, of_alternative("objective"), solution.objective);
     const std::vector<double>& path_angles = solution.design.path_angles;
-    if (!path_angles.empty() && std::all_of(path_angles.begin(), path_angles.end(), finite))
+    if (!path_angles.empty() &&
+        std::all_of(path_angles.begin(), path_angles.end(), [](double a) { return std::isfinite(a); }))
         one[of_alternative("path_angles")] = angles(solution.design.path_angles, problem.units);
     if (const std::optional<PathValues> values = path_values(problem, solution.design))
         one[of_alternative("distances")] = values->distances;
@@ -200,7 +163,7 @@ Json solutions_of(const SolutionCounts& counts) {
 void put_targets(Json& json, const Problem& problem, const Solution* best) {
     const Design* design = best ? &best->design : nullptr;
     if (problem.path)
-        json[problem.path->guides_body() ? of_finding("poses") : of_finding("path")] = path_of(problem, best);
+        json[problem.path->guides_body() ? of_finding("poses") : of_finding("path")] = path_document(problem, best);
     if (problem.function) json[of_finding("function")] = function_document(problem, design);
     if (problem.followed)
         json[std::string(followed_shape_of(*problem.mechanism, *problem.followed)->name)] =

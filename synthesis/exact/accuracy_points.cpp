@@ -11,8 +11,8 @@
 #include "synthesis/exact/poses/certified_dyad.h"
 #include "synthesis/exact/sized_linkage.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
-#include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/target/function/function_target.h"
 
 namespace mechwright {
 

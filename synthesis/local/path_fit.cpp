@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/program/path/stretch.h"
+#include "synthesis/target/path/rows/stretch.h"
 
 namespace mechwright {
 

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Turns the formula of a guided point, written once as a template, into the `miss` of a mechanism's guidance; and the
-/// quantities that every mechanism with such a point has.
+/// Turns the formula of a guided point, written once as a template, into the `miss` of a mechanism's guidance.
 
 #include <algorithm>
 #include <array>
@@ -154,41 +153,6 @@ void pose_miss_by(Form form, std::span<const double> dimensions, double crank_an
     } else {
         evaluate(at);
     }
-}
-
-inline std::vector<Quantity> pose_quantities() {
-    return {
-        {.name = "pose-rms",
-         .unit = Unit::length,
-         .meaning = "root of the weighted mean of squared distances of the body from the target poses",
-         .path = PathMeasure::root_mean_square,
-         .section = "poses"},
-        {.name = "pose-max",
-         .unit = Unit::length,
-         .meaning = "greatest distance of the body from a target pose",
-         .path = PathMeasure::greatest,
-         .section = "poses"},
-    };
-}
-
-inline std::vector<Quantity> path_quantities() {
-    return {
-        {.name = "path-sse",
-         .unit = Unit::area,
-         .meaning = "weighted sum of squared distances from the target points",
-         .path = PathMeasure::sum_of_squares,
-         .section = "path"},
-        {.name = "path-rms",
-         .unit = Unit::length,
-         .meaning = "root of the weighted mean of squared distances from the target points",
-         .path = PathMeasure::root_mean_square,
-         .section = "path"},
-        {.name = "path-max",
-         .unit = Unit::length,
-         .meaning = "greatest distance from a target point",
-         .path = PathMeasure::greatest,
-         .section = "path"},
-    };
 }
 
 }  // namespace mechwright

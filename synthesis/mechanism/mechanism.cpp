@@ -11,8 +11,8 @@
 #include "synthesis/mechanism/drag_link/drag_link.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/mechanism/slider_crank/slider_crank.h"
-#include "synthesis/mechanism/targets/with_targets.h"
 #include "synthesis/mechanism/whitworth/whitworth.h"
+#include "synthesis/target/with_targets.h"
 
 namespace mechwright {
 

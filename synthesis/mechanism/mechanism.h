@@ -231,7 +231,7 @@ struct PoseMiss {
 inline constexpr std::size_t no_dimension = static_cast<std::size_t>(-1);
 
 /// Which dimensions play which part in a path: the point's coordinates on the guiding link, the placement in the
-/// drawing; and the numbers of the path and the poses themselves, where a problem has them (targets/with_targets.h).
+/// drawing; and the numbers of the path and the poses themselves, where a problem has them (target/with_targets.h).
 struct PathRoles {
     std::size_t along;
     std::size_t across;
@@ -414,7 +414,7 @@ struct Mechanism {
     /// At one crank angle: their arguments are dimensions of the mechanism, then that angle.
     std::vector<Quantity> at_instant{};
     /// The targets that problems can have, named as their sections, in the order in which their numbers follow the
-    /// mechanism's own dimensions (targets/with_targets.h).
+    /// mechanism's own dimensions (target/with_targets.h).
     std::vector<std::string> targets{};
     std::shared_ptr<const Mechanism> plain{};  ///< the same without the numbers of any target, where this one has some
     std::shared_ptr<const Mechanism> whole{};  ///< the same with those of all, where this one has not

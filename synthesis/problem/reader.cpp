@@ -4,8 +4,6 @@
 
 #include <exception>
 
-#include "synthesis/mechanism/function_target.h"
-#include "synthesis/mechanism/targets/with_targets.h"
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/linkage/linkage.h"
 #include "synthesis/problem/schema/keys.h"
@@ -14,6 +12,8 @@
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/toml/toml_text.h"
+#include "synthesis/target/function/function_target.h"
+#include "synthesis/target/with_targets.h"
 
 namespace mechwright {
 

@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "synthesis/problem/units.h"
-#include "synthesis/program/path/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
 #include "synthesis/program/validity.h"
+#include "synthesis/target/path/rows/nearest_point.h"
 
 namespace mechwright {
 

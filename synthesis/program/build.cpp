@@ -3,8 +3,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "synthesis/program/path/stretch.h"
 #include "synthesis/program/program.h"
+#include "synthesis/target/path/rows/stretch.h"
 
 namespace mechwright {
 

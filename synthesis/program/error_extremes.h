@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "synthesis/mechanism/function_target.h"
 #include "synthesis/program/result.h"
+#include "synthesis/target/function/function_target.h"
 
 namespace mechwright {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/program/path/path_outputs.h"
-#include "synthesis/program/path/stretch.h"
+#include "synthesis/target/path/rows/path_outputs.h"
+#include "synthesis/target/path/rows/stretch.h"
 
 namespace mechwright {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "synthesis/program/path/stretch.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/target/path/rows/stretch.h"
 
 namespace mechwright {
 

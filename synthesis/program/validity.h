@@ -19,7 +19,7 @@ struct ValidityMargin {
 /// The margins of a design. A cam's follower is held, and the cam is not undercut. A linkage assembles over the crank
 /// angles over which it is judged. For a path or poses it assembles at every target and along the stretch between them,
 /// on one branch; the crank goes round a closed path; an ordered path is met in its order within one turn. What
-/// verification asks (verify/path_checks.h, the mechanisms' check_motion) are these conditions again.
+/// verification asks (target/path/verify.h, the mechanisms' check_motion) are these conditions again.
 std::vector<ValidityMargin> validity_margins(const Problem& problem, const Design& design);
 
 }  // namespace mechwright

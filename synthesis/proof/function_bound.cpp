@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/mechanism/function_target.h"
-#include "synthesis/mechanism/loop_row.h"
 #include "synthesis/program/error_extremes.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/target/function/function_target.h"
+#include "synthesis/target/function/loop_row.h"
 
 namespace mechwright {
 

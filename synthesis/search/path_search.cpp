@@ -11,7 +11,6 @@
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/assess.h"
-#include "synthesis/program/path/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/search_trace.h"
 #include "synthesis/program/work_sharing.h"
@@ -20,6 +19,7 @@
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/screened_starts.h"
 #include "synthesis/search/starts_nearby.h"
+#include "synthesis/target/path/rows/nearest_point.h"
 
 namespace mechwright {
 

@@ -7,10 +7,11 @@
 #include <span>
 
 #include "analysis/numbers/low_discrepancy.h"
-#include "synthesis/program/path/path_outputs.h"
-#include "synthesis/program/path/stretch.h"
 #include "synthesis/search/path_timing.h"
 #include "synthesis/search/starts.h"
+#include "synthesis/target/path/fit.h"
+#include "synthesis/target/path/rows/path_outputs.h"
+#include "synthesis/target/path/rows/stretch.h"
 
 namespace mechwright {
 

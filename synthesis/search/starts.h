@@ -25,10 +25,4 @@ Start screened_start(const Program& program, std::uint64_t seed, int index, int 
 /// The point of it alone.
 Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates);
 
-/// Fits origin, size with tilt, and guided point of x to the target points by linear least squares, as far as they are
-/// design variables, and keeps them in their ranges. With complex numbers the points are O + Z p_i + Y w_i: p_i the
-/// guiding link's own point and w_i its direction at unit size and no tilt, both known from the link lengths and crank
-/// angles; O, Z and Y the unknowns.
-void fit_placement(const Program& program, Eigen::VectorXd& x);
-
 }  // namespace mechwright

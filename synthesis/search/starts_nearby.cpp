@@ -4,6 +4,7 @@
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/search/starts.h"
+#include "synthesis/target/path/fit.h"
 
 namespace mechwright {
 

@@ -9,10 +9,10 @@
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
-#include "synthesis/program/path/nearest_point.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/csv/csv_text.h"
 #include "synthesis/solve/solve.h"
+#include "synthesis/target/path/rows/nearest_point.h"
 
 namespace mechwright {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "synthesis/mechanism/function_target.h"
+#include "synthesis/target/function/function_target.h"
 #include "synthesis/verify/rebuilt.h"
 
 namespace mechwright {

@@ -7,14 +7,16 @@
 #include <new>
 #include <numbers>
 
-#include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/result.h"
+#include "synthesis/target/followed/verify.h"
+#include "synthesis/target/function/function_target.h"
+#include "synthesis/target/function/verify.h"
+#include "synthesis/target/path/verify.h"
 #include "synthesis/verify/asked.h"
 #include "synthesis/verify/derived.h"
 #include "synthesis/verify/others.h"
-#include "synthesis/verify/path_checks.h"
 #include "synthesis/verify/proofs/proof_checks.h"
 #include "synthesis/verify/rebuilt.h"
 
@@ -66,11 +68,6 @@ Check check_kind(const Rebuilt& design) {
     return {
         "is the kind of mechanism that is stated", kind == stated,
         kind == stated ? kind : fmt::format("stated is {}, it is {}", reading::quoted(stated), reading::quoted(kind))};
-}
-
-Check check_full_turn(const Rebuilt& design) {
-    const bool passed = turns_fully(design);
-    return {"the crank turns fully", passed, passed ? "it does" : "it does not"};
 }
 
 /// Whether quantities are measured over the motion of the linkage itself, which ends where it cannot go on.
@@ -248,20 +245,6 @@ Check check_objective(const ClaimedObjective& objective, Measurements& measureme
         defects.push_back(fmt::format("it is stated as {:.15g}, measured again {:.15g}", *objective.value,
                                       again->value.convert_to<double>()));
     return stated_check("the objective is as stated", std::move(defects));
-}
-
-/// The greatest error at the accuracy points of a function, which an exact method has met.
-Check check_accuracy_points(const Rebuilt& design) {
-    constexpr double met_within = 1e-9;  // radians
-    const Claim& claim = *design.claim;
-    const FunctionTarget points = at_accuracy_points(*claim.function);
-    Motion motion = design.motion;
-    motion.function = &points;
-    const Digits50 error = measure_again(deviation_from(*claim.mechanism, "function"), motion, design.dimensions);
-    return {"meets the function at the accuracy points", error <= met_within,
-            isfinite(error) ? fmt::format("the greatest error is {} rad, allowed is {}", shown_small(error),
-                                          shown_small(met_within))
-                            : std::string("the mechanism does not assemble at one of them")};
 }
 
 constexpr std::string_view as_stated = "as stated";

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/solve/solve.h"
+#include "synthesis/target/function/function_target.h"
 #include "tests/degree.h"
 #include "tests/exact/all_solutions.h"
 

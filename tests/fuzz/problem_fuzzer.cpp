@@ -10,7 +10,7 @@
 
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/reader.h"
-#include "synthesis/problem/sections/points.h"
+#include "synthesis/target/path/read_points.h"
 #include "tests/fuzz/evaluation.h"
 #include "tests/fuzz/require.h"
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/problem/study/varied_problem.h"
 #include "synthesis/problem/toml/toml_text.h"
+#include "synthesis/target/function/function_target.h"
 #include "tests/fuzz/evaluation.h"
 #include "tests/fuzz/require.h"
 

@@ -7,6 +7,7 @@
 
 #include "synthesis/problem/reader.h"
 #include "synthesis/search/starts.h"
+#include "synthesis/target/path/fit.h"
 
 namespace mechwright {
 

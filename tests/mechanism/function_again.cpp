@@ -1,12 +1,12 @@
 // The mean error of a function generator, measured again: as exact as the expression allows, and no more work than
 // that.
 
-#include "synthesis/mechanism/function_again.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+
+#include "synthesis/target/function/formulas_again.h"
 
 namespace mechwright {
 namespace {

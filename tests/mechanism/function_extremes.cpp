@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "synthesis/mechanism/function_formulas.h"
+#include "synthesis/target/function/formulas.h"
 
 namespace mechwright {
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "synthesis/mechanism/function_target.h"
+#include "synthesis/target/function/function_target.h"
 #include "tests/problem/problem_text.h"
 
 namespace mechwright::test {

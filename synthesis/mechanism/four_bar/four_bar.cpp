@@ -6,7 +6,6 @@
 #include "analysis/four_bar.h"
 #include "analysis/four_bar/exact_turn.h"
 #include "analysis/numbers/interval.h"
-#include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/four_bar/cognates.h"
 #include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/drawing.h"
@@ -18,6 +17,8 @@
 #include "synthesis/mechanism/four_bar/screening.h"
 #include "synthesis/mechanism/four_bar/tasks.h"
 #include "synthesis/mechanism/measure_by.h"
+#include "synthesis/target/followed/arc.h"
+#include "synthesis/target/followed/line.h"
 
 namespace mechwright {
 

@@ -13,15 +13,16 @@
 #include "analysis/four_bar.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/mechanism/four_bar/linkage_again.h"
-#include "synthesis/mechanism/function_formulas.h"
-#include "synthesis/mechanism/loop_row.h"
+#include "synthesis/target/function/formulas.h"
+#include "synthesis/target/function/loop_row.h"
 
 namespace mechwright::four_bar {
 
 /// The arguments of what is judged over the input range: the links, then its start and the range.
 inline constexpr std::size_t read_over_input_count = links + 2;
 
-/// The generator of function_formulas.h: the rocker angle less the angle that the function asks for, in (-pi, pi].
+/// The generator of target/function/formulas.h: the rocker angle less the angle that the function asks for, in (-pi,
+/// pi].
 struct RockerAngle {
     static constexpr std::size_t reads = links + 4;
     static constexpr bool wraps = true;
@@ -98,7 +99,7 @@ LoopRow<T> rocker_loop_row(const T& input, const T& output) {
 bool fit_function(const FunctionTarget& f, std::span<double> dimensions, std::span<double, 4> scales, bool turns_input,
                   bool turns_output);
 
-/// The rocker angle by the pose of linkage_again.h (function_again.h).
+/// The rocker angle by the pose of linkage_again.h (target/function/formulas_again.h).
 struct RockerAngleAgain {
     static constexpr std::size_t scales = 4;
     again::Linkage<Digits50> fine;

@@ -12,8 +12,8 @@
 #include <span>
 
 #include "analysis/slider_crank.h"
-#include "synthesis/mechanism/function_formulas.h"
-#include "synthesis/mechanism/loop_row.h"
+#include "synthesis/target/function/formulas.h"
+#include "synthesis/target/function/loop_row.h"
 
 namespace mechwright::quick_return {
 
@@ -23,7 +23,7 @@ inline constexpr std::size_t ram_links = 3;
 /// The arguments of what is judged over the input range: these, then its start and the range.
 inline constexpr std::size_t read_over_input_count = ram_links + 2;
 
-/// The generator of function_formulas.h: the position of the ram less the one that the function asks for.
+/// The generator of target/function/formulas.h: the position of the ram less the one that the function asks for.
 struct RamPosition {
     static constexpr std::size_t reads = ram_links + 4;
     template <class T>
@@ -77,7 +77,7 @@ struct RodTransmission {
     }
 };
 
-/// The position of the ram from the right triangle of rod and slide (function_again.h).
+/// The position of the ram from the right triangle of rod and slide (target/function/formulas_again.h).
 struct RamPositionAgain {
     static constexpr std::size_t scales = 3;
     std::span<const Digits50> arguments;

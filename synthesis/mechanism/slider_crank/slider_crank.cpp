@@ -4,13 +4,14 @@
 
 #include "analysis/four_bar/exact_turn.h"
 #include "analysis/numbers/interval.h"
-#include "synthesis/mechanism/followed_formulas.h"
 #include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/quick_return/drive.h"
 #include "synthesis/mechanism/slider_crank/again.h"
 #include "synthesis/mechanism/slider_crank/layout.h"
 #include "synthesis/mechanism/slider_crank/ram_function.h"
 #include "synthesis/mechanism/slider_crank/rod_path.h"
+#include "synthesis/target/followed/arc.h"
+#include "synthesis/target/followed/line.h"
 
 namespace mechwright {
 

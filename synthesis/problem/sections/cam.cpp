@@ -19,7 +19,7 @@ namespace {
 using cam::ContourKind;
 using cam::SegmentKind;
 
-constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double whole_turn = 2 * std::numbers::pi;
 constexpr std::size_t most_law_choices = 256;
 
 /// What a segment's keys and messages go by.
@@ -214,7 +214,7 @@ struct SegmentReader {
         }
         const double first = lifts.front(), last = lifts.back();
         const auto [least, greatest] = std::minmax_element(lifts.begin(), lifts.end());
-        if (std::abs(angles.back() - angles.front() - full_turn) < 1e-12 * full_turn) {
+        if (std::abs(angles.back() - angles.front() - whole_turn) < 1e-12 * whole_turn) {
             if (std::abs(last - first) > 1e-12 * (*greatest - *least))
                 return fail(
                     angles.size() - 1,
@@ -231,13 +231,13 @@ struct SegmentReader {
         dimension(cam_lift_dimension(mechanism(), index)) = {plan.table->range, plan.table->range, {}, true};
     }
 
-    static double full_turn_radians() { return full_turn * (1 + 1e-12); }
+    static double full_turn_radians() { return whole_turn * (1 + 1e-12); }
 
     void read() {
         read_kind();
         auto& angle = dimension(cam_angle_dimension(mechanism(), index));
         if (plan.kind == SegmentKind::cycle && whole) {
-            angle = {full_turn, full_turn, {}, true};
+            angle = {whole_turn, whole_turn, {}, true};
             read_table();
             report_unknown_keys(section, messages);
             return;
@@ -290,19 +290,19 @@ void check_turn(Problem& problem, FilePlace place, Messages& messages) {
     Sum sum;
     for (std::size_t i = 0; i < program_of(*problem.mechanism)->segments.size(); ++i)
         sum.add(problem.dimensions[cam_angle_dimension(*problem.mechanism, i)], 1);
-    const double same_within = 1e-12 * full_turn;
+    const double same_within = 1e-12 * whole_turn;
     const char* unit = problem.units.degrees ? " deg" : " rad";
     const auto shown = [&](double angle) { return fmt::format("{:.10g}{}", shown_angle(problem.units, angle), unit); };
-    if (sum.least > full_turn + same_within)
+    if (sum.least > whole_turn + same_within)
         add_error(messages, place,
                   fmt::format("the segments' angles add up to {}{}, {} more than a full turn",
-                              sum.fixed() ? "" : "at least ", shown(sum.least), shown(sum.least - full_turn)));
-    else if (sum.greatest < full_turn - same_within)
+                              sum.fixed() ? "" : "at least ", shown(sum.least), shown(sum.least - whole_turn)));
+    else if (sum.greatest < whole_turn - same_within)
         add_error(messages, place,
                   fmt::format("the segments' angles add up to {}{}, {} short of a full turn",
-                              sum.fixed() ? "" : "at most ", shown(sum.greatest), shown(full_turn - sum.greatest)));
+                              sum.fixed() ? "" : "at most ", shown(sum.greatest), shown(whole_turn - sum.greatest)));
     else if (!sum.fixed())
-        require_closure(problem, "turn", full_turn);
+        require_closure(problem, "turn", whole_turn);
 }
 
 void check_lifts(Problem& problem, const std::vector<FilePlace>& places, Messages& messages) {
@@ -334,7 +334,7 @@ void check_lifts(Problem& problem, const std::vector<FilePlace>& places, Message
 void set_contour(Problem& problem, ContourKind contour) {
     if (problem.dimensions.empty()) return;
     problem.mechanism = with_program(*problem.mechanism, contour_program(contour));
-    problem.dimensions[cam_angle_dimension(*problem.mechanism, 0)] = {full_turn, full_turn, {}, true};
+    problem.dimensions[cam_angle_dimension(*problem.mechanism, 0)] = {whole_turn, whole_turn, {}, true};
     problem.assemblies.clear();
     for (const std::size_t rotation : {std::size_t{0}, std::size_t{1}})
         if (problem.cam_rotation == 2 || problem.cam_rotation == rotation) problem.assemblies.push_back(rotation);

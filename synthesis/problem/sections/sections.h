@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include "synthesis/problem/sections/points.h"
 #include "synthesis/problem/toml/section.h"
+#include "synthesis/target/path/read_points.h"
 
 namespace mechwright::reading {
 

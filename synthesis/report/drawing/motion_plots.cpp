@@ -9,11 +9,13 @@
 #include <numbers>
 
 #include "synthesis/mechanism/drawing/motion_row.h"
-#include "synthesis/mechanism/function_target.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv/csv_text.h"
 #include "synthesis/report/files/gnuplot.h"
 #include "synthesis/report/text/table.h"
+#include "synthesis/target/followed/draw.h"
+#include "synthesis/target/function/draw.h"
+#include "synthesis/target/function/function_target.h"
 
 namespace mechwright {
 
@@ -121,17 +123,7 @@ double error_at(const FinishedDesign& design, const MotionRow& row) {
     const double share = (row.values().front() - design["input-start"]) / design["input-range"];
     constexpr double end_within = 1e-12;
     if (!(share >= -end_within && share <= 1 + end_within)) return std::numeric_limits<double>::quiet_NaN();
-    if (design.function) {
-        const bool angle = deviation_from(*design.mechanism, "function").unit == Unit::angle;
-        const double asked = design["output-start"] + design["output-range"] * part_at(*design.function, share);
-        return angle ? std::remainder(row["rocker-angle"] - asked, 2 * std::numbers::pi) : row["ram-position"] - asked;
-    }
-    const Vector<double> point = row.vector("point");
-    if (design.motion.followed == Followed::line) {
-        const double angle = design["line-angle"];
-        return dot(point, Vector<double>{-std::sin(angle), std::cos(angle)}) - design["line-offset"];
-    }
-    return std::hypot(point.x - design["arc-x"], point.y - design["arc-y"]) - design["arc-radius"];
+    return design.function ? function_error(design, row, share) : distance_from_followed(design, row);
 }
 
 /// The plot of that, first of all: it is what such a design is made for. Samples of a function are not joined.

@@ -9,6 +9,7 @@
 #include "analysis/numbers/scalar.h"
 #include "synthesis/mechanism/drawing/outlines.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/target/followed/draw.h"
 
 namespace mechwright {
 
@@ -94,49 +95,6 @@ void add_path(const FinishedDesign& design, double tolerance, Scene& scene) {
                  path.vertices);
     if (!path.closed) path.vertices.push_back({curve(motion.to), 0});
     scene.fixed.push_back(std::move(path));
-}
-
-/// The line that the guided point is to follow, beside where it is over the input range.
-Outline followed_line(const FinishedDesign& design, std::span<const Vector<double>> reached, double beyond) {
-    const double angle = design["line-angle"];
-    const Vector<double> along{std::cos(angle), std::sin(angle)};
-    const Vector<double> foot = design["line-offset"] * left_of(along);
-    const auto [least, greatest] = std::minmax_element(
-        reached.begin(), reached.end(), [&](const auto& a, const auto& b) { return dot(a, along) < dot(b, along); });
-    return outlines::segment(foot + (dot(*least, along) - beyond) * along,
-                             foot + (dot(*greatest, along) + beyond) * along, Layer::follow);
-}
-
-Outline followed_arc(const FinishedDesign& design, std::span<const Vector<double>> reached) {
-    const Vector<double> centre{design["arc-x"], design["arc-y"]};
-    const double radius = std::abs(design["arc-radius"]);
-    std::vector<double> angles;
-    for (const Vector<double>& p : reached) {
-        const double angle = std::atan2(p.y - centre.y, p.x - centre.x);
-        angles.push_back(angles.empty() ? angle
-                                        : angles.back() + std::remainder(angle - angles.back(), 2 * pi<double>()));
-    }
-    const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
-    // In eight parts: no bulge is large, whatever the angle.
-    constexpr int parts = 8;
-    const double step = (*greatest - *least) / parts;
-    Outline arc{Layer::follow, {}, false};
-    for (int i = 0; i <= parts; ++i) {
-        const double angle = *least + step * i;
-        arc.vertices.push_back({centre + radius * Vector<double>{std::cos(angle), std::sin(angle)},
-                                i < parts ? std::tan(0.25 * step) : 0});
-    }
-    return arc;
-}
-
-void add_followed(const FinishedDesign& design, Scene& scene) {
-    if (design.motion.followed == Followed::nothing) return;
-    constexpr int steps = 64;
-    std::vector<Vector<double>> reached;
-    for (int i = 0; i <= steps; ++i)
-        reached.push_back(*guided_point(design, scene, design["input-start"] + design["input-range"] * i / steps));
-    scene.fixed.push_back(design.motion.followed == Followed::line ? followed_line(design, reached, 2 * scene.symbol)
-                                                                   : followed_arc(design, reached));
 }
 
 }  // namespace

@@ -9,6 +9,9 @@
 
 namespace mechwright {
 
+/// A table of the extremes, each "`what` place is error", and what their number says.
+std::string extremes_text(const Problem& problem, const Design& design, const std::string& what, Unit unit);
+
 /// A line for each extreme, and what their number says; empty where the problem has none of the three.
 std::string error_section(const Problem& problem, const Design& design, bool colour);
 

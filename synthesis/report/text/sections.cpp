@@ -18,7 +18,6 @@ namespace mechwright {
 
 namespace {
 
-constexpr std::size_t most_points_shown = 12;
 constexpr std::size_t longest_title = 400;
 
 /// What there is to say of a dimension beside its value.
@@ -58,42 +57,6 @@ std::vector<std::string> requirement_row(const Problem& problem, const Quantity&
 std::string objective_value(const Solution& solution, const std::string& unit) {
     if (!std::isfinite(solution.objective)) return "not defined";
     return number_text(solution.objective) + (unit.empty() ? "" : " " + unit);
-}
-
-/// Digits after the point for six significant ones of the greatest coordinate.
-int decimals_of(const std::vector<Vector<double>>& points) {
-    double greatest = 0;
-    for (const Vector<double>& p : points)
-        greatest = std::max({greatest, std::abs(p.x), std::abs(p.y)});
-    if (greatest == 0) return 3;
-    return std::clamp(5 - static_cast<int>(std::floor(std::log10(greatest))), 0, 9);
-}
-
-std::string point_table(const Problem& problem, const Design& design, const PathValues& values) {
-    const bool body = problem.path->guides_body();
-    Table table{{Align::right, Align::point, Align::point, Align::right, Align::right, Align::right, Align::point}, {}};
-    table.rows.push_back({"#", "target x", "y", "reached x", "y", "crank", "distance"});
-    if (body) {
-        table.columns = {Align::right, Align::point, Align::point, Align::point, Align::right,
-                         Align::right, Align::right, Align::right, Align::point};
-        table.rows.front() = {"#", "target x", "y", "angle", "reached x", "y", "angle", "crank", "distance"};
-    }
-    const int decimals = decimals_of(problem.path->points);
-    for (std::size_t i = 0; i < values.distances.size(); ++i) {
-        const Vector<double>& target = problem.path->points[i];
-        const Vector<double>& reached = values.reached[i];
-        const double angle = in_file_unit(design.path_angles[i], Unit::angle, problem.units);
-        table.rows.push_back({std::to_string(i + 1), number_text(target.x, 6), number_text(target.y, 6),
-                              fixed_text(reached.x, decimals), fixed_text(reached.y, decimals),
-                              fixed_text(angle, problem.units.degrees ? 2 : 4), number_text(values.distances[i], 3)});
-        if (!body) continue;
-        auto& row = table.rows.back();
-        const auto in_unit = [&](double a) { return in_file_unit(a, Unit::angle, problem.units); };
-        const double asked = problem.path->directions[i];
-        row.insert(row.begin() + 3, std::isnan(asked) ? "any" : number_text(in_unit(asked), 6));
-        row.insert(row.begin() + 6, fixed_text(in_unit(values.directions[i]), problem.units.degrees ? 3 : 5));
-    }
-    return to_text(table, 2);
 }
 
 }  // namespace
@@ -189,21 +152,6 @@ std::string quantity_section(const Problem& problem, const Design& design, bool 
     }
     if (table.rows.empty()) return {};
     return heading("Quantities", colour) + to_text(table, 2);
-}
-
-std::string path_section(const Problem& problem, const Design& design, bool colour) {
-    const std::optional<PathValues> values = path_values(problem, design);
-    if (!values) return {};
-    const std::size_t count = values->distances.size();
-    std::string text =
-        heading(problem.path->guides_body() ? fmt::format("Poses: {}", count)
-                                            : fmt::format("Path: {} point{}", count, count == 1 ? "" : "s"),
-                colour);
-    if (count <= most_points_shown) text += point_table(problem, design, *values);
-    text += fmt::format("  distance: root mean square {}, greatest {}\n",
-                        value_with_unit(values->root_mean_square, Unit::length, problem.units),
-                        value_with_unit(values->greatest, Unit::length, problem.units));
-    return text;
 }
 
 std::string verification_section(const std::vector<Check>& checks, bool colour) {

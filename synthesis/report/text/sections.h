@@ -27,9 +27,6 @@ std::string requirement_section(const Problem& problem, const Design& design, bo
 /// Every quantity that is defined for the design.
 std::string quantity_section(const Problem& problem, const Design& design, bool colour);
 
-/// How close the path comes to the target points: each of them if they are few, else the mean and the greatest.
-std::string path_section(const Problem& problem, const Design& design, bool colour);
-
 /// One line if all checks passed, else the failed ones with what was found.
 std::string verification_section(const std::vector<Check>& checks, bool colour);
 

@@ -16,6 +16,7 @@
 #include "synthesis/report/text/error_sections.h"
 #include "synthesis/report/text/sections.h"
 #include "synthesis/report/text/table.h"
+#include "synthesis/target/path/text.h"
 
 namespace mechwright {
 

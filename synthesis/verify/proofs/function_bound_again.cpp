@@ -11,25 +11,25 @@ namespace {
 constexpr std::size_t order = 4, corners = 3;
 
 template <class T>
-using Row = std::array<T, order>;
+using Equation = std::array<T, order>;
 
 /// Ends of the outputs at a place, and the corner between them.
 template <class T>
-std::array<Row<T>, corners> hull(LoopKind kind, const T& input, const T& from, const T& to) {
+std::array<Equation<T>, corners> hull(LoopKind kind, const T& input, const T& from, const T& to) {
     using std::cos, std::sin;
     const T c = cos(input), s = sin(input);
     if (kind == LoopKind::slider_crank) {
-        const auto row = [&](const T& x, const T& square) { return Row<T>{x * c, s, T(1), square}; };
+        const auto row = [&](const T& x, const T& square) { return Equation<T>{x * c, s, T(1), square}; };
         return {row(from, from * from), row(to, to * to), row((from + to) / 2, from * to)};
     }
-    const auto row = [&](const T& x, const T& y) { return Row<T>{x, c, T(1), c * x + s * y}; };
+    const auto row = [&](const T& x, const T& y) { return Equation<T>{x, c, T(1), c * x + s * y}; };
     const T middle = (from + to) / 2, stretch = 1 / cos((to - from) / 2);
     return {row(cos(from), sin(from)), row(cos(to), sin(to)), row(stretch * cos(middle), stretch * sin(middle))};
 }
 
 /// The six minors of two rows, of the columns 01, 02, 03, 12, 13, 23.
 template <class T>
-std::array<T, 6> minors(const Row<T>& a, const Row<T>& b) {
+std::array<T, 6> minors(const Equation<T>& a, const Equation<T>& b) {
     const auto m = [&](std::size_t i, std::size_t j) { return T(a[i] * b[j] - a[j] * b[i]); };
     return {m(0, 1), m(0, 2), m(0, 3), m(1, 2), m(1, 3), m(2, 3)};
 }
@@ -41,7 +41,7 @@ T determinant(const std::array<T, 6>& a, const std::array<T, 6>& b) {
 }
 
 template <class T>
-T determinant(const std::array<Row<T>, order>& rows) {
+T determinant(const std::array<Equation<T>, order>& rows) {
     return determinant(minors(rows[0], rows[1]), minors(rows[2], rows[3]));
 }
 
@@ -53,7 +53,7 @@ struct Errors {
 
 /// Whether the determinant has one sign over all errors.
 bool excluded(LoopKind kind, const std::vector<AskedPlace>& places, const Four& at, const Errors& errors) {
-    std::array<std::array<Row<Digits50>, corners>, order> hulls;
+    std::array<std::array<Equation<Digits50>, corners>, order> hulls;
     for (std::size_t j = 0; j < order; ++j) {
         const AskedPlace& p = places[at[j]];
         hulls[j] = hull<Digits50>(kind, p.input, p.output + errors.from[j], p.output + errors.to[j]);
@@ -95,7 +95,7 @@ bool excluded_by_parts(LoopKind kind, const std::vector<AskedPlace>& places, con
 
 /// How far the determinant is from 0, over what errors of this size do to it to first order.
 double promise(LoopKind kind, const std::vector<AskedPlace>& places, const Four& at, double error) {
-    std::array<Row<double>, order> rows;
+    std::array<Equation<double>, order> rows;
     const auto row_at = [&](std::size_t j, double e) {
         const auto input = places[at[j]].input.convert_to<double>();
         const double output = places[at[j]].output.convert_to<double>() + e;

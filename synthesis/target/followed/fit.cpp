@@ -1,0 +1,32 @@
+#include "synthesis/target/followed/fit.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "synthesis/target/path/rows/path_outputs.h"
+
+namespace mechwright {
+
+void fit_followed(const Program& program, Eigen::VectorXd& x) {
+    const FollowedShape& shape = *followed_shape_of(*program.problem->mechanism, *program.problem->followed);
+    std::vector<double> dimensions = dimensions_at(program, x);
+    std::array<bool, 3> free{};
+    const std::size_t numbers = shape.numbers.size();
+    for (std::size_t k = 0; k < numbers; ++k)
+        free[k] = program.variable_of[shape.place + k] >= 0;
+    std::array<double, Reads::most> room;
+    const Mechanism& mechanism = *program.problem->mechanism;
+    shape.fit(mechanism.form(program.variant.assembly),
+              deviation_from(mechanism, shape.name).reads.of(dimensions, room),
+              std::span(dimensions).subspan(shape.place, numbers), free);
+    for (std::size_t k = 0; k < numbers; ++k) {
+        if (!free[k]) continue;
+        const std::ptrdiff_t v = program.variable_of[shape.place + k];
+        const Variable& variable = program.variables[static_cast<std::size_t>(v)];
+        x[v] = std::clamp(dimensions[shape.place + k], variable.lower, variable.upper);
+    }
+}
+
+}  // namespace mechwright

@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// What a summary says of a line or an arc that is followed.
+
+#include <string>
+
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+/// A heading, where the distance is extreme, and what the number of extremes says.
+std::string followed_section(const Problem& problem, const Design& design, bool colour);
+
+}  // namespace mechwright

@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// What a summary says of a function that is generated.
+
+#include <string>
+
+#include "synthesis/program/result.h"
+
+namespace mechwright {
+
+/// A heading, where the error is extreme, and what the number of extremes says.
+std::string function_section(const Problem& problem, const Design& design, bool colour);
+
+}  // namespace mechwright

@@ -1,0 +1,22 @@
+#include "synthesis/target/function/verify.h"
+
+#include <fmt/format.h>
+
+#include "synthesis/target/function/function_target.h"
+
+namespace mechwright {
+
+Check check_accuracy_points(const Rebuilt& design) {
+    constexpr double met_within = 1e-9;  // radians
+    const Claim& claim = *design.claim;
+    const FunctionTarget points = at_accuracy_points(*claim.function);
+    Motion motion = design.motion;
+    motion.function = &points;
+    const Digits50 error = measure_again(deviation_from(*claim.mechanism, "function"), motion, design.dimensions);
+    return {"meets the function at the accuracy points", error <= met_within,
+            isfinite(error) ? fmt::format("the greatest error is {} rad, allowed is {}", shown_small(error),
+                                          shown_small(met_within))
+                            : std::string("the mechanism does not assemble at one of them")};
+}
+
+}  // namespace mechwright

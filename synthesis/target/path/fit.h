@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// The placement of a mechanism that comes closest to a path, or to poses.
+
+#include <Eigen/Core>
+
+#include "synthesis/program/program.h"
+
+namespace mechwright {
+
+/// Fits origin, size with tilt, and guided point of x to the target points by linear least squares, as far as they are
+/// design variables, and keeps them in their ranges. With complex numbers the points are O + Z p_i + Y w_i: p_i the
+/// guiding link's own point and w_i its direction at unit size and no tilt, both known from the link lengths and crank
+/// angles; O, Z and Y the unknowns.
+void fit_placement(const Program& program, Eigen::VectorXd& x);
+
+}  // namespace mechwright

@@ -1,0 +1,97 @@
+#include "synthesis/target/path/rows/nearest_point.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/numbers/extremes.h"
+
+namespace mechwright {
+
+namespace {
+
+/// Samples of the curve; a coupler curve is of degree six and has few local minima of distance, far apart.
+constexpr int steps = 360;
+constexpr std::size_t most_arguments = PointGuidance::most_reads + 1;
+
+struct Sample {
+    double angle;
+    Vector<double> point;
+};
+
+/// A point of the curve and, if asked for, its derivative by the crank angle.
+bool point_at(const Problem& problem, const Design& design, double angle, Vector<double>& point,
+              Vector<double>* slope) {
+    std::array<double, most_arguments> x{};
+    std::array<double, most_arguments> y{};
+    PathMiss miss{};
+    if (slope) {
+        miss.gradient_x = x;
+        miss.gradient_y = y;
+    }
+    miss_of_point(*problem.mechanism, design.assembly, design.dimensions, angle, {0, 0}, miss);
+    point = -miss.miss;
+    const std::size_t last = problem.mechanism->point->reads.size();
+    if (slope) *slope = {-x[last], -y[last]};
+    return miss.margin >= 0;
+}
+
+std::vector<Sample> sampled_curve(const Problem& problem, const Design& design) {
+    const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
+    std::vector<Sample> curve;
+    if (!(motion.from <= motion.to)) return curve;
+    for (int i = 0; i <= steps; ++i) {
+        Sample s{motion.from + i * (motion.to - motion.from) / steps, {}};
+        if (point_at(problem, design, s.angle, s.point, nullptr)) curve.push_back(s);
+    }
+    return curve;
+}
+
+/// The crank angle at which the distance from a target is least between two samples around a third.
+double refined(const Problem& problem, const Design& design, const Vector<double>& target, double left, double right,
+               double middle) {
+    const auto slope = [&](double angle) {
+        Vector<double> point;
+        Vector<double> tangent;
+        point_at(problem, design, angle, point, &tangent);
+        return dot(point - target, tangent);
+    };
+    const double at_left = slope(left);
+    const double at_right = slope(right);
+    if (!(at_left < 0 && at_right > 0)) return middle;
+    return zero_between(slope, left, right, at_left, at_right);
+}
+
+}  // namespace
+
+void meet_nearest_points(const Problem& problem, Design& design) {
+    const std::vector<Sample> curve = sampled_curve(problem, design);
+    if (curve.empty()) return;
+    const auto last = curve.size() - 1;
+    const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
+    for (std::size_t i = 0; i < problem.path->points.size(); ++i) {
+        const Vector<double>& target = problem.path->points[i];
+        const auto square = [&](const Vector<double>& p) { return dot(p - target, p - target); };
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k <= last; ++k) {
+            // Round a full turn the first sample follows the last but one.
+            const std::size_t before = k > 0 ? k - 1 : motion.full_turn ? last - 1 : 0;
+            const std::size_t after = k < last ? k + 1 : motion.full_turn ? 1 : last;
+            const double here = square(curve[k].point);
+            if (here > square(curve[before].point) || here > square(curve[after].point)) continue;
+            const double step = (motion.to - motion.from) / steps;
+            const bool at_end = !motion.full_turn && (k == 0 || k == last);
+            const double angle =
+                at_end ? curve[k].angle
+                       : refined(problem, design, target, curve[k].angle - step, curve[k].angle + step, curve[k].angle);
+            Vector<double> point;
+            if (!point_at(problem, design, angle, point, nullptr)) continue;
+            if (square(point) < least) {
+                least = square(point);
+                design.path_angles[i] = angle;
+            }
+        }
+    }
+}
+
+}  // namespace mechwright

@@ -1,0 +1,290 @@
+#include "synthesis/target/path/rows/path_outputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mechwright {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr std::size_t most_arguments = PointGuidance::most_reads + 1;  ///< dimensions, then the crank angle
+constexpr std::size_t most_pairs = most_arguments * (most_arguments + 1) / 2;
+
+/// One residual of a point, of which there are two, for a guided body four: what is missed in x and y, and in the
+/// direction that the body faces.
+struct Residual {
+    double value;
+    std::array<double, most_arguments> gradient;
+    std::array<double, most_pairs> hessian;
+};
+
+/// Squared distance at one point with what its derivatives need.
+struct PointTerms {
+    std::array<Residual, 4> residuals;
+    std::size_t count;                                    ///< of them
+    std::size_t arguments;                                ///< dimensions and crank angle
+    std::array<std::ptrdiff_t, most_arguments> variable;  ///< of each of the arguments
+    double margin;
+    double square;
+
+    std::span<const Residual> all() const& { return std::span(residuals).first(count); }
+    std::span<const Residual> all() const&& = delete;  // they would be gone
+    /// The derivative of the square by an argument.
+    double slope(std::size_t argument) const {
+        double sum = 0;
+        for (const Residual& r : all())
+            sum += r.value * r.gradient[argument];
+        return 2 * sum;
+    }
+};
+
+/// Where one pair of residuals is written to.
+PathMiss into(Residual& x, Residual& y, int order) {
+    PathMiss miss{};
+    if (order >= 1) {
+        miss.gradient_x = x.gradient;
+        miss.gradient_y = y.gradient;
+    }
+    if (order >= 2) {
+        miss.hessian_x = x.hessian;
+        miss.hessian_y = y.hessian;
+    }
+    return miss;
+}
+
+/// Times the length of a guided body.
+void scale(Residual& r, double length, std::size_t arguments, int order) {
+    r.value *= length;
+    for (std::size_t k = 0; order >= 1 && k < arguments; ++k)
+        r.gradient[k] *= length;
+    for (std::size_t k = 0; order >= 2 && k < arguments * (arguments + 1) / 2; ++k)
+        r.hessian[k] *= length;
+}
+
+/// Derivatives by dimensions as those by the variables that they are multiples of.
+void by_variables(Residual& r, std::span<const double> times, int order) {
+    for (std::size_t k = 0; order >= 1 && k < times.size(); ++k)
+        r.gradient[k] *= times[k];
+    for (std::size_t k = 0, at = 0; order >= 2 && k < times.size(); ++k)
+        for (std::size_t l = 0; l <= k; ++l, ++at)
+            r.hessian[at] *= times[k] * times[l];
+}
+
+void evaluate_point(const Program& program, std::span<const double> dimensions, const VectorXd& x, std::size_t point,
+                    int order, PointTerms& t) {
+    const Mechanism& mechanism = *program.problem->mechanism;
+    const PathTarget& target = *program.problem->path;
+    const PathAngle angle = path_angle(program, dimensions, x, point);
+    const Reads& reads = target.guides_body() ? mechanism.body->reads : mechanism.point->reads;
+    auto& r = t.residuals;
+    t.arguments = reads.size() + 1;
+    PoseMiss miss{into(r[0], r[1], order), into(r[2], r[3], order)};
+    if (target.guides_body()) {
+        const double direction = target.faces(point) ? target.directions[point] : 0;
+        miss_of_body(mechanism, program.variant.assembly, dimensions, angle.angle, program.targets[point],
+                     {std::cos(direction), std::sin(direction)}, miss);
+        t.count = 4;
+        r[2].value = miss.turn.miss.x;
+        r[3].value = miss.turn.miss.y;
+        const double length = target.faces(point) ? target.body_length / program.length : 0;
+        scale(r[2], length, t.arguments, order);
+        scale(r[3], length, t.arguments, order);
+    } else {
+        miss_of_point(mechanism, program.variant.assembly, dimensions, angle.angle, program.targets[point], miss.place);
+        t.count = 2;
+    }
+    r[0].value = miss.place.miss.x;
+    r[1].value = miss.place.miss.y;
+    t.margin = miss.place.margin;
+    t.square = 0;
+    for (const Residual& residual : t.all())
+        t.square += residual.value * residual.value;
+    if (order == 0) return;
+    std::array<double, most_arguments> times;
+    for (std::size_t i = 0; i < reads.size(); ++i) {
+        t.variable[i] = program.variable_of[reads[i]];
+        times[i] = program.times[reads[i]];
+    }
+    t.variable[reads.size()] = angle.variable;
+    times[reads.size()] = program.untimed_path() ? 1 : program.times[program.problem->mechanism->point->roles.start];
+    if (std::all_of(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(t.arguments),
+                    [](double f) { return f == 1; }))
+        return;
+    for (std::size_t k = 0; k < t.count; ++k)
+        by_variables(t.residuals[k], std::span(times).first(t.arguments), order);
+}
+
+double weight_sum(const Program& program) {
+    double sum = 0;
+    for (const double w : program.problem->path->weights)
+        sum += w;
+    return sum;
+}
+
+}  // namespace
+
+void set_dimensions(const Program& program, const VectorXd& x, std::vector<double>& dimensions) {
+    dimensions = program.dimensions;
+    for (std::size_t i = 0; i < dimensions.size(); ++i)
+        if (program.variable_of[i] >= 0) dimensions[i] = program.times[i] * x[program.variable_of[i]];
+}
+
+std::vector<double> dimensions_at(const Program& program, const VectorXd& x) {
+    std::vector<double> dimensions;
+    set_dimensions(program, x, dimensions);
+    return dimensions;
+}
+
+PathAngle path_angle(const Program& program, std::span<const double> dimensions, const VectorXd& x, std::size_t point) {
+    if (program.untimed_path()) {
+        const auto variable = static_cast<std::ptrdiff_t>(program.first_path_angle + point);
+        return {x[variable], variable};
+    }
+    const std::size_t start = program.problem->mechanism->point->roles.start;
+    return {dimensions[start] + program.problem->path->crank_angles[point], program.variable_of[start]};
+}
+
+void evaluate_path(const Program& program, const VectorXd& x, bool derivatives, Outputs& out) {
+    const PathBlock& path = *program.path;
+    const PathTarget& target = *program.problem->path;
+    PointTerms t;
+    double sum = 0;
+    VectorXd& sum_gradient = out.path_gradient;
+    if (derivatives) sum_gradient.setZero(static_cast<Index>(program.size()));
+    for (std::size_t i = 0; i < program.targets.size(); ++i) {
+        evaluate_point(program, out.dimensions, x, i, derivatives ? 1 : 0, t);
+        if (!(t.margin >= 0)) {
+            out.assembled = false;
+            return;
+        }
+        const double w = target.weights[i];
+        const double distance = std::sqrt(t.square);
+        sum += w * t.square;
+        const auto square_row = static_cast<Index>(path.squares.value_or(0) + i);
+        const auto distance_row = static_cast<Index>(path.distances.value_or(0) + i);
+        const auto miss_row = static_cast<Index>(path.misses.value_or(0) + i * t.count);
+        if (path.squares) out.value[square_row] = t.square;
+        if (path.distances) out.value[distance_row] = distance;
+        for (std::size_t c = 0; path.misses && c < t.count; ++c)
+            out.value[miss_row + static_cast<Index>(c)] = t.residuals[c].value;
+        if (!derivatives) continue;
+        for (std::size_t k = 0; k < t.arguments; ++k) {
+            if (t.variable[k] < 0) continue;
+            const double g = t.slope(k);
+            sum_gradient[t.variable[k]] += w * g;
+            if (path.squares) out.jacobian(square_row, t.variable[k]) += g;
+            if (path.distances && distance > 0) out.jacobian(distance_row, t.variable[k]) += g / (2 * distance);
+            for (std::size_t c = 0; path.misses && c < t.count; ++c)
+                out.jacobian(miss_row + static_cast<Index>(c), t.variable[k]) += t.residuals[c].gradient[k];
+        }
+    }
+    const double weights = weight_sum(program);
+    if (path.sum) {
+        out.value[static_cast<Index>(*path.sum)] = sum;
+        if (derivatives) out.jacobian.row(static_cast<Index>(*path.sum)) = sum_gradient.transpose();
+    }
+    if (path.rms) {
+        const double rms = std::sqrt(sum / weights);
+        out.value[static_cast<Index>(*path.rms)] = rms;
+        if (derivatives && rms > 0)
+            out.jacobian.row(static_cast<Index>(*path.rms)) = sum_gradient.transpose() / (2 * weights * rms);
+    }
+}
+
+void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessian& out) {
+    const PathBlock& path = *program.path;
+    const PathTarget& target = *program.problem->path;
+    const auto weight_at = [&](const std::optional<std::size_t>& output, std::size_t offset) {
+        return output ? out.weights[static_cast<Index>(*output + offset)] : 0.0;
+    };
+    const double on_sum = weight_at(path.sum, 0);
+    const double on_rms = weight_at(path.rms, 0);
+    const double total = weight_sum(program);
+    const std::size_t each = residuals_per_point(program);
+    PointTerms t;
+    double rms = 0;
+    if (on_rms != 0) {
+        for (std::size_t i = 0; i < program.targets.size(); ++i) {
+            evaluate_point(program, out.dimensions, x, i, 0, t);
+            rms += target.weights[i] * t.square;
+        }
+        rms = std::sqrt(rms / total);
+    }
+    MatrixXd& hessian = out.value;
+    VectorXd& sum_gradient = out.path_gradient;
+    sum_gradient.setZero(static_cast<Index>(program.size()));
+    for (std::size_t i = 0; i < program.targets.size(); ++i) {
+        const double w = target.weights[i];
+        const double on_square = weight_at(path.squares, i);
+        const double on_distance = weight_at(path.distances, i);
+        std::array<double, 4> on_miss{};
+        for (std::size_t c = 0; c < each; ++c)
+            on_miss[c] = weight_at(path.misses, i * each + c);
+        const bool misses = std::any_of(on_miss.begin(), on_miss.end(), [](double weight) { return weight != 0; });
+        if (on_sum == 0 && on_rms == 0 && on_square == 0 && on_distance == 0 && !misses) continue;
+        evaluate_point(program, out.dimensions, x, i, 2, t);
+        const double distance = std::sqrt(t.square);
+        const double on_q = on_sum * w + on_square + (rms > 0 ? on_rms * w / (2 * total * rms) : 0) +
+                            (distance > 0 ? on_distance / (2 * distance) : 0);
+        const double on_gradient_square = distance > 0 ? on_distance / (4 * t.square * distance) : 0;
+        std::array<double, most_arguments> g;
+        for (std::size_t k = 0; k < t.arguments; ++k) {
+            g[k] = t.slope(k);
+            if (t.variable[k] >= 0) sum_gradient[t.variable[k]] += w * g[k];
+        }
+        for (std::size_t k = 0, at = 0; k < t.arguments; ++k)
+            for (std::size_t l = 0; l <= k; ++l, ++at) {
+                const std::ptrdiff_t a = t.variable[k];
+                const std::ptrdiff_t b = t.variable[l];
+                if (a < 0 || b < 0) continue;
+                double q = 0;
+                for (const Residual& r : t.all())
+                    q += 2 * (r.gradient[k] * r.gradient[l] + r.value * r.hessian[at]);
+                double h = on_q * q - on_gradient_square * g[k] * g[l];
+                for (std::size_t c = 0; misses && c < each; ++c)
+                    h += on_miss[c] * t.residuals[c].hessian[at];
+                hessian(a, b) += h;
+                if (k != l) hessian(b, a) += h;
+            }
+    }
+    if (rms > 0)
+        hessian.noalias() -=
+            (on_rms / (4 * total * total * rms * rms * rms) * sum_gradient).lazyProduct(sum_gradient.transpose());
+}
+
+bool path_residuals(const Program& program, const VectorXd& x, bool derivatives, PathResiduals& out) {
+    set_dimensions(program, x, out.dimensions);
+    const std::size_t each = residuals_per_point(program);
+    const auto rows = static_cast<Index>(each * program.targets.size());
+    const auto columns = static_cast<Index>(program.dimension_variables);
+    out.value.resize(rows);
+    if (derivatives) {
+        out.jacobian.setZero(rows, columns);
+        out.by_angle.setZero(program.untimed_path() ? rows : 0);
+    }
+    PointTerms t;
+    for (std::size_t i = 0; i < program.targets.size(); ++i) {
+        evaluate_point(program, out.dimensions, x, i, derivatives ? 1 : 0, t);
+        if (!(t.margin >= 0)) return false;
+        const double w = std::sqrt(program.problem->path->weights[i]);
+        for (std::size_t c = 0; c < each; ++c) {
+            const auto row = static_cast<Index>(each * i + c);
+            const Residual& r = t.residuals[c];
+            out.value[row] = w * r.value;
+            for (std::size_t k = 0; derivatives && k < t.arguments; ++k) {
+                const std::ptrdiff_t v = t.variable[k];
+                if (v >= 0) (v >= columns ? out.by_angle[row] : out.jacobian(row, v)) += w * r.gradient[k];
+            }
+        }
+    }
+    return out.value.allFinite() && (!derivatives || out.jacobian.allFinite());
+}
+
+std::size_t residuals_per_point(const Program& program) { return program.problem->path->guides_body() ? 4 : 2; }
+
+}  // namespace mechwright

@@ -1,0 +1,273 @@
+#include "synthesis/target/path/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "analysis/numbers/golden_section.h"
+namespace mechwright {
+
+namespace {
+
+constexpr double angular = 1e-9;      // radians, of stated crank angles
+constexpr double least_step = 1e-12;  // radians from point to point
+
+double plain(const Digits50& value) { return value.convert_to<double>(); }
+
+std::string nth(std::size_t index) { return fmt::format("point {}", index + 1); }
+
+const Digits50& full_turn() { return boost::math::constants::two_pi<Digits50>(); }
+
+/// The angle counted up from zero, in [0, 2 pi).
+Digits50 within_turn(const Digits50& angle) { return angle - full_turn() * floor(angle / full_turn()); }
+
+/// The error of each point against a limit; passes if every error is finite and within it.
+template <class Error>
+Check check_each(std::string name, std::size_t count, const Digits50& limit, const Error& error) {
+    Digits50 worst = -1;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Digits50 e = error(i);
+        if (!isfinite(e)) return {std::move(name), false, "the mechanism does not assemble at " + nth(i)};
+        if (e <= worst) continue;
+        worst = e;
+        at = i;
+    }
+    return {std::move(name), worst <= limit,
+            fmt::format("the greatest difference is {} at {}, allowed is {}", shown_small(worst), nth(at),
+                        shown_small(limit))};
+}
+
+/// The distance between stated and real place of each point.
+Check check_reached(const ClaimedPath& path, const RebuiltPath& rebuilt) {
+    return check_each("reaches the points that are stated", path.points.size(), angular * rebuilt.size,
+                      [&](std::size_t i) -> Digits50 {
+                          const Vector<Digits50> stated{path.reached[i].x, path.reached[i].y};
+                          const Vector<Digits50> away = stated - rebuilt.reached[i];
+                          return sqrt(dot(away, away));
+                      });
+}
+
+/// The difference between stated and real direction of a guided body at each point.
+Check check_faced(const ClaimedPath& path, const RebuiltPath& rebuilt, const Units& units) {
+    return check_each("faces in the directions that are stated", path.points.size(), angular,
+                      [&](std::size_t i) -> Digits50 {
+                          const Digits50 stated = from_document(path.reached_directions[i], Unit::angle, units);
+                          const Digits50 off = within_turn(stated - rebuilt.directions[i]);
+                          return std::min(off, Digits50(full_turn() - off));
+                      });
+}
+
+/// Distances to a relative 1e-9, and to 1e-12 of the size of the drawing where they vanish.
+Check check_distances(const ClaimedPath& path, const RebuiltPath& rebuilt) {
+    Check check{"distances from the target are as stated", true, {}};
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const Digits50& distance = rebuilt.distances[i];
+        const Digits50 difference = abs(distance - path.distances[i]);
+        if (difference <= 1e-9 * distance + 1e-12 * rebuilt.size) continue;
+        check.passed = false;
+        check.detail = isfinite(distance) ? fmt::format("{} is {:.15g} away, stated is {:.15g}", nth(i),
+                                                        distance.convert_to<double>(), path.distances[i])
+                                          : "the mechanism does not assemble at " + nth(i);
+        return check;
+    }
+    check.detail = fmt::format("all {} measured again", path.points.size());
+    return check;
+}
+
+Check check_prescribed(const Rebuilt& design) {
+    const Claim& claim = *design.claim;
+    const Digits50& start = design.dimensions[claim.mechanism->point->roles.start];
+    return check_each("meets the points at the prescribed crank angles", claim.path->points.size(), angular,
+                      [&](std::size_t i) -> Digits50 {
+                          const Digits50 due =
+                              start + from_document(claim.path->prescribed_angles[i], Unit::angle, claim.units);
+                          const Digits50 off = within_turn(design.path->crank_angles[i] - due);
+                          return std::min(off, Digits50(full_turn() - off));
+                      });
+}
+
+/// A range of crank angles, radians.
+struct Range {
+    Digits50 from;
+    Digits50 to;
+};
+
+/// The crank angles that are swept if the points are met in order in a direction; nothing if they cannot be: an angle
+/// is met twice, or the crank needs more than a turn (exactly one is allowed where the last point is the first again).
+std::optional<Range> swept_in_order(const RebuiltPath& path, bool ends_meet, int direction) {
+    Digits50 swept = 0;
+    for (std::size_t i = 1; i < path.crank_angles.size(); ++i) {
+        const Digits50 step = within_turn(direction * (path.crank_angles[i] - path.crank_angles[i - 1]));
+        if (step < least_step) return std::nullopt;
+        swept += step;
+    }
+    if (swept > full_turn() + (ends_meet ? angular : -least_step)) return std::nullopt;
+    const Digits50& first = path.crank_angles.front();
+    return direction > 0 ? Range{first, first + swept} : Range{first - swept, first};
+}
+
+/// The sweeps by which the crank can meet the points: of a timed path the one from the least to the greatest angle.
+std::vector<Range> sweeps(const Rebuilt& design) {
+    const ClaimedPath& path = *design.claim->path;
+    if (path.prescribed_timing) {
+        const auto [least, greatest] =
+            std::minmax_element(path.prescribed_angles.begin(), path.prescribed_angles.end());
+        const Digits50& start = design.dimensions[design.claim->mechanism->point->roles.start];
+        return {{start + from_document(*least, Unit::angle, design.claim->units),
+                 start + from_document(*greatest, Unit::angle, design.claim->units)}};
+    }
+    if (path.any_order) {
+        if (design.motion.full_turn) return {{0, full_turn()}};
+        const auto [least, greatest] =
+            std::minmax_element(design.path->crank_angles.begin(), design.path->crank_angles.end());
+        return {{*least, *greatest}};
+    }
+    const Vector<double>&first = path.points.front(), &last = path.points.back();
+    const bool ends_meet = path.points.size() > 2 && first.x == last.x && first.y == last.y;
+    std::vector<Range> possible;
+    for (const int direction : {1, -1})
+        if (const auto range = swept_in_order(*design.path, ends_meet, direction)) possible.push_back(*range);
+    return possible;
+}
+
+std::string shown_range(const Rebuilt& design, const Range& range) {
+    return fmt::format("crank angles {} to {}", shown(range.from, Unit::angle, design.claim->units),
+                       shown(range.to, Unit::angle, design.claim->units));
+}
+
+/// The curve of the guided point over the motion: evenly spaced samples in double, of which those are left out that the
+/// rounding of the ends of a limited motion puts out of reach.
+struct SampledCurve {
+    std::vector<double> crank_angles;
+    std::vector<Vector<double>> points;
+};
+
+Vector<double> curve_point(const Rebuilt& design, double crank_angle) {
+    const Claim& claim = *design.claim;
+    const Vector<Digits50> p = point_again(*claim.mechanism, claim.assembly, design.dimensions, Digits50(crank_angle));
+    return {plain(p.x), plain(p.y)};
+}
+
+double distance_between(const Vector<double>& a, const Vector<double>& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// A full turn is sampled from a step before it to a step after it, so that every place of it has neighbours.
+SampledCurve sampled_curve(const Rebuilt& design) {
+    constexpr int steps = 720;
+    const Motion& motion = design.motion;
+    const double step = (motion.full_turn ? plain(full_turn()) : motion.to - motion.from) / steps;
+    const int beyond = motion.full_turn ? 1 : 0;
+    SampledCurve curve;
+    for (int i = -beyond; i <= steps + beyond; ++i) {
+        const double angle = (motion.full_turn ? 0 : motion.from) + i * step;
+        const Vector<double> p = curve_point(design, angle);
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+        curve.crank_angles.push_back(angle);
+        curve.points.push_back(p);
+    }
+    return curve;
+}
+
+/// The least distance from a target around the k-th sample of the curve, by golden sections between its neighbours, to
+/// half the digits of a double: a least value is flat.
+double refined_distance(const Rebuilt& design, const SampledCurve& curve, std::size_t k, const Vector<double>& target) {
+    const auto away = [&](double angle) { return distance_between(curve_point(design, angle), target); };
+    const double left = curve.crank_angles[k - std::min<std::size_t>(k, 1)];
+    const double right = curve.crank_angles[std::min(k + 1, curve.points.size() - 1)];
+    constexpr int steps = 40;  // the steps of a curve are below 0.01 rad, to 1e-10 rad
+    return away(greatest_between([&](double angle) { return -away(angle); }, left, right, steps));
+}
+
+/// The least distance of the curve from a target: every sample is refined that is nearer than its neighbours and could
+/// hide, between them, a place nearer than what is stated.
+double least_distance(const Rebuilt& design, const SampledCurve& curve, const Vector<double>& target, double stated) {
+    const auto& points = curve.points;
+    const auto away = [&](std::size_t k) { return distance_between(points[k], target); };
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const std::size_t before = k - std::min<std::size_t>(k, 1), after = std::min(k + 1, points.size() - 1);
+        least = std::min(least, away(k));
+        if (away(k) > away(before) || away(k) > away(after)) continue;
+        const double reach = distance_between(points[before], points[k]) + distance_between(points[k], points[after]);
+        if (away(k) - 2 * reach < stated) least = std::min(least, refined_distance(design, curve, k, target));
+    }
+    return least;
+}
+
+/// No place of the curve is nearer to a target than is stated.
+Check check_nearest(const Rebuilt& design) {
+    const ClaimedPath& path = *design.claim->path;
+    Check check{"every point counts by the nearest point of the curve", true, {}};
+    const SampledCurve curve = sampled_curve(design);
+    if (curve.points.empty()) return {check.name, false, "the mechanism assembles nowhere"};
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const double stated = plain(design.path->distances[i]);
+        const double least = least_distance(design, curve, path.points[i], stated);
+        if (stated <= least + angular * plain(design.path->size)) continue;
+        check.passed = false;
+        check.detail = fmt::format("{} is {:.15g} away, a point of the curve only {:.15g}", nth(i), stated, least);
+        return check;
+    }
+    check.detail = fmt::format("no place between {} points of the curve is closer", curve.points.size());
+    return check;
+}
+
+Check check_closed(const Rebuilt& design) {
+    const bool passed = turns_fully(design);
+    return {"the crank goes round the closed path", passed, passed ? "it turns fully" : "it does not turn fully"};
+}
+
+Check check_order(const Rebuilt& design, const std::vector<Range>& possible) {
+    const bool passed = !possible.empty();
+    return {"meets the points in order within one turn of the crank", passed,
+            passed ? shown_range(design, possible.front())
+                   : "the crank angles neither rise nor fall from point to point within one turn"};
+}
+
+/// One of the sweeps must lie on one branch in one assembled range.
+Check check_sweep(const Rebuilt& design, const std::vector<Range>& possible) {
+    Check check{"stays assembled on one branch along the path", false, "the points are not met in order"};
+    for (const Range& range : possible) {
+        Motion motion = design.motion;
+        motion.full_turn = false;
+        motion.from = range.from.convert_to<double>();
+        motion.to = range.to.convert_to<double>();
+        const auto checks = design.claim->mechanism->check_motion(motion, design.dimensions);
+        const auto failed = std::find_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
+        check.passed = failed == checks.end();
+        check.detail = shown_range(design, range);
+        if (check.passed) break;
+        check.detail += ": " + failed->detail;
+    }
+    return check;
+}
+
+}  // namespace
+
+std::vector<Check> check_path(const Rebuilt& design, Stated parts) {
+    const ClaimedPath& path = *design.claim->path;
+    const std::size_t count = path.points.size();
+    const bool reached = path.reached.size() == count && path.reached_directions.size() == path.directions.size();
+    if (!design.path || path.distances.size() != count || (parts == Stated::everything && !reached))
+        return {{"says for every point of the path where it is met", false,
+                 fmt::format("{} points have {} crank angles, {} reached points and {} distances", count,
+                             path.crank_angles.size(), path.reached.size(), path.distances.size())}};
+    std::vector<Check> checks;
+    if (parts == Stated::everything) checks.push_back(check_reached(path, *design.path));
+    checks.push_back(check_distances(path, *design.path));
+    if (parts == Stated::everything && !path.directions.empty())
+        checks.push_back(check_faced(path, *design.path, design.claim->units));
+    const auto possible = sweeps(design);
+    checks.push_back(path.prescribed_timing ? check_prescribed(design)
+                     : path.any_order       ? check_nearest(design)
+                                            : check_order(design, possible));
+    if (path.closed) checks.push_back(check_closed(design));
+    checks.push_back(check_sweep(design, possible));
+    return checks;
+}
+
+}  // namespace mechwright
