@@ -165,9 +165,9 @@ struct Builder {
             add_margins(block_of(*family.assembly_margin));
         if (!needs_stretch(problem, family)) return;
         const Quantity& margin = problem.mechanism->input->margin;
-        program.stretch = QuantityBlock{&margin, motion, program.outputs, margin.components(motion)};
-        program.outputs += program.stretch->count;
-        add_margins(*program.stretch);
+        program.blocks.push_back({&margin, motion, program.outputs, margin.components(motion), true});
+        program.outputs += program.blocks.back().count;
+        add_margins(program.blocks.back());
     }
 
     /// Rows that keep the design assembled.
@@ -179,7 +179,7 @@ struct Builder {
     QuantityBlock block_of(const Quantity& quantity) {
         for (const QuantityBlock& block : program.blocks)
             if (block.quantity == &quantity) return block;
-        program.blocks.push_back({&quantity, motion, program.outputs, quantity.components(motion)});
+        program.blocks.push_back({&quantity, motion, program.outputs, quantity.components(motion), false});
         program.outputs += program.blocks.back().count;
         return program.blocks.back();
     }

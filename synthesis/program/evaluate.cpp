@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "synthesis/program/quantity_block.h"
 #include "synthesis/target/path/rows/path_outputs.h"
-#include "synthesis/target/path/rows/stretch.h"
 
 namespace mechwright {
 
@@ -14,35 +14,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void evaluate_block(const Program& program, const QuantityBlock& block, bool derivatives, Outputs& out) {
-    const Reads& reads = block.quantity->reads;
-    std::array<double, Quantity::most_components> value;
-    std::array<double, Quantity::most_components * Reads::most> gradient;
-    Measurement measurement{value, {}, {}};
-    if (derivatives) measurement.gradient = gradient;
-    measure(*block.quantity, block.motion, out.dimensions, measurement);
-    const auto first = static_cast<Index>(block.first);
-    for (std::size_t k = 0; k < block.count; ++k)
-        out.value[first + static_cast<Index>(k)] = value[k];
-    if (!derivatives) return;
-    for (std::size_t i = 0; i < reads.size(); ++i) {
-        if (program.variable_of[reads[i]] < 0) continue;
-        double* column = &out.jacobian(first, program.variable_of[reads[i]]);
-        for (std::size_t k = 0; k < block.count; ++k)
-            column[k] += program.times[reads[i]] * gradient[k * reads.size() + i];
-    }
-}
-
 void evaluate_outputs(const Program& program, const VectorXd& x, bool derivatives, Outputs& out,
                       bool with_path = true) {
     set_dimensions(program, x, out.dimensions);
-    out.assembled = true;
     out.value.setZero(static_cast<Index>(program.outputs));
     if (derivatives) out.jacobian.setZero(static_cast<Index>(program.outputs), static_cast<Index>(program.size()));
+    out.assembled = true;
     for (const QuantityBlock& block : program.blocks)
-        evaluate_block(program, block, derivatives, out);
-    if (program.stretch) evaluate_stretch(program, x, derivatives, out);
-    if (with_path && program.path) evaluate_path(program, x, derivatives, out);
+        out.assembled = evaluate_block(program, block, x, derivatives, out) && out.assembled;
+    if (with_path && program.path) out.assembled = evaluate_path(program, x, derivatives, out) && out.assembled;
 }
 
 double value_of(const LinearForm& form, const VectorXd& outputs, const VectorXd& x) {
@@ -83,7 +63,7 @@ void evaluate(const Program& program, const VectorXd& x, bool derivatives, Progr
     evaluate_outputs(program, x, derivatives, outputs);
     const auto n = static_cast<Index>(program.size());
     const auto m = static_cast<Index>(program.rows.size());
-    out.assembled = outputs.assembled && outputs.value.allFinite() && (!derivatives || outputs.jacobian.allFinite());
+    out.assembled = outputs.assembled;
     out.objective = value_of(program.objective, outputs.value, x);
     out.rows.resize(m);
     for (Index r = 0; r < m; ++r)
@@ -111,8 +91,7 @@ std::vector<std::size_t> rows_beside_path(const Program& program) {
         const auto within = [&](const QuantityBlock& block) {
             return t.index >= block.first && t.index < block.first + block.count;
         };
-        return std::none_of(program.blocks.begin(), program.blocks.end(), within) &&
-               !(program.stretch && within(*program.stretch));
+        return std::none_of(program.blocks.begin(), program.blocks.end(), within);
     };
     const auto is_no_dimension = [&](const LinearTerm& t) { return t.index >= program.dimension_variables; };
     std::vector<std::size_t> rows;
@@ -139,33 +118,6 @@ bool evaluate_beside_path(const Program& program, std::span<const std::size_t> r
     return out.value.allFinite() && (!derivatives || out.jacobian.allFinite());
 }
 
-namespace {
-
-/// The second derivatives of weighted outputs of one block, added to the full matrix.
-void add_block_hessian(const Program& program, const QuantityBlock& block, LagrangianHessian& out) {
-    const Reads& reads = block.quantity->reads;
-    const std::size_t n = reads.size(), pairs = n * (n + 1) / 2, count = block.count;
-    out.components.resize(count * (1 + n + pairs));
-    const std::span<double> all = out.components;
-    const std::span<double> second = all.subspan(count * (1 + n));
-    measure(*block.quantity, block.motion, out.dimensions, {all.first(count), all.subspan(count, count * n), second});
-    for (std::size_t k = 0; k < block.count; ++k) {
-        const double w = out.weights[static_cast<Index>(block.first + k)];
-        if (w == 0) continue;
-        for (std::size_t i = 0, at = k * pairs; i < n; ++i)
-            for (std::size_t j = 0; j <= i; ++j, ++at) {
-                const std::ptrdiff_t a = program.variable_of[reads[i]];
-                const std::ptrdiff_t b = program.variable_of[reads[j]];
-                if (a < 0 || b < 0) continue;
-                const double part = w * program.times[reads[i]] * program.times[reads[j]] * second[at];
-                out.value(a, b) += part;
-                if (i != j) out.value(b, a) += part;
-            }
-    }
-}
-
-}  // namespace
-
 void lagrangian_hessian(const Program& program, const VectorXd& x, double weight, const VectorXd& multipliers,
                         LagrangianHessian& out) {
     VectorXd& on_output = out.weights;
@@ -185,8 +137,7 @@ void lagrangian_hessian(const Program& program, const VectorXd& x, double weight
         return (on_output.segment(static_cast<Index>(block.first), static_cast<Index>(block.count)).array() != 0).any();
     };
     for (const QuantityBlock& block : program.blocks)
-        if (counts(block)) add_block_hessian(program, block, out);
-    if (program.stretch && counts(*program.stretch)) add_stretch_hessian(program, x, out);
+        if (counts(block)) add_block_hessian(program, block, x, out);
     if (program.path) add_path_hessian(program, x, out);
     if (program.closest_to_reference)
         for (std::size_t i = 0; i < program.size(); ++i)
@@ -221,7 +172,7 @@ void settle_epigraphs(const Program& program, VectorXd& x) {
     if (program.epigraphs.empty()) return;
     Outputs outputs;
     evaluate_outputs(program, x, false, outputs);
-    if (!outputs.assembled || !outputs.value.allFinite()) return;
+    if (!outputs.assembled) return;
     for (const Epigraph& e : program.epigraphs) {
         double worst = e.above ? -unlimited : unlimited;
         for (const LinearTerm& t : e.outputs) {

@@ -58,6 +58,9 @@ struct QuantityBlock {
     Motion motion;
     std::size_t first;
     std::size_t count;
+    /// Margins of assembly from the first to the last target: start and range of the stretch are the last arguments
+    /// (target/path/rows/stretch.h).
+    bool along_stretch = false;
 };
 
 /// The measures of the path as outputs; those not asked for have no place.
@@ -91,7 +94,6 @@ struct Program {
     std::vector<Vector<double>> targets;      ///< scaled
     std::vector<QuantityBlock> blocks;
     std::optional<PathBlock> path;
-    std::optional<QuantityBlock> stretch;  ///< margins of assembly from the first to the last target (stretch.h)
     std::vector<Epigraph> epigraphs;
     std::size_t outputs = 0;
 

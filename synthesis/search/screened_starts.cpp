@@ -164,13 +164,13 @@ int ScreenedStarts::random_variables() const {
 
 /// Whether a start stays assembled from the first to the last target.
 bool ScreenedStarts::stays_assembled(const VectorXd& x) const {
-    if (!program_.stretch) return true;
+    const QuantityBlock* block = stretch_block(program_);
+    if (block == nullptr) return true;
     Outputs out;
     out.value.setZero(static_cast<Index>(program_.outputs));
     set_dimensions(program_, x, out.dimensions);
-    evaluate_stretch(program_, x, false, out);
-    return out.value.segment(static_cast<Index>(program_.stretch->first), static_cast<Index>(program_.stretch->count))
-               .minCoeff() >= 0;
+    evaluate_block(program_, *block, x, false, out);
+    return out.value.segment(static_cast<Index>(block->first), static_cast<Index>(block->count)).minCoeff() >= 0;
 }
 
 std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) const {

@@ -149,7 +149,7 @@ PathAngle path_angle(const Program& program, std::span<const double> dimensions,
     return {dimensions[start] + program.problem->path->crank_angles[point], program.variable_of[start]};
 }
 
-void evaluate_path(const Program& program, const VectorXd& x, bool derivatives, Outputs& out) {
+bool evaluate_path(const Program& program, const VectorXd& x, bool derivatives, Outputs& out) {
     const PathBlock& path = *program.path;
     const PathTarget& target = *program.problem->path;
     PointTerms t;
@@ -158,10 +158,7 @@ void evaluate_path(const Program& program, const VectorXd& x, bool derivatives, 
     if (derivatives) sum_gradient.setZero(static_cast<Index>(program.size()));
     for (std::size_t i = 0; i < program.targets.size(); ++i) {
         evaluate_point(program, out.dimensions, x, i, derivatives ? 1 : 0, t);
-        if (!(t.margin >= 0)) {
-            out.assembled = false;
-            return;
-        }
+        if (!(t.margin >= 0)) return false;
         const double w = target.weights[i];
         const double distance = std::sqrt(t.square);
         sum += w * t.square;
@@ -194,6 +191,8 @@ void evaluate_path(const Program& program, const VectorXd& x, bool derivatives, 
         if (derivatives && rms > 0)
             out.jacobian.row(static_cast<Index>(*path.rms)) = sum_gradient.transpose() / (2 * weights * rms);
     }
+    // What is not finite at a point shows in the sum.
+    return std::isfinite(sum) && (!derivatives || sum_gradient.allFinite());
 }
 
 void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessian& out) {

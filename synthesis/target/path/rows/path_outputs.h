@@ -23,8 +23,9 @@ struct PathAngle {
 PathAngle path_angle(const Program& program, std::span<const double> dimensions, const Eigen::VectorXd& x,
                      std::size_t point);
 
-/// Writes the outputs of the path, which have their places already.
-void evaluate_path(const Program& program, const Eigen::VectorXd& x, bool derivatives, Outputs& out);
+/// Writes the outputs of the path, which have their places already. False where the mechanism does not assemble at a
+/// target, or a number is not finite.
+bool evaluate_path(const Program& program, const Eigen::VectorXd& x, bool derivatives, Outputs& out);
 
 /// Adds the second derivatives of the path's outputs, by the weights and dimensions of `out`, to its value. With q the
 /// squared distance of a point, a sum takes q, the root of the mean q / (2 W rms) less the square of its gradient, a

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "synthesis/program/program.h"
+#include "synthesis/program/quantity_block.h"
 
 namespace mechwright {
 
@@ -26,11 +26,12 @@ CrankStretch stretch_of(const Problem& problem, std::span<const double> path_ang
 /// Margins are taken wherever they can be least (Mechanism::input_margin).
 double least_margin_along(const Problem& problem, const Design& design);
 
-/// Writes the margins along the stretch, which have their places already. The dimensions of `out` are set.
-void evaluate_stretch(const Program& program, const Eigen::VectorXd& x, bool derivatives, Outputs& out);
+/// The block of margins along the stretch, where the program has one.
+const QuantityBlock* stretch_block(const Program& program);
 
-/// Adds their second derivatives, by the weights and dimensions of `out`, to its value.
-void add_stretch_hessian(const Program& program, const Eigen::VectorXd& x, LagrangianHessian& out);
+/// The arguments of these margins: what the input range reads, then start and range of the stretch.
+void set_stretch_arguments(const Program& program, std::span<const double> dimensions, const Eigen::VectorXd& x,
+                           BlockArguments& arguments);
 
 /// The points of the path at the ends of the stretch, whose own crank angles an untimed path has as variables.
 struct StretchEnds {

@@ -1,0 +1,85 @@
+#include "synthesis/program/quantity_block.h"
+
+#include <span>
+
+#include "synthesis/target/path/rows/stretch.h"
+
+namespace mechwright {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+void set_arguments(const Program& program, const QuantityBlock& block, std::span<const double> dimensions,
+                   const VectorXd& x, BlockArguments& arguments) {
+    if (block.along_stretch) return set_stretch_arguments(program, dimensions, x, arguments);
+    const Reads& reads = block.quantity->reads;
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        add_dimension(program, dimensions, reads[i], arguments);
+}
+
+/// Calls use(variable, factor) for every variable that an argument follows from.
+template <class Use>
+void for_each_variable(const ArgumentSource& source, const Use& use) {
+    for (std::size_t k = 0; k < 2; ++k)
+        if (source.variable[k] >= 0) use(source.variable[k], source.factor[k]);
+}
+
+}  // namespace
+
+void add_dimension(const Program& program, std::span<const double> dimensions, std::size_t dimension,
+                   BlockArguments& arguments) {
+    const std::size_t i = arguments.count++;
+    arguments.value[i] = dimensions[dimension];
+    arguments.source[i] = {{program.variable_of[dimension], -1}, {program.times[dimension], 0}};
+}
+
+bool evaluate_block(const Program& program, const QuantityBlock& block, const VectorXd& x, bool derivatives,
+                    Outputs& out) {
+    BlockArguments arguments;
+    set_arguments(program, block, out.dimensions, x, arguments);
+    const std::size_t n = arguments.count;
+    std::array<double, Quantity::most_components> value;
+    std::array<double, Quantity::most_components * Reads::most> gradient;
+    Measurement measurement{value, {}, {}};
+    if (derivatives) measurement.gradient = gradient;
+    block.quantity->measure(block.motion, std::span(arguments.value).first(n), measurement);
+    const auto first = static_cast<Index>(block.first), count = static_cast<Index>(block.count);
+    for (std::size_t k = 0; k < block.count; ++k)
+        out.value[first + static_cast<Index>(k)] = value[k];
+    for (std::size_t i = 0; derivatives && i < n; ++i)
+        for_each_variable(arguments.source[i], [&](std::ptrdiff_t variable, double factor) {
+            double* column = &out.jacobian(first, variable);
+            for (std::size_t k = 0; k < block.count; ++k)
+                column[k] += factor * gradient[k * n + i];
+        });
+    return out.value.segment(first, count).allFinite() &&
+           (!derivatives || out.jacobian.middleRows(first, count).allFinite());
+}
+
+void add_block_hessian(const Program& program, const QuantityBlock& block, const VectorXd& x, LagrangianHessian& out) {
+    BlockArguments arguments;
+    set_arguments(program, block, out.dimensions, x, arguments);
+    const std::size_t n = arguments.count, pairs = n * (n + 1) / 2, count = block.count;
+    out.components.resize(count * (1 + n + pairs));
+    const std::span<double> all = out.components;
+    const std::span<double> second = all.subspan(count * (1 + n));
+    block.quantity->measure(block.motion, std::span(arguments.value).first(n),
+                            {all.first(count), all.subspan(count, count * n), second});
+    for (std::size_t k = 0; k < count; ++k) {
+        const double w = out.weights[static_cast<Index>(block.first + k)];
+        if (w == 0) continue;
+        for (std::size_t i = 0, at = k * pairs; i < n; ++i)
+            for (std::size_t j = 0; j <= i; ++j, ++at)
+                for_each_variable(arguments.source[i], [&](std::ptrdiff_t a, double by_a) {
+                    for_each_variable(arguments.source[j], [&](std::ptrdiff_t b, double by_b) {
+                        const double part = w * by_a * by_b * second[at];
+                        out.value(a, b) += part;
+                        if (i != j) out.value(b, a) += part;
+                    });
+                });
+    }
+}
+
+}  // namespace mechwright
