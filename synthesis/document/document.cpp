@@ -172,13 +172,15 @@ void put_targets(Json& json, const Problem& problem, const Solution* best) {
 
 /// Where the design stands close to a singular position.
 void put_warnings(Json& json, const Problem& problem, const Design& design) {
+    Json warnings = Json::array();  // a null that becomes an array is left broken where memory runs out
     for (const SingularMargin& m : singular_margins(problem, design)) {
         Json one{{of_warning("name"), m.name}};
         put(one, of_warning("margin"), m.margin);
         put(one, of_warning("relative"), m.relative);
         one[of_warning("warned_below")] = singular_below;
-        json[of_finding("warnings")].push_back(std::move(one));
+        warnings.push_back(std::move(one));
     }
+    if (!warnings.empty()) json[of_finding("warnings")] = std::move(warnings);
 }
 
 /// The members that are about one design.
