@@ -49,7 +49,8 @@ TEST(Structure, TellsProgramsTheSame) {
 TEST(Structure, ExplainsWhatIsRedundantAndWhatIsNoDyad) {
     const Outcome redundant = run({"structure", shipped_linkage("parallelogram")});
     EXPECT_EQ(redundant.exit_code, 0);
-    expect_has(redundant.out, "0 by rank, 0 by count; redundant: third");
+    expect_has(redundant.out,
+               "mobility   1 with these dimensions, 0 for almost all others, 0 by count;\n           redundant: third");
     expect_has(redundant.out, "redundant: it fits between its pins");
 
     const TemporaryFolder folder;

@@ -41,6 +41,11 @@ bool is_redundant(const Linkage& l, std::size_t link) {
     return std::find(l.redundant.begin(), l.redundant.end(), link) != l.redundant.end();
 }
 
+/// With these dimensions: redundant links fit, so that they hold nothing and the drives settle what moves.
+int mobility_of(const Linkage& l) {
+    return l.redundant.empty() ? l.mobility.mobility : static_cast<int>(l.structure.drives.size());
+}
+
 std::string slide_name(const Linkage& l, std::size_t slide) {
     return l.slides[slide].empty() ? fmt::format("slide {}", slide + 1) : l.slides[slide];
 }
@@ -283,7 +288,8 @@ Json structure_of(const Linkage& l, std::optional<double> at) {
         json["links"].push_back({{"name", l.links[link]}, {"points", points}});
     }
     json["joints"] = joints_of(l);
-    json["mobility"] = {{"mobility", l.mobility.mobility},
+    json["mobility"] = {{"mobility", mobility_of(l)},
+                        {"for_almost_all_dimensions", l.mobility.mobility},
                         {"counted", l.mobility.counted},
                         {"drives", l.structure.drives.size()},
                         {"redundant", names_of(l, l.redundant)}};
@@ -306,8 +312,11 @@ std::string structure_text(const Linkage& l, std::optional<double> at, bool colo
                               joint["name"].get<std::string>(), list_text(joint["links"]));
     text += folded("joints     ", joints);
     text += folded("mobility   ",
-                   fmt::format("{} by rank, {} by count", l.mobility.mobility, l.mobility.counted) +
-                       (l.redundant.empty() ? "" : "; redundant: " + list_text(json["mobility"]["redundant"])));
+                   l.redundant.empty()
+                       ? fmt::format("{} by rank, {} by count", l.mobility.mobility, l.mobility.counted)
+                       : fmt::format("{} with these dimensions, {} for almost all others, {} by count; redundant: {}",
+                                     mobility_of(l), l.mobility.mobility, l.mobility.counted,
+                                     list_text(json["mobility"]["redundant"])));
     std::string drives;
     for (const Json& drive : json["drives"])
         drives += (drives.empty() ? "" : "; ") +
