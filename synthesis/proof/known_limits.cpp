@@ -38,7 +38,7 @@ std::size_t index_of(const Problem& problem, std::string_view quantity) {
     return static_cast<std::size_t>(find_quantity(*problem.mechanism, quantity));
 }
 
-std::string shown(const Problem& problem, std::size_t quantity, double value) {
+std::string value_text(const Problem& problem, std::size_t quantity, double value) {
     const Unit unit = problem.mechanism->quantities[quantity].unit;
     const std::string label = unit_label(unit, problem.units);
     return fmt::format("{:.6g}{}{}", in_file_unit(value, unit, problem.units), label.empty() ? "" : " ", label);
@@ -133,8 +133,8 @@ std::shared_ptr<const Proof> proof_by_limits(const Problem& problem) {
         if (!above && !below) continue;
         const double value = above ? limit.greatest : limit.least;
         return proof_by(fmt::format("{}; so '{}' never is {} than {}, and {} is asked for", limit.why, name,
-                                    above ? "greater" : "less", shown(problem, limit.quantity, value),
-                                    shown(problem, limit.quantity, above ? asked.least : asked.greatest)),
+                                    above ? "greater" : "less", value_text(problem, limit.quantity, value),
+                                    value_text(problem, limit.quantity, above ? asked.least : asked.greatest)),
                         LimitCertificate{std::string(limit.name), limit.quantity, value});
     }
     return nullptr;

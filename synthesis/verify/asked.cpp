@@ -30,13 +30,13 @@ bool same_number(double a, double b) {
     return a == b || std::abs(a - b) <= same_within * std::max(std::abs(a), std::abs(b));
 }
 
-std::string shown(const Json* value) {
+std::string json_text(const Json* value) {
     constexpr std::size_t longest = 60;
     return value ? reading::printable(value->dump(-1, ' ', false, Json::error_handler_t::replace), longest) : "nothing";
 }
 
 std::string unlike(const std::string& place, const Json* stated, const Json* asked) {
-    return fmt::format("{} is stated as {}, asked for is {}", place, shown(stated), shown(asked));
+    return fmt::format("{} is stated as {}, asked for is {}", place, json_text(stated), json_text(asked));
 }
 
 /// Where what is stated lacks something that is asked for, or has something that is not.

@@ -184,11 +184,11 @@ Digits50 in_document(const Digits50& value, Unit unit, const Units& units) {
     return unit == Unit::angle && units.degrees ? Digits50(value / to_radians()) : value;
 }
 
-std::string shown(const Digits50& value, Unit unit, const Units& units) {
+std::string value_text(const Digits50& value, Unit unit, const Units& units) {
     const std::string label = unit_label(unit, units);
     return fmt::format("{:.15g}{}{}", plain(in_document(value, unit, units)), label.empty() ? "" : " ", label);
 }
 
-std::string shown_small(const Digits50& value) { return value == 0 ? "0" : fmt::format("{:.2g}", plain(value)); }
+std::string size_text(const Digits50& value) { return value == 0 ? "0" : fmt::format("{:.2g}", plain(value)); }
 
 }  // namespace mechwright

@@ -59,9 +59,9 @@ Digits50 from_document(double number, Unit unit, const Units& units);
 Digits50 in_document(const Digits50& value, Unit unit, const Units& units);
 
 /// "39.5 deg": fifteen digits, in the unit of the document.
-std::string shown(const Digits50& value, Unit unit, const Units& units);
+std::string value_text(const Digits50& value, Unit unit, const Units& units);
 
 /// "3.1e-12": a small number in a message.
-std::string shown_small(const Digits50& value);
+std::string size_text(const Digits50& value);
 
 }  // namespace mechwright

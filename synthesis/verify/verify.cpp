@@ -92,7 +92,7 @@ Check check_whole_motion(const Rebuilt& design) {
         if (!all_passed(design.claim->mechanism->check_motion(longer, design.dimensions))) continue;
         const double end = sign < 0 ? design.motion.from : design.motion.to;
         check = {check.name, false,
-                 fmt::format("it goes on beyond crank angle {}", shown(end, Unit::angle, design.claim->units))};
+                 fmt::format("it goes on beyond crank angle {}", value_text(end, Unit::angle, design.claim->units))};
     }
     return check;
 }
@@ -144,9 +144,10 @@ Check check_requirement(const ClaimedRequirement& r, Measurements& measurements)
     if (r.max) beyond = std::max<Digits50>(beyond, again->value - limits.emplace_back(inside(*r.max)));
     const Digits50 violation = beyond / violation_scale(design, unit, limits);
     check.passed = violation <= claim.tolerance;
-    check.detail = fmt::format(
-        "measured again {}, stated {}, relative violation {}, allowed {:.2g}", shown(again->value, unit, claim.units),
-        r.value ? shown(inside(*r.value), unit, claim.units) : "nothing", shown_small(violation), claim.tolerance);
+    check.detail = fmt::format("measured again {}, stated {}, relative violation {}, allowed {:.2g}",
+                               value_text(again->value, unit, claim.units),
+                               r.value ? value_text(inside(*r.value), unit, claim.units) : "nothing",
+                               size_text(violation), claim.tolerance);
     return check;
 }
 
@@ -157,12 +158,12 @@ std::string stated_defect(std::size_t quantity, const std::optional<double>& sta
     const Unit unit = quantity_of(claim, quantity).unit;
     const auto& again = measurements.of(quantity);
     if (!again) return fmt::format("{} has no value for this design", name);
-    const std::string measured = shown(again->value, unit, claim.units);
+    const std::string measured = value_text(again->value, unit, claim.units);
     if (!stated) return fmt::format("{} is not stated, measured again {}", name, measured);
     const Digits50 value = from_document(*stated, unit, claim.units);
     const Digits50 difference = abs(value - again->value);
     if (difference <= again->slack || difference <= again->slack + measurements.end_rounding(quantity)) return {};
-    return fmt::format("{} is stated as {}, measured again {}", name, shown(value, unit, claim.units), measured);
+    return fmt::format("{} is stated as {}, measured again {}", name, value_text(value, unit, claim.units), measured);
 }
 
 /// How far a requirement is missed, over its greatest limit (1, the longest length or its square where all are 0), and
@@ -194,7 +195,7 @@ std::string standing_defect(const ClaimedRequirement& r, Measurements& measureme
         most = std::max(most, shortfall);
     const Digits50 violation = std::max<Digits50>(most, 0) / scale;
     if (r.violation && abs(violation - *r.violation) > stated_within + again->slack / scale)
-        return fmt::format("its violation is stated as {}, measured again {}", *r.violation, shown_small(violation));
+        return fmt::format("its violation is stated as {}, measured again {}", *r.violation, size_text(violation));
     const Digits50 beyond = most / scale + active_within;
     const bool unsure = abs(beyond) <= stated_within + again->slack / scale;
     if (r.active && !unsure && *r.active != (r.equal || beyond >= 0))

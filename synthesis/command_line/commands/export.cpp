@@ -44,7 +44,7 @@ std::string format_of(const ExportOptions& options) {
 
 /// The crank angle at which a drawing shows the mechanism: that asked for, in the file's unit.
 double angle_of(const ExportOptions& options, const FinishedDesign& design) {
-    return options.at ? from_file_unit(*options.at, Unit::angle, design.units) : shown_angle(design);
+    return options.at ? from_file_unit(*options.at, Unit::angle, design.units) : pictured_angle(design);
 }
 
 std::string exported(const std::string& format, const ExportOptions& options, const FinishedDesign& design) {

@@ -268,7 +268,9 @@ struct SegmentReader {
     bool whole = true;  ///< kind, angle and lift could be read
 };
 
-double shown_angle(const Units& units, double angle) { return units.degrees ? angle * 180 / std::numbers::pi : angle; }
+double in_angle_unit(const Units& units, double angle) {
+    return units.degrees ? angle * 180 / std::numbers::pi : angle;
+}
 
 /// Least and greatest sum of some dimensions with signs.
 struct Sum {
@@ -292,23 +294,27 @@ void check_turn(Problem& problem, FilePlace place, Messages& messages) {
         sum.add(problem.dimensions[cam_angle_dimension(*problem.mechanism, i)], 1);
     const double same_within = 1e-12 * whole_turn;
     const char* unit = problem.units.degrees ? " deg" : " rad";
-    const auto shown = [&](double angle) { return fmt::format("{:.10g}{}", shown_angle(problem.units, angle), unit); };
+    const auto angle_text = [&](double angle) {
+        return fmt::format("{:.10g}{}", in_angle_unit(problem.units, angle), unit);
+    };
     if (sum.least > whole_turn + same_within)
-        add_error(messages, place,
-                  fmt::format("the segments' angles add up to {}{}, {} more than a full turn",
-                              sum.fixed() ? "" : "at least ", shown(sum.least), shown(sum.least - whole_turn)));
+        add_error(
+            messages, place,
+            fmt::format("the segments' angles add up to {}{}, {} more than a full turn", sum.fixed() ? "" : "at least ",
+                        angle_text(sum.least), angle_text(sum.least - whole_turn)));
     else if (sum.greatest < whole_turn - same_within)
-        add_error(messages, place,
-                  fmt::format("the segments' angles add up to {}{}, {} short of a full turn",
-                              sum.fixed() ? "" : "at most ", shown(sum.greatest), shown(whole_turn - sum.greatest)));
+        add_error(
+            messages, place,
+            fmt::format("the segments' angles add up to {}{}, {} short of a full turn", sum.fixed() ? "" : "at most ",
+                        angle_text(sum.greatest), angle_text(whole_turn - sum.greatest)));
     else if (!sum.fixed())
         require_closure(problem, "turn", whole_turn);
 }
 
 void check_lifts(Problem& problem, const std::vector<FilePlace>& places, Messages& messages) {
     const bool angular = cam_kind(*problem.mechanism).oscillating;
-    const auto shown = [&](double lift) {
-        return fmt::format("{:.10g}", angular ? shown_angle(problem.units, lift) : lift);
+    const auto lift_text = [&](double lift) {
+        return fmt::format("{:.10g}", angular ? in_angle_unit(problem.units, lift) : lift);
     };
     Sum sum;
     double highest = 0;
@@ -320,13 +326,13 @@ void check_lifts(Problem& problem, const std::vector<FilePlace>& places, Message
             return add_error(
                 messages, places[i],
                 fmt::format("this return ends {} below the lowest position: let the first segment begin there",
-                            shown(-sum.greatest)));
+                            lift_text(-sum.greatest)));
     }
     const double same_within = 1e-12 * highest;
     if (sum.least > same_within || sum.greatest < -same_within)
         add_error(messages, places.back(),
                   fmt::format("rises and returns do not add up to zero: the follower ends {} from where it began",
-                              shown(sum.least > same_within ? sum.least : sum.greatest)));
+                              lift_text(sum.least > same_within ? sum.least : sum.greatest)));
     else if (!sum.fixed())
         require_closure(problem, "lift-balance", 0);
 }

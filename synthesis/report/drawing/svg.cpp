@@ -180,7 +180,7 @@ std::string svg_ghosts(const FinishedDesign& design, const Scene& scene, const S
     return text;
 }
 
-double shown_angle(const FinishedDesign& design) {
+double pictured_angle(const FinishedDesign& design) {
     // In the middle of the first quarter no mechanism is in line with itself by habit.
     const Motion& motion = design.motion;
     return motion.from + 0.125 * (motion.to - motion.from);
@@ -202,7 +202,7 @@ std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture)
                         px(0.5 * picture.width), px(letter_size), escaped(picture.title));
     text += fmt::format("<g transform=\"translate(0 {})\">\n", px(head)) + svg_fixed(design, scene, view) + "\n" +
             svg_ghosts(design, scene, view) + "\n" +
-            svg_bodies(design, scene, view, shown_angle(design), design.motion.assembly) + "</g>\n";
+            svg_bodies(design, scene, view, pictured_angle(design), design.motion.assembly) + "</g>\n";
     if (!picture.below.empty())
         text += fmt::format("<g transform=\"translate(0 {})\">{}</g>\n", px(head + view.height), picture.below);
     return text + "</svg>\n";

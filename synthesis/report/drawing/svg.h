@@ -50,6 +50,6 @@ struct SvgPicture {
 std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture);
 
 /// The crank angle at which pictures show a design: the start of its motion, or of its input range.
-double shown_angle(const FinishedDesign& design);
+double pictured_angle(const FinishedDesign& design);
 
 }  // namespace mechwright

@@ -36,7 +36,7 @@ Json as_data(ShownParts parts) {
 }
 
 std::string badge(const Json& document) {
-    const std::string status = document.contains("status") ? shown_value(document["status"]) : "evaluated";
+    const std::string status = document.contains("status") ? cell_text(document["status"]) : "evaluated";
     return fmt::format("<span class=\"badge {0}\">{0}</span>", escaped(status));
 }
 
@@ -44,9 +44,9 @@ std::string objective_text(const Json& document) {
     if (!document.contains("objective") || !document["objective"].is_object()) return {};
     const Json& objective = document["objective"];
     if (objective.contains("quantity"))
-        return fmt::format("{} {}", shown_value(objective["quantity"]),
-                           objective.contains("value") ? shown_value(objective["value"]) : "");
-    return objective.contains("value") ? "objective " + shown_value(objective["value"]) : "";
+        return fmt::format("{} {}", cell_text(objective["quantity"]),
+                           objective.contains("value") ? cell_text(objective["value"]) : "");
+    return objective.contains("value") ? "objective " + cell_text(objective["value"]) : "";
 }
 
 /// What the page is made of while it is written.
@@ -79,8 +79,7 @@ void add_result(const ResultToShow& result, bool heading, Writing& writing) {
     for (const DesignToShow& shown : result.designs) {
         const std::size_t number = writing.designs.size();
         const std::string thumbnail = writing.add(shown, result_steps, true);
-        const std::string defect =
-            shown.document.contains("defect") ? ": " + shown_value(shown.document["defect"]) : "";
+        const std::string defect = shown.document.contains("defect") ? ": " + cell_text(shown.document["defect"]) : "";
         writing.choices += fmt::format(
             "<button type=\"button\" class=\"choice\" data-design=\"{}\" aria-pressed=\"{}\">{}<span>{}{}<br>{}</span>"
             "</button>",

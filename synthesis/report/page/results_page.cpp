@@ -52,11 +52,11 @@ ResultToShow result_to_show(const std::string& file, const Json& document, std::
 }
 
 ResultLine result_line(const std::string& file, const Json& document) {
-    std::string standing = document.contains("status") ? shown_value(document["status"]) : "evaluated";
+    std::string standing = document.contains("status") ? cell_text(document["status"]) : "evaluated";
     if (document.contains("objective") && document["objective"].is_object()) {
         const Json& objective = document["objective"];
-        if (objective.contains("quantity")) standing += ", " + shown_value(objective["quantity"]);
-        if (objective.contains("value")) standing += " " + shown_value(objective["value"]);
+        if (objective.contains("quantity")) standing += ", " + cell_text(objective["quantity"]);
+        if (objective.contains("value")) standing += " " + cell_text(objective["value"]);
     }
     return {file, title_of(document), standing};
 }

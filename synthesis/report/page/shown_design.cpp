@@ -107,7 +107,7 @@ ShownParts shown_parts(const DesignToShow& shown, int steps, bool with_thumbnail
     const SvgView view = view_of(scene, sketch_width, most_sketch_height);
     ShownParts parts;
     parts.view_box = fmt::format("0 0 {:.0f} {:.0f}", view.width, view.height);
-    const std::string bodies = svg_bodies(design, scene, view, shown_angle(design), design.motion.assembly);
+    const std::string bodies = svg_bodies(design, scene, view, pictured_angle(design), design.motion.assembly);
     parts.drawing =
         svg_fixed(design, scene, view) + svg_ghosts(design, scene, view) + "<g id=\"bodies\">" + bodies + "</g>";
     if (with_thumbnail)
@@ -122,7 +122,7 @@ ShownParts shown_parts(const DesignToShow& shown, int steps, bool with_thumbnail
     const MotionPlots plots = motion_plots(design, shown.document, steps);
     parts.motion = {{"from", plots.angles.front()},
                     {"to", plots.angles.back()},
-                    {"start", in_file_unit(shown_angle(design), Unit::angle, design.units)},
+                    {"start", in_file_unit(pictured_angle(design), Unit::angle, design.units)},
                     {"name", plots.angle_name},
                     {"unit", plots.angle_unit},
                     {"closed", design.motion.full_turn},

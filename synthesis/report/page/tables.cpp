@@ -25,7 +25,7 @@ const Json& object_in(const Json& json, const char* name) { return part(json, na
 const Json& list_in(const Json& json, const char* name) { return part(json, name, Json::value_t::array); }
 
 std::string text_in(const Json& json, const char* name) {
-    return json.is_object() && json.contains(name) ? shown_value(json[name]) : "";
+    return json.is_object() && json.contains(name) ? cell_text(json[name]) : "";
 }
 
 std::optional<double> number_in(const Json& json, const char* name) {
@@ -87,7 +87,7 @@ std::string dimensions_table(const Json& document, const UnitsOf& units) {
         }
         const std::string place =
             given.contains(name) ? place_in_range(given[name], value.get<double>()) : std::string();
-        rows += table_row({name, shown_value(value), units.of_dimension(name), place});
+        rows += table_row({name, cell_text(value), units.of_dimension(name), place});
     }
     return table_of("Dimensions", {"dimension", "value", "unit", ""}, rows);
 }
@@ -140,7 +140,7 @@ std::string objective_rows(const Json& objective, const UnitsOf& units) {
 std::string quantities_table(const Json& document, const UnitsOf& units) {
     std::string rows;
     for (const auto& [name, value] : object_in(document, "quantities").items())
-        rows += table_row({name, shown_value(value), units.of_quantity(name)});
+        rows += table_row({name, cell_text(value), units.of_quantity(name)});
     return table_of("Quantities", {"quantity", "value", "unit"}, rows);
 }
 
@@ -151,7 +151,7 @@ std::string in_details(std::string_view summary, const std::string& content) {
 
 std::string pair_text(const Json& pair) {
     if (!pair.is_array() || pair.size() < 2) return "";
-    return shown_value(pair[0]) + ", " + shown_value(pair[1]);
+    return cell_text(pair[0]) + ", " + cell_text(pair[1]);
 }
 
 std::string targets_table(const Json& document) {
@@ -161,10 +161,9 @@ std::string targets_table(const Json& document) {
                    &distances = list_in(path, "distances"), &angles = list_in(path, "crank_angles");
         std::string rows;
         for (std::size_t i = 0; i < points.size(); ++i)
-            rows +=
-                table_row({std::to_string(i + 1), pair_text(points[i]), i < reached.size() ? pair_text(reached[i]) : "",
-                           i < angles.size() ? shown_value(angles[i]) : "",
-                           i < distances.size() ? shown_value(distances[i]) : ""});
+            rows += table_row(
+                {std::to_string(i + 1), pair_text(points[i]), i < reached.size() ? pair_text(reached[i]) : "",
+                 i < angles.size() ? cell_text(angles[i]) : "", i < distances.size() ? cell_text(distances[i]) : ""});
         if (!rows.empty())
             return in_details("Targets",
                               table_of("Targets", {"", "target", "reached", "crank angle", "distance"}, rows));
@@ -189,13 +188,13 @@ std::string search_table(const Json& document) {
     const Json& search = object_in(document, "search");
     std::string rows;
     for (const auto& [name, value] : search.items())
-        if (!value.is_structured()) rows += table_row({name, shown_value(value)});
+        if (!value.is_structured()) rows += table_row({name, cell_text(value)});
     return in_details("How it was found", table_of("Search", {"", ""}, rows));
 }
 
 }  // namespace
 
-std::string shown_value(const Json& value) {
+std::string cell_text(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
     if (value.is_number()) return number_text(value.get<double>());

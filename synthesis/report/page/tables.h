@@ -16,7 +16,7 @@ std::string tables_of(const nlohmann::ordered_json& document);
 std::string standing_sentence(const nlohmann::ordered_json& document);
 
 /// Text of a JSON value for reading: numbers with eight digits, strings as they are.
-std::string shown_value(const nlohmann::ordered_json& value);
+std::string cell_text(const nlohmann::ordered_json& value);
 
 /// One row of a table; cells are plain texts, the first is its heading. A bad row stands out.
 std::string table_row(const std::vector<std::string>& cells, bool bad = false);

@@ -14,9 +14,9 @@ Check check_accuracy_points(const Rebuilt& design) {
     motion.function = &points;
     const Digits50 error = measure_again(deviation_from(*claim.mechanism, "function"), motion, design.dimensions);
     return {"meets the function at the accuracy points", error <= met_within,
-            isfinite(error) ? fmt::format("the greatest error is {} rad, allowed is {}", shown_small(error),
-                                          shown_small(met_within))
-                            : std::string("the mechanism does not assemble at one of them")};
+            isfinite(error)
+                ? fmt::format("the greatest error is {} rad, allowed is {}", size_text(error), size_text(met_within))
+                : std::string("the mechanism does not assemble at one of them")};
 }
 
 }  // namespace mechwright

@@ -37,9 +37,9 @@ Check check_each(std::string name, std::size_t count, const Digits50& limit, con
         worst = e;
         at = i;
     }
-    return {std::move(name), worst <= limit,
-            fmt::format("the greatest difference is {} at {}, allowed is {}", shown_small(worst), nth(at),
-                        shown_small(limit))};
+    return {
+        std::move(name), worst <= limit,
+        fmt::format("the greatest difference is {} at {}, allowed is {}", size_text(worst), nth(at), size_text(limit))};
 }
 
 /// The distance between stated and real place of each point.
@@ -135,9 +135,9 @@ std::vector<Range> sweeps(const Rebuilt& design) {
     return possible;
 }
 
-std::string shown_range(const Rebuilt& design, const Range& range) {
-    return fmt::format("crank angles {} to {}", shown(range.from, Unit::angle, design.claim->units),
-                       shown(range.to, Unit::angle, design.claim->units));
+std::string range_text(const Rebuilt& design, const Range& range) {
+    return fmt::format("crank angles {} to {}", value_text(range.from, Unit::angle, design.claim->units),
+                       value_text(range.to, Unit::angle, design.claim->units));
 }
 
 /// The curve of the guided point over the motion: evenly spaced samples in double, of which those are left out that the
@@ -224,7 +224,7 @@ Check check_closed(const Rebuilt& design) {
 Check check_order(const Rebuilt& design, const std::vector<Range>& possible) {
     const bool passed = !possible.empty();
     return {"meets the points in order within one turn of the crank", passed,
-            passed ? shown_range(design, possible.front())
+            passed ? range_text(design, possible.front())
                    : "the crank angles neither rise nor fall from point to point within one turn"};
 }
 
@@ -239,7 +239,7 @@ Check check_sweep(const Rebuilt& design, const std::vector<Range>& possible) {
         const auto checks = design.claim->mechanism->check_motion(motion, design.dimensions);
         const auto failed = std::find_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
         check.passed = failed == checks.end();
-        check.detail = shown_range(design, range);
+        check.detail = range_text(design, range);
         if (check.passed) break;
         check.detail += ": " + failed->detail;
     }

@@ -214,7 +214,7 @@ Finding check_limit_again(const ProofContext& c) {
     const Digits50 room = same_within * std::max<Digits50>(1, abs(value));
     const DigitsRange exact = limit_again(c, name, quantity, Strictness::exact);
     const bool above = !c.infeasible || asked_again(c, quantity.name, Strictness::exact).least > value;
-    const auto in_words = [&](const Digits50& number) { return shown(number, quantity.unit, c.problem.units); };
+    const auto in_words = [&](const Digits50& number) { return value_text(number, quantity.unit, c.problem.units); };
     if (!(above ? exact.greatest <= value + room : exact.least >= value - room))
         return fails(fmt::format("the limit '{}' is {}, and {} is stated", name,
                                  in_words(above ? exact.greatest : exact.least), in_words(value)));

@@ -47,8 +47,8 @@ Finding check_zero(const ProofContext& c) {
         size = std::max(c.design.longest, c.design.path ? c.design.path->size : Digits50(0));
         if (quantity->unit == Unit::area) size *= size;
     }
-    if (!(again->value <= zero_within * size)) return fails("it is " + shown_small(again->value) + ", not zero");
-    return holds(fmt::format("{} cannot be negative, and is {}", quantity->name, shown_small(again->value)));
+    if (!(again->value <= zero_within * size)) return fails("it is " + size_text(again->value) + ", not zero");
+    return holds(fmt::format("{} cannot be negative, and is {}", quantity->name, size_text(again->value)));
 }
 
 Finding check_count(const ProofContext& c) {
