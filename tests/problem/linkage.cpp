@@ -251,6 +251,19 @@ TEST(LinkageFile, SaysWhatIsWrongWithPlaceAndRemedy) {
     }
 }
 
+/// Crank pin and rocker pivot are 9 apart at the least, at a crank angle of 0.5 deg. By a billionth more the links
+/// close over less than 0.01 deg, by a billionth less nowhere.
+TEST(LinkageFile, ClosesWhereItDoesOverANarrowRangeOnly) {
+    const auto file = [](const std::string& rocker) {
+        return changed("D = [\"ground\", 0]", "D = { length = 10, angle = 0.5 }",
+                       changed("C = [3.5, 0], P", "C = [5, 0], P",
+                               changed("C = [3, 0]", "C = [" + rocker + ", 0]", changed("ground = 4\n", ""))));
+    };
+    good(file("4.000000001"));
+    EXPECT_TRUE(
+        says(told(file("3.999999999")), "p.toml:4:1", {"never closes: 1e-09 mm are missing", "crank angle 0.5"}));
+}
+
 TEST(LinkageFile, SaysAllErrorsAtOnce) {
     const ReadProblem read = told(changed("link = \"crank\"", "link = \"krank\"",
                                           changed("\"ground\"", "\"grund\"", four_bar_text + "[signals]\ns = 3\n")));

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include "analysis/numbers/golden_section.h"
 
 namespace mechwright {
 
@@ -63,25 +66,55 @@ double LinkagePoses::size() const {
     return greatest;
 }
 
+namespace {
+
+Gap gap_at(LinkagePoses& poses, double input, const std::vector<std::int8_t>& sides) {
+    if (poses.place(input, sides)) return {0, input, 0};
+    for (std::size_t i = 0; i < poses.pose.margins.size(); ++i) {
+        const double least = std::min(poses.pose.margins[i].outer, poses.pose.margins[i].inner);
+        if (least < 0) return {-least, input, i};
+    }
+    return {std::numeric_limits<double>::infinity(), input, 0};
+}
+
+/// Greater is nearer to closing: what comes later in the order can close only where all before it does.
+std::pair<double, double> nearness(const Gap& gap) {
+    if (gap.missing == 0) return {std::numeric_limits<double>::infinity(), 0};
+    return {static_cast<double>(gap.margin), -gap.missing};
+}
+
+/// The least gap of one assembly: at the inputs, and between the neighbours of each that is nearer than they are.
+Gap least_gap_of(LinkagePoses& poses, const std::vector<double>& inputs, const std::vector<std::int8_t>& sides) {
+    std::vector<Gap> gaps;
+    for (const double input : inputs)
+        gaps.push_back(gap_at(poses, input, sides));
+    const auto is_less = [](const Gap& a, const Gap& b) { return a.missing < b.missing; };
+    Gap best = *std::min_element(gaps.begin(), gaps.end(), is_less);
+    const double step = inputs[1] - inputs[0];
+    for (std::size_t i = 0; i < gaps.size() && best.missing > 0; ++i) {
+        const auto &before = gaps[(i + gaps.size() - 1) % gaps.size()], &after = gaps[(i + 1) % gaps.size()];
+        if (nearness(gaps[i]) < nearness(before) || nearness(gaps[i]) < nearness(after)) continue;
+        const double nearest = greatest_between([&](double input) { return nearness(gap_at(poses, input, sides)); },
+                                                inputs[i] - step, inputs[i] + step);
+        best = std::min(best, gap_at(poses, nearest, sides), is_less);
+    }
+    return best;
+}
+
+}  // namespace
+
 Gap least_gap(const Linkage& linkage, const std::vector<double>& numbers) {
     LinkagePoses poses(linkage, numbers);
-    Gap best{std::numeric_limits<double>::infinity()};
     std::vector<std::int8_t> sides = linkage.sides;
     sides.resize(linkage.order.choices, 0);
-    for (const double input : inputs_over_motion(linkage, poses.size(), samples))
-        for_each_assembly(sides, most_open, [&](const std::vector<std::int8_t>& one) {
-            if (best.missing == 0) return;
-            if (poses.place(input, one)) {
-                best = {0, input, 0};
-                return;
-            }
-            for (std::size_t i = 0; i < poses.pose.margins.size(); ++i) {
-                const double least = std::min(poses.pose.margins[i].outer, poses.pose.margins[i].inner);
-                if (least >= 0) continue;
-                if (-least < best.missing) best = {-least, input, i};
-                break;
-            }
-        });
+    if (static_cast<std::size_t>(std::count(sides.begin(), sides.end(), 0)) > most_open) return {};
+    const std::vector<double> inputs = inputs_over_motion(linkage, poses.size(), samples);
+    Gap best{std::numeric_limits<double>::infinity()};
+    for_each_assembly(sides, most_open, [&](const std::vector<std::int8_t>& one) {
+        if (best.missing == 0) return;
+        const Gap gap = least_gap_of(poses, inputs, one);
+        if (gap.missing < best.missing) best = gap;
+    });
     return best;
 }
 

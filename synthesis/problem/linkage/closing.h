@@ -33,7 +33,8 @@ struct LinkagePoses {
     double misfit() const;
 };
 
-/// By how much the best assembly fails to close at the best of many inputs, and where; 0 where one closes.
+/// By how much the best assembly fails to close where it comes nearest, and where that is, from many inputs and golden
+/// section between them; 0 where one closes, and where there are too many assemblies to look at them all.
 struct Gap {
     double missing = 0;
     double at = 0;           ///< the master's input
