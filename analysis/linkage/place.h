@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -194,7 +195,8 @@ template <class T>
 struct Input {
     std::span<const T> drives;           ///< angles and displacements, in the order of Structure::drives
     std::span<const std::int8_t> sides;  ///< 1 (left, ahead) or -1 (right, behind) for each choice of the order
-    std::span<const int> windings{};     ///< full turns to be added to the directions of links; none if empty
+    std::span<const double> near{};      ///< turns within half a turn of which those of links are; (-pi, pi] if empty
+    double shortfall = 0;  ///< by how much margins may fall short of 0 and the dyads still count as closed
 };
 
 namespace detail {
@@ -369,12 +371,20 @@ void slide(const Step& step, const Sized<T>& size, const T& displacement, Pose<T
     link.origin = step.reversed ? other.origin - turned(own, link.along) : other.at(own);
 }
 
+/// The angle that differs from this one by whole turns and is within half a turn of `near`.
 template <class T>
-void unwind(const Step& step, std::span<const int> windings, Pose<T>& pose) {
+T unwound(const T& angle, double near) {
+    constexpr double turn = 2 * std::numbers::pi;
+    const double turns = std::round((near - number_as<double>(value_of(angle))) / turn);
+    return turns == 0 ? angle : T(angle + T(2 * turns) * pi<T>());
+}
+
+template <class T>
+void unwind(const Step& step, std::span<const double> near, Pose<T>& pose) {
     using std::atan2;
     const Vector<T>& along = pose.links[step.link].along;
-    pose.turns[step.link] = atan2(along.y, along.x);
-    if (!windings.empty()) pose.turns[step.link] = pose.turns[step.link] + T(2 * windings[step.link]) * pi<T>();
+    const T angle = atan2(along.y, along.x);
+    pose.turns[step.link] = near.empty() ? angle : unwound(angle, near[step.link]);
 }
 
 /// A link that slides, or is slid on, at a constant angle to another one.
@@ -403,7 +413,7 @@ void place_plainly(const Step& step, const Sized<T>& size, const Input<T>& input
         }
         case Kind::pinned: hang(pose.links[step.link], size.first.own, pose.pins[step.pin]); break;
         case Kind::carried: pose.pins[step.pin] = pose.links[step.link].at(size.first.own); break;
-        case Kind::unwound: unwind(step, input.windings, pose); break;
+        case Kind::unwound: unwind(step, input.near, pose); break;
         case Kind::tied:
         case Kind::dyad:
         case Kind::through: break;
@@ -431,7 +441,8 @@ bool place(const Order& order, std::span<const Sized<T>> sizes, const Input<T>& 
         else
             margin = detail::meet(detail::locus_line(step.first, sizes[i].first, pose),
                                   detail::locus_line(step.second, sizes[i].second, pose), pose.links[step.link].origin);
-        if (!(margin.outer >= T(0)) || !(margin.inner >= T(0))) return false;
+        if (!(value_of(margin.outer) >= -input.shortfall) || !(value_of(margin.inner) >= -input.shortfall))
+            return false;
     }
     return true;
 }
