@@ -140,14 +140,27 @@ std::vector<Digits50> Reads::of(std::span<const Digits50> dimensions) const {
     return arguments;
 }
 
+Motion motion_for(const Quantity& quantity, Motion motion) {
+    motion.of = quantity.of.data();
+    return motion;
+}
+
+bool is_defined(const Quantity& quantity, const Motion& motion) {
+    return quantity.defined(motion_for(quantity, motion));
+}
+
+std::size_t count_components(const Quantity& quantity, const Motion& motion) {
+    return quantity.components(motion_for(quantity, motion));
+}
+
 void measure(const Quantity& quantity, const Motion& motion, std::span<const double> dimensions,
              const Measurement& out) {
     std::array<double, Reads::most> room;
-    quantity.measure(motion, quantity.reads.of(dimensions, room), out);
+    quantity.measure(motion_for(quantity, motion), quantity.reads.of(dimensions, room), out);
 }
 
 Digits50 measure_again(const Quantity& quantity, const Motion& motion, std::span<const Digits50> dimensions) {
-    return quantity.measure_again(motion, quantity.reads.of(dimensions));
+    return quantity.measure_again(motion_for(quantity, motion), quantity.reads.of(dimensions));
 }
 
 void miss_of_point(const Mechanism& mechanism, std::size_t assembly, std::span<const double> dimensions,

@@ -5,25 +5,21 @@
 /// the results all take it from here, whether it is one of the fixed kinds or was made while the program runs.
 
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <typeindex>
 #include <vector>
 
 #include "analysis/geometry/vector.h"
 #include "synthesis/mechanism/drawing/body.h"
 #include "synthesis/mechanism/path_screening.h"
+#include "synthesis/mechanism/quantity.h"
 #include "synthesis/mechanism/task.h"
 
 namespace mechwright {
-
-/// Fifty decimal digits: what verification computes with.
-using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
 enum class DimensionKind {
     length,      ///< > 0
@@ -50,149 +46,6 @@ inline Dimension number_of_target(std::string name, DimensionKind kind, std::str
     return {std::move(name), kind, false, std::move(meaning), false, true};
 }
 
-enum class Unit { none, length, area, angle, force, torque };
-
-/// A plain number that says how a mechanism is judged, from a section of its own in the problem file.
-struct Setting {
-    std::string section;
-    std::string name;
-    double preset;
-    double above;  ///< the value lies strictly between these two
-    double below;
-    std::string meaning;
-    bool or_above = false;  ///< may be equal to `above`
-
-    static constexpr std::size_t most = 4;  ///< of one mechanism
-
-    /// Whether a number is one that it can have.
-    bool allows(double number) const { return (or_above ? number >= above : number > above) && number < below; }
-};
-
-/// What a mechanism is made of beside its dimensions, if anything: the motion program of a cam, the links and joints of
-/// a linkage. Any value, shared by all copies of the mechanism; its functions know its type.
-class Model {
-public:
-    Model() = default;
-    template <class T>
-    explicit Model(T value) : data_(std::make_shared<const T>(std::move(value))), type_(typeid(T)) {}
-
-    /// The value, or null where there is none of this type.
-    template <class T>
-    const T* as() const {
-        return type_ == typeid(T) ? static_cast<const T*>(data_.get()) : nullptr;
-    }
-    /// The value as its mechanism's functions get it.
-    const void* data() const { return data_.get(); }
-
-private:
-    std::shared_ptr<const void> data_;
-    std::type_index type_ = typeid(void);
-};
-
-/// What a mechanism's functions get beside the dimensions: the value of its model, null where it has none, and the
-/// index of the assembly.
-struct Form {
-    const void* model = nullptr;
-    std::size_t assembly = 0;
-};
-
-struct FunctionTarget;
-struct ErrorExtreme;
-struct Interval;
-template <class T>
-struct LoopRow;
-
-/// What a guided point follows for a stretch of its path.
-enum class Followed { nothing, line, arc };
-
-/// The discrete data of a design and the motion over which it is judged.
-struct Motion {
-    std::size_t assembly = 0;     ///< index into Mechanism::assemblies
-    std::size_t family = 0;       ///< index into Mechanism::families
-    const void* model = nullptr;  ///< the value of Mechanism::model
-    bool full_turn = true;
-    double from = 0;  ///< crank angles in radians; for a full turn 0 and 2 pi
-    double to = 0;
-    std::array<double, Setting::most> settings{};  ///< values of Mechanism::settings
-    const FunctionTarget* function = nullptr;      ///< what a function generator does; null without one
-    Followed followed = Followed::nothing;         ///< by a guided point, over an input range
-    bool has_instant = false;                      ///< velocities at one crank angle are asked for
-
-    Form form() const { return {model, assembly}; }
-};
-
-/// Which dimensions a formula reads, in the order of its arguments.
-class Reads {
-public:
-    Reads() = default;
-    /// The first so many of the mechanism.
-    Reads(std::size_t count);
-    Reads(std::vector<std::size_t> dimensions);
-
-    /// These, then so many more that stand next to each other.
-    Reads and_then(std::size_t first, std::size_t count) const;
-
-    std::size_t size() const { return dimensions_.size(); }
-    std::size_t operator[](std::size_t argument) const { return dimensions_[argument]; }
-    auto begin() const { return dimensions_.begin(); }
-    auto end() const { return dimensions_.end(); }
-
-    static constexpr std::size_t most = 64;
-    /// The arguments, of all dimensions: these themselves where they are the first, else in `room`.
-    std::span<const double> of(std::span<const double> dimensions, std::span<double, most> room) const;
-    std::vector<Digits50> of(std::span<const Digits50> dimensions) const;
-
-private:
-    std::vector<std::size_t> dimensions_;
-    bool are_the_first_ = true;
-};
-
-/// Where a measure writes its smooth components. Derivatives are with respect to its arguments; an empty span is not
-/// asked for and costs nothing.
-struct Measurement {
-    std::span<double> value;     ///< [component]
-    std::span<double> gradient;  ///< [component][argument]
-    std::span<double> hessian;   ///< [component][pair], lower triangle by rows
-};
-
-/// How a quantity follows from its components. Each component is smooth in the dimensions; the quantity itself need not
-/// be, so optimisers are given the components.
-enum class Reduce { only, least, greatest };
-
-/// What a quantity says of a coupler path, if it does.
-enum class PathMeasure { none, sum_of_squares, root_mean_square, greatest };
-
-struct Quantity {
-    std::string name;
-    Unit unit;
-    std::string meaning;
-    Reduce reduce = Reduce::only;
-    Reads reads{};  ///< the dimensions that it depends on
-
-    /// Whether it has a value for designs of this motion's family. What is not defined cannot be required there.
-    bool (*defined)(const Motion&) = nullptr;
-    /// How many components it has over this motion; at most `most_components`.
-    std::size_t (*components)(const Motion&) = nullptr;
-    /// Components by the formulas the optimisers use.
-    void (*measure)(const Motion&, std::span<const double> arguments, const Measurement& out) = nullptr;
-    /// The quantity measured again over the continuous motion in extended precision, by another way than `measure`.
-    Digits50 (*measure_again)(const Motion&, std::span<const Digits50> arguments) = nullptr;
-
-    PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
-    bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
-    bool paired = false;    ///< each second component is the negative of the one before: of absolute values
-    std::string section{};  ///< it has a value only in problems with this section
-
-    static constexpr std::size_t most_components = 32;
-};
-
-/// A quantity's components of a design, whose dimensions are in mechanism order.
-void measure(const Quantity& quantity, const Motion& motion, std::span<const double> dimensions,
-             const Measurement& out);
-
-/// The quantity of a design, measured again.
-Digits50 measure_again(const Quantity& quantity, const Motion& motion, std::span<const Digits50> dimensions);
-
 /// A linear condition on the dimensions: sum of coefficient[i] dimension[i] >= 0.
 struct LinearCondition {
     std::string name;
@@ -207,6 +60,7 @@ struct Family {
     /// Components that must all be >= 0 for the design to assemble over its motion; none where the conditions say it
     /// all.
     std::optional<Quantity> assembly_margin{};
+    int turns = 1;  ///< of the crank, after which everything is where it was
 };
 
 /// The distance from a target to the point that the mechanism guides, at a crank angle; derivatives with respect to the
@@ -377,10 +231,15 @@ struct Mechanism {
     std::string meaning;
     std::vector<Dimension> dimensions;
     std::vector<std::string> assemblies;  ///< first is the default
+    /// The names of its assemblies say the side of each dyad: "C left, E right".
+    bool assemblies_by_dyad = false;
     std::vector<Quantity> quantities;
     std::vector<Family> families;
     std::vector<Setting> settings{};  ///< at most Setting::most
     Model model{};
+    /// The sections of a problem file that it was made from, a JSON object; empty for a mechanism of the list.
+    /// Documents repeat it, so that who reads them can make the mechanism again.
+    std::string made_from{};
 
     /// Whether no design of this mechanism lies in the given ranges, where that shows at a glance; null: no such check.
     std::optional<Objection> (*objection)(std::span<const double> least, std::span<const double> greatest) = nullptr;

@@ -161,11 +161,12 @@ struct Builder {
             add_margins(block_of(problem.mechanism->input->margin));
             return;
         }
-        if (family.assembly_margin && family.assembly_margin->defined(motion))
+        if (family.assembly_margin && is_defined(*family.assembly_margin, motion))
             add_margins(block_of(*family.assembly_margin));
         if (!needs_stretch(problem, family)) return;
         const Quantity& margin = problem.mechanism->input->margin;
-        program.blocks.push_back({&margin, motion, program.outputs, margin.components(motion), true});
+        program.blocks.push_back(
+            {&margin, motion_for(margin, motion), program.outputs, count_components(margin, motion), true});
         program.outputs += program.blocks.back().count;
         add_margins(program.blocks.back());
     }
@@ -179,7 +180,8 @@ struct Builder {
     QuantityBlock block_of(const Quantity& quantity) {
         for (const QuantityBlock& block : program.blocks)
             if (block.quantity == &quantity) return block;
-        program.blocks.push_back({&quantity, motion, program.outputs, quantity.components(motion), false});
+        program.blocks.push_back(
+            {&quantity, motion_for(quantity, motion), program.outputs, count_components(quantity, motion), false});
         program.outputs += program.blocks.back().count;
         return program.blocks.back();
     }

@@ -44,7 +44,7 @@ const Quantity& deviation_of(const Problem& problem) {
 int free_dimensions(const Problem& problem, const Design& design) {
     const Quantity& q = deviation_of(problem);
     const Motion motion = motion_of(problem, design);
-    const std::size_t count = q.components(motion);
+    const std::size_t count = count_components(q, motion);
     std::vector<double> value(count), gradient(count * q.reads.size());
     measure(q, motion, design.dimensions, {value, gradient, {}});
     const auto slopes = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(

@@ -81,7 +81,7 @@ double least_component(const Quantity& margin, const Motion& motion, std::span<c
     std::array<double, Quantity::most_components> components{};
     measure(margin, motion, dimensions, {components, {}, {}});
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < margin.components(motion); ++i) {
+    for (std::size_t i = 0; i < count_components(margin, motion); ++i) {
         if (std::isnan(components[i])) return components[i];
         least = std::min(least, components[i]);
     }
@@ -101,9 +101,9 @@ std::optional<double> quantity_value(const Problem& problem, std::size_t quantit
     if (q.path != PathMeasure::none) {
         if (problem.path && problem.path->guides_body() != (q.section == "poses")) return std::nullopt;
         value = path_quantity(problem, q.path, design);
-    } else if (q.defined(motion)) {
+    } else if (is_defined(q, motion)) {
         std::array<double, Quantity::most_components> components{};
-        const std::size_t count = q.components(motion);
+        const std::size_t count = count_components(q, motion);
         measure(q, motion, design.dimensions, {components, {}, {}});
         const std::span<const double> all(components.data(), count);
         if (std::any_of(all.begin(), all.end(), [](double c) { return std::isnan(c); })) return std::nullopt;

@@ -20,7 +20,7 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
         motion.from = problem.crank_range->x;
         motion.to = problem.crank_range->y;
     } else if (motion.full_turn) {
-        motion.to = 2 * std::numbers::pi;
+        motion.to = 2 * std::numbers::pi * problem.mechanism->families[family].turns;
     } else {
         motion.from = 1;  // not known before the design is
         motion.to = 0;
@@ -51,7 +51,7 @@ std::vector<Disjunction> disjunctions(const Problem& problem, const Motion& moti
     const auto add = [&](std::size_t index, const auto& condition) {
         const Quantity& quantity = programmed_quantity(problem, index);
         if (quantity.path != PathMeasure::none || !is_disjunctive(quantity, condition)) return;
-        const std::size_t components = quantity.components(motion);
+        const std::size_t components = count_components(quantity, motion);
         if (components > 1) all.push_back({index, components});
     };
     for (const Requirement& r : problem.requirements)
@@ -65,7 +65,7 @@ std::vector<Disjunction> disjunctions(const Problem& problem, const Motion& moti
 bool all_defined(const Problem& problem, const Motion& motion) {
     const auto defined = [&](std::size_t index) {
         const Quantity& quantity = programmed_quantity(problem, index);
-        return quantity.path != PathMeasure::none || quantity.defined(motion);
+        return quantity.path != PathMeasure::none || is_defined(quantity, motion);
     };
     return std::all_of(problem.requirements.begin(), problem.requirements.end(),
                        [&](const Requirement& r) { return defined(r.quantity); }) &&

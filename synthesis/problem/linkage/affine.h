@@ -1,30 +1,16 @@
 #pragma once
 /// \file
-/// Numbers of a linkage's file: sums of multiples of dimensions.
+/// Numbers of a linkage's file: how sums of multiples of dimensions are written.
 
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
+
+#include "synthesis/mechanism/linkage/affine.h"
 
 namespace mechwright {
-
-/// constant + sum of factor times dimension; dimensions by index, each once, in rising order.
-struct Affine {
-    double constant = 0;
-    std::vector<std::pair<std::size_t, double>> terms{};
-
-    template <class Dimensions>
-    double at(const Dimensions& dimensions) const {
-        double sum = constant;
-        for (const auto& [dimension, factor] : terms)
-            sum += factor * dimensions[dimension];
-        return sum;
-    }
-};
 
 /// Adds `factor` times `more`.
 void add(Affine& sum, const Affine& more, double factor);

@@ -15,6 +15,7 @@
 #include "analysis/linkage/mobility.h"
 #include "analysis/linkage/order.h"
 #include "analysis/linkage/structure.h"
+#include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/problem/linkage/affine.h"
 #include "synthesis/problem/messages.h"
 #include "synthesis/problem/problem.h"
@@ -42,13 +43,6 @@ struct LinkageDimension {
 struct LinkageNumber {
     Affine value{};
     Measure measure = Measure::length;
-};
-
-/// A drive beside its joint: input = ratio times that of the master + phase.
-struct LinkageDrive {
-    double ratio = 1;
-    double phase = 0;               ///< radians, or a length
-    std::optional<double> speed{};  ///< turns per minute
 };
 
 struct LinkageSignal {

@@ -28,7 +28,8 @@ std::vector<double> numbers_of(const Linkage& linkage, const std::vector<double>
     const double angle = linkage.units.degrees ? std::numbers::pi / 180 : 1;
     std::vector<double> numbers;
     for (const LinkageNumber& number : linkage.numbers)
-        numbers.push_back(number.value.at(dimensions) * (number.measure == Measure::angle ? angle : 1));
+        numbers.push_back(number.value.at(std::span<const double>(dimensions)) *
+                          (number.measure == Measure::angle ? angle : 1));
     return numbers;
 }
 

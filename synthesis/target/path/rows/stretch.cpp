@@ -35,6 +35,7 @@ double least_margin_along(const Problem& problem, const Design& design) {
     Motion motion;
     motion.assembly = design.assembly;
     motion.model = problem.mechanism->model.data();
+    motion.of = input.margin.of.data();
     input.margin.measure(motion, arguments, {value, {}, {}});
     return *std::min_element(value.begin(),
                              value.begin() + static_cast<std::ptrdiff_t>(input.margin.components(motion)));

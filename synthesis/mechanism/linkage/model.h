@@ -1,0 +1,98 @@
+#pragma once
+/// \file
+/// What a linkage is made of, as its mechanism's functions get it (Form::model): the structure, with numbers that are
+/// sums of multiples of the mechanism's dimensions, the order in which it is placed, its drives and assemblies. Lengths
+/// are before `scale`, in the frame of the frame; angles are radians.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/linkage/place.h"
+#include "analysis/linkage/steps.h"
+#include "analysis/linkage/structure.h"
+#include "synthesis/mechanism/drawing/body.h"
+#include "synthesis/mechanism/linkage/affine.h"
+#include "synthesis/mechanism/quantity.h"
+
+namespace mechwright {
+
+/// A drive beside its joint: input = ratio times that of the master + phase.
+struct LinkageDrive {
+    double ratio = 1;
+    double phase = 0;               ///< radians, or a length
+    std::optional<double> speed{};  ///< turns per minute
+};
+
+struct LinkageModel {
+    std::vector<std::string> links;   ///< the frame first
+    std::vector<std::string> pins;    ///< of points, too, that are on one link only
+    std::vector<std::string> slides;  ///< empty where a slide has no name
+    linkage::Structure structure;
+    linkage::Order order;
+    std::vector<Affine> numbers;                  ///< of the structure
+    std::vector<LinkageDrive> drives;             ///< the master first
+    std::vector<std::vector<std::int8_t>> sides;  ///< [assembly][choice of the order], 1 or -1
+    std::array<Affine, 3> placement{};            ///< origin-x, origin-y, tilt of the frame in the drawing
+    Affine scale{1, {}};                          ///< of all lengths; > 0
+    std::optional<double> at{};                   ///< an input of the master that belongs to the motion
+    int turns = 1;                                ///< of the master, after which everything is where it was
+
+    bool driven_by_slide() const { return structure.drives.front().of_slide; }
+};
+
+inline const LinkageModel& linkage_of(const void* model) { return *static_cast<const LinkageModel*>(model); }
+
+/// The numbers of the structure.
+template <class T>
+std::vector<T> numbers_of(const LinkageModel& model, std::span<const T> dimensions) {
+    std::vector<T> numbers;
+    numbers.reserve(model.numbers.size());
+    for (const Affine& number : model.numbers)
+        numbers.push_back(number.at(dimensions));
+    return numbers;
+}
+
+/// The inputs of all drives for one of the master, into `inputs`.
+template <class T>
+void set_inputs(const LinkageModel& model, const T& master, std::span<T> inputs) {
+    inputs[0] = master;
+    for (std::size_t i = 1; i < model.drives.size(); ++i)
+        inputs[i] = T(model.drives[i].ratio) * master + T(model.drives[i].phase);
+}
+
+/// A linkage of given dimensions in one assembly, to be placed at any input of its master. Lengths are before `scale`.
+class PlacedLinkage {
+public:
+    PlacedLinkage(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly);
+
+    /// Whether it closes; the pose then is that of this input.
+    bool place(double master);
+    const linkage::Pose<double>& pose() const { return pose_; }
+    const std::vector<double>& numbers() const { return numbers_; }
+    std::span<const linkage::Sized<double>> sizes() const { return sizes_; }
+
+private:
+    const LinkageModel& model_;
+    std::vector<double> numbers_;
+    std::vector<linkage::Sized<double>> sizes_;
+    std::span<const std::int8_t> sides_;
+    std::vector<double> inputs_;
+    linkage::Pose<double> pose_;
+};
+
+/// The frame in the drawing, and how many times its lengths are as long there.
+struct LinkagePlacement {
+    BodyPlace frame;
+    double scale;
+
+    Vector<double> in_drawing(const Vector<double>& at) const { return mechwright::in_drawing(frame, scale * at); }
+};
+
+LinkagePlacement placement_of(const LinkageModel& model, std::span<const double> dimensions);
+
+}  // namespace mechwright
