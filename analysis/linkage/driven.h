@@ -15,10 +15,9 @@
 namespace mechwright::linkage {
 
 /// The input of a drive: ratio times the master's + phase.
-template <class T>
 struct DriveLaw {
-    T ratio = T(1);
-    T phase = T(0);
+    double ratio = 1;
+    double phase = 0;
 };
 
 template <class T>
@@ -26,7 +25,7 @@ class Driven {
 public:
     const Order& order;
     std::vector<Sized<T>> sizes;
-    std::vector<DriveLaw<T>> laws;
+    std::vector<DriveLaw> laws;
     /// One for each choice: 1 or -1, and 0 where a dyad is to be placed exactly at its limit.
     std::vector<std::int8_t> sides;
     double shortfall = 0;  ///< as of Input
@@ -34,7 +33,7 @@ public:
 
     /// The order must be closed, and outlive this; drives without a law have the master's input.
     Driven(const Structure& s, const Order& steps, std::span<const T> numbers, std::span<const std::int8_t> on_sides,
-           std::span<const DriveLaw<T>> drive_laws = {})
+           std::span<const DriveLaw> drive_laws = {})
         : order(steps),
           sizes(sizes_of(s, steps, numbers)),
           laws(drive_laws.begin(), drive_laws.end()),
@@ -57,7 +56,7 @@ public:
     /// Places all links into `pose`; as linkage::place. `near` as of Input.
     bool place(const T& master, std::span<const double> near = {}) {
         for (std::size_t i = 0; i < laws.size(); ++i)
-            inputs_[i] = laws[i].ratio * master + laws[i].phase;
+            inputs_[i] = T(laws[i].ratio) * master + T(laws[i].phase);
         return linkage::place<T>(order, sizes, {inputs_, sides, near, shortfall}, pose);
     }
 

@@ -37,6 +37,10 @@ struct Stretch {
     double speed(double s) const {
         return length() * (root_at_from ? root_at_to ? 6 * s * (1 - s) : 2 * s : root_at_to ? 2 * (1 - s) : 1);
     }
+    /// Its slope by s.
+    double speed_slope(double s) const {
+        return length() * (root_at_from ? root_at_to ? 6 - 12 * s : 2 : root_at_to ? -2 : 0);
+    }
     /// The shares between which functions are looked at: not the very ends where they are singular.
     double first() const { return root_at_from ? beside_end : 0; }
     double last() const { return root_at_to ? 1 - beside_end : 1; }
@@ -88,6 +92,7 @@ public:
         std::size_t first = 1;    ///< so many panels to begin with
         double within = 1e-6;     ///< of the greatest value of a panel: what its last coefficients may be
         double noise = 1e-14;     ///< of the greatest value of all: what rounding makes
+        double floor = 0;         ///< a value: what rounding makes of a function that is 0
         double narrowest = 1e-9;  ///< where a function has a kink
         std::size_t most = 4096;  ///< panels
     };
@@ -116,26 +121,55 @@ public:
 
     std::span<const Panel> all() const& { return done_; }
 
+    /// The greatest value seen, in size.
+    double greatest() const { return greatest_; }
+
     /// The zeros of g, the function whose panels these are, between the first panel and the last: reported to found(s)
     /// in increasing order.
     template <class Function, class Found>
     void zeros(const Function& g, const Found& found) const {
-        std::vector<double> grid, values;
-        grid.reserve(done_.size() * Panel::nodes + 2);
-        values.reserve(grid.capacity());
-        const auto add = [&](double s, double value) {
-            grid.push_back(s);
-            values.push_back(value);
+        zeros_in(Grid(*this, g), g, found);
+    }
+
+    /// The same where the slope of g is known too: three zeros between neighbouring samples, or spread over two such
+    /// intervals, are found as well.
+    template <class Function, class Slope, class Found>
+    void zeros(const Function& g, const Slope& slope, const Found& found) const {
+        const Grid grid(*this, g);
+        std::vector<double> single;
+        zeros_in(grid, g, [&](double s) { single.push_back(s); });
+        // Intervals beside a lone zero may hold a pair that no sample tells of.
+        std::size_t done = 0;
+        const auto between = [&](std::size_t right, double zero) {
+            if (right <= done) return;
+            const double left_end = grid.at[right - 1], right_end = grid.at[right], width = right_end - left_end;
+            std::array<double, 4> look{zero, left_end + 0.25 * width, left_end + 0.5 * width, left_end + 0.75 * width};
+            if (zero < left_end)
+                look = {left_end + width / 64, left_end + width / 16, left_end + width / 4, left_end + width / 2};
+            if (zero > right_end)
+                look = {right_end - width / 64, right_end - width / 16, right_end - width / 4, right_end - width / 2};
+            zeros_between_turns(g, slope, left_end, right_end, grid.value[right - 1], grid.value[right], look, found);
+            done = right;
         };
-        add(done_.front().from, g(done_.front().from));
-        for (const Panel& panel : done_)
-            for (std::size_t i = 0; i < Panel::nodes; ++i)
-                add(panel.at(i), panel.value[i]);
-        add(done_.back().to, g(done_.back().to));
-        std::size_t next = 0;
-        // Points of the grid are asked for in order, each once.
-        zeros_on_grid([&](double s) { return next < grid.size() && s == grid[next] ? values[next++] : g(s); },
-                      std::span<const double>(grid), found);
+        const auto empty = [&](std::size_t right) {
+            return right > 0 && right < grid.at.size() && std::none_of(single.begin(), single.end(), [&](double s) {
+                       return s >= grid.at[right - 1] && s <= grid.at[right];
+                   });
+        };
+        for (std::size_t i = 0; i < single.size(); ++i) {
+            const auto right =
+                static_cast<std::size_t>(std::upper_bound(grid.at.begin(), grid.at.end(), single[i]) - grid.at.begin());
+            const bool alone = right > 0 && right < grid.at.size() && grid.at[right - 1] < single[i] &&
+                               (i == 0 || single[i - 1] <= grid.at[right - 1]) &&
+                               (i + 1 == single.size() || single[i + 1] >= grid.at[right]);
+            if (!alone) {
+                found(single[i]);
+                continue;
+            }
+            if (empty(right - 1)) between(right - 1, single[i]);
+            between(right, single[i]);
+            if (empty(right + 1)) between(right + 1, single[i]);
+        }
     }
 
     /// The integral of the function.
@@ -148,6 +182,70 @@ public:
     }
 
 private:
+    struct Grid {
+        std::vector<double> at, value;
+
+        template <class Function>
+        Grid(const Panels& panels, const Function& g) {
+            at.reserve(panels.done_.size() * Panel::nodes + 2);
+            value.reserve(at.capacity());
+            add(panels.done_.front().from, g(panels.done_.front().from));
+            for (const Panel& panel : panels.done_)
+                for (std::size_t i = 0; i < Panel::nodes; ++i)
+                    add(panel.at(i), panel.value[i]);
+            add(panels.done_.back().to, g(panels.done_.back().to));
+        }
+        void add(double s, double v) {
+            at.push_back(s);
+            value.push_back(v);
+        }
+    };
+
+    template <class Function, class Found>
+    static void zeros_in(const Grid& grid, const Function& g, const Found& found) {
+        std::size_t next = 0;
+        // Points of the grid are asked for in order, each once.
+        zeros_on_grid([&](double s) { return next < grid.at.size() && s == grid.at[next] ? grid.value[next++] : g(s); },
+                      std::span<const double>(grid.at), found);
+    }
+
+    /// The zeros of g between two samples, as its slope parts them: that may vanish once there, or twice, then next to
+    /// one of the places in `look`.
+    template <class Function, class Slope, class Found>
+    static void zeros_between_turns(const Function& g, const Slope& slope, double left, double right, double g_left,
+                                    double g_right, const std::array<double, 4>& look, const Found& found) {
+        std::array<double, 4> at{left};
+        std::size_t count = 1;
+        const auto turns = [&](double s) {
+            if (count < 3) at[count++] = s;
+        };
+        const double at_left = slope(left), at_right = slope(right);
+        const auto below = [&](double a, double b) { return at_left > 0 ? a < b : a > b; };
+        if ((at_left > 0) != (at_right > 0)) {
+            turns(zero_between<double>(slope, left, right, at_left, at_right));
+        } else {
+            double lowest = look[0], at_lowest = slope(lowest);
+            for (std::size_t i = 1; i < look.size(); ++i)
+                if (const double here = slope(look[i]); below(here, at_lowest)) {
+                    lowest = look[i];
+                    at_lowest = here;
+                }
+            if ((at_lowest > 0) != (at_left > 0)) {
+                turns(zero_between<double>(slope, left, lowest, at_left, at_lowest));
+                turns(zero_between<double>(slope, lowest, right, at_lowest, at_right));
+            } else if (below(at_lowest, at_left) && below(at_lowest, at_right)) {
+                zeros_in_dip(slope, left, lowest, right, at_left, at_lowest, at_right, turns);
+            }
+        }
+        at[count++] = right;
+        double last = g_left;
+        for (std::size_t i = 1; i < count; ++i) {
+            const double here = i + 1 == count ? g_right : g(at[i]);
+            if (here != 0 && (here > 0) != (last > 0)) found(zero_between<double>(g, at[i - 1], at[i], last, here));
+            if (here != 0) last = here;
+        }
+    }
+
     template <class Function>
     Panel sampled(const Function& g, double from, double to) {
         Panel panel{from, to};
@@ -180,7 +278,7 @@ private:
                 sum += panel.value[i] * cosine[k][i];
             tail = std::max(tail, std::abs(sum) * 2 / n);
         }
-        return tail <= limits_.within * size + limits_.noise * greatest_;
+        return tail <= limits_.within * size + limits_.noise * greatest_ + limits_.floor;
     }
 
     Limits limits_;

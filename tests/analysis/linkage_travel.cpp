@@ -9,7 +9,7 @@
 #include "analysis/linkage/travel.h"
 #include "analysis/quick_return.h"
 #include "analysis/slider_crank.h"
-#include "tests/analysis/made_linkage.h"
+#include "tests/analysis/known_linkages.h"
 #include "tests/analysis/random_linkage.h"
 #include "tests/degree.h"
 
@@ -26,7 +26,7 @@ struct Moving {
     linkage::Order order = linkage::order_of(made.s);
     Driven<double> driven;
 
-    Moving(MadeLinkage linkage, std::vector<std::int8_t> sides, std::vector<linkage::DriveLaw<double>> laws = {})
+    Moving(MadeLinkage linkage, std::vector<std::int8_t> sides, std::vector<linkage::DriveLaw> laws = {})
         : made(std::move(linkage)),
           driven(made.s, order, std::span<const double>(made.numbers), resized(std::move(sides), order), laws) {}
     Moving(const Moving&) = delete;
@@ -38,24 +38,6 @@ struct Moving {
     std::vector<Travel> travels(const linkage::Inputs& inputs = {}) const { return linkage::travels(driven, inputs); }
 };
 
-MadeLinkage bars(const FourBar<double>& m) {
-    MadeLinkage made;
-    made.points(0, {{"A", 0, 0}, {"D", m.ground, 0}});
-    made.drive(made.link({{"A", 0, 0}, {"B", m.crank, 0}}));
-    made.link({{"B", 0, 0}, {"C", m.coupler, 0}});
-    made.link({{"D", 0, 0}, {"C", m.rocker, 0}});
-    return made;
-}
-
-MadeLinkage rod_on_slide(const SliderCrank<double>& m) {
-    MadeLinkage made;
-    made.points(0, {{"A", 0, 0}});
-    made.drive(made.link({{"A", 0, 0}, {"B", m.crank, 0}}));
-    made.link({{"B", 0, 0}, {"C", m.rod, 0}});
-    made.slot("C", made.line(0, 0, m.offset, 0));
-    return made;
-}
-
 /// The end that a travel has in common with a range of a built-in kind, whole turns aside.
 void expect_same_angle(double a, double b, double within) { EXPECT_NEAR(std::remainder(a - b, turn), 0, within); }
 
@@ -65,7 +47,7 @@ TEST(LinkageTravel, IsTheFourBarsRange) {
     for (int i = 0; i < 400; ++i) {
         const FourBar<double> m{draw.number(1, 10), draw.number(1, 10), draw.number(1, 10), draw.number(1, 10)};
         const CrankRange<double> range = assembled_range(m);
-        const auto found = Moving(bars(m), {}).travels();
+        const auto found = Moving(four_bar_linkage(m), {}).travels();
         if (range.full_turn) {
             ++whole;
             ASSERT_EQ(found.size(), 1u) << i;
@@ -98,13 +80,13 @@ TEST(LinkageTravel, IsTheFourBarsRange) {
 TEST(LinkageTravel, FindsNarrowGapsAndNarrowTravels) {
     // Near change points: the gap, or what is left of a turn, is as wide as the root of the margin.
     for (const double margin : {1e-3, 1e-7, 1e-11}) {
-        const auto gap = Moving(bars({6, 2, 4 - margin, 4}), {}).travels();
+        const auto gap = Moving(four_bar_linkage({6, 2, 4 - margin, 4}), {}).travels();
         ASSERT_EQ(gap.size(), 1u);
         const CrankRange<double> range = assembled_range(FourBar<double>{6, 2, 4 - margin, 4});
         ASSERT_FALSE(range.full_turn);
         EXPECT_NEAR(std::abs(std::remainder(gap[0].to, turn)), range.to, 1e-15 / std::sqrt(margin));
         EXPECT_NEAR(gap[0].to - gap[0].from, range.to - range.from, 2e-15 / std::sqrt(margin));
-        const auto narrow = Moving(bars({8, 2, 3, 3 + margin}), {}).travels();
+        const auto narrow = Moving(four_bar_linkage({8, 2, 3, 3 + margin}), {}).travels();
         ASSERT_EQ(narrow.size(), 1u) << margin;
         const CrankRange<double> little = assembled_range(FourBar<double>{8, 2, 3, 3 + margin});
         EXPECT_NEAR(narrow[0].to - narrow[0].from, little.to - little.from, 2e-15 / std::sqrt(margin));
@@ -112,7 +94,7 @@ TEST(LinkageTravel, FindsNarrowGapsAndNarrowTravels) {
     // Change points themselves are passed.
     for (const FourBar<double>& m :
          {FourBar<double>{4, 2, 4, 2}, FourBar<double>{6, 2, 4, 4}, FourBar<double>{.7, .1, .3, .5}}) {
-        const auto found = Moving(bars(m), {}).travels();
+        const auto found = Moving(four_bar_linkage(m), {}).travels();
         ASSERT_EQ(found.size(), 1u);
         EXPECT_TRUE(found[0].whole);
     }
@@ -124,7 +106,7 @@ TEST(LinkageTravel, IsTheSliderCranksRange) {
     for (int i = 0; i < 200; ++i) {
         const SliderCrank<double> m{draw.number(1, 3), draw.number(0.5, 5), draw.number(-2, 2)};
         const CrankRange<double> range = assembled_range(m);
-        const auto found = Moving(rod_on_slide(m), {}).travels();
+        const auto found = Moving(slider_crank_linkage(m), {}).travels();
         if (range.full_turn) {
             ASSERT_EQ(found.size(), 1u);
             EXPECT_TRUE(found[0].whole);
@@ -241,7 +223,7 @@ TEST(LinkageTravel, EndsWhereLinesBecomeParallel) {
 
 TEST(LinkageTravel, CyclesAreAsLongAsGearsMakeThem) {
     const auto with_wheel = [](double ratio, std::size_t first, std::size_t carrier) {
-        MadeLinkage m = bars({4, 1, 3.5, 3});
+        MadeLinkage m = four_bar_linkage({4, 1, 3.5, 3});
         m.gear(first, m.link({{"A", 0, 0}, {"W", 0.5, 0}}), carrier, ratio);
         return m;
     };
@@ -249,14 +231,14 @@ TEST(LinkageTravel, CyclesAreAsLongAsGearsMakeThem) {
         const Moving moving(m, {});
         return linkage::turns_of_cycle(moving.made.s, moving.driven);
     };
-    EXPECT_EQ(turns(bars({4, 1, 3.5, 3})), 1);
+    EXPECT_EQ(turns(four_bar_linkage({4, 1, 3.5, 3})), 1);
     EXPECT_EQ(turns(with_wheel(-2.0, 1, 0)), 1);
     EXPECT_EQ(turns(with_wheel(-0.25, 1, 0)), 4);
     EXPECT_EQ(turns(with_wheel(21.0 / 30, 1, 0)), 10);
     EXPECT_EQ(turns(with_wheel(std::sqrt(0.5), 1, 0)), std::nullopt);
     EXPECT_EQ(turns(with_wheel(std::sqrt(0.5), 3, 0)), 1);  // of the rocker, which comes back
     // The coupler of a double crank turns back and forth, its follower once round.
-    MadeLinkage m = bars({1, 3, 2.5, 2.8});
+    MadeLinkage m = four_bar_linkage({1, 3, 2.5, 2.8});
     m.gear(3, m.link({{"D", 0, 0}, {"W", 0.5, 0}}), 0, 1.0 / 3);
     EXPECT_EQ(turns(m), 3);
     // Two drives: the other crank at 2/3.
@@ -276,7 +258,7 @@ TEST(LinkageTravel, CyclesAreAsLongAsGearsMakeThem) {
 TEST(LinkageTravel, TurnsAreContinuous) {
     // The follower of a double crank turns as often as its crank; close to a change point it does so in jerks.
     for (const double coupler : {2.5, 1.8 + 1e-6}) {
-        Moving moving(bars({1, 3, coupler, coupler == 2.5 ? 2.8 : 2.2}), {});
+        Moving moving(four_bar_linkage({1, 3, coupler, coupler == 2.5 ? 2.8 : 2.2}), {});
         const linkage::Turns turns(moving.driven, -1, 5 * turn - 1);
         ASSERT_EQ(turns.to(), 5 * turn - 1);
         double last = turns.near(-1)[3];

@@ -40,6 +40,25 @@ TEST(Resolved, PairsOfZerosAreFoundHoweverClose) {
         }
 }
 
+TEST(Resolved, ThreeZerosAreFoundHoweverClose) {
+    for (const double half : {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4})
+        for (double middle = 3; middle < 3.5; middle += 0.0123) {
+            const auto g = [&](double x) {
+                return (std::cos(half) - std::cos(x - middle)) * std::sin(x - middle - 0.1 * half);
+            };
+            const auto slope = [&](double x) {
+                return std::sin(x - middle) * std::sin(x - middle - 0.1 * half) +
+                       (std::cos(half) - std::cos(x - middle)) * std::cos(x - middle - 0.1 * half);
+            };
+            std::vector<double> zeros;
+            Panels(g, 1.3, 4.7, {.first = 3}).zeros(g, slope, [&](double x) { zeros.push_back(x); });
+            ASSERT_EQ(zeros.size(), 3u) << half << ' ' << middle;
+            EXPECT_NEAR(zeros[0], middle - half, 1e-16 / half + 1e-15);
+            EXPECT_NEAR(zeros[1], middle + 0.1 * half, 1e-16 / half + 1e-15);
+            EXPECT_NEAR(zeros[2], middle + half, 1e-16 / half + 1e-15);
+        }
+}
+
 TEST(Resolved, SteepPlacesAreSampledFinely) {
     // A flip of half a turn, as a link makes that passes close by a change point: its slope has a pole at 2 + i width.
     for (const double width : {1e-2, 1e-4, 1e-6}) {

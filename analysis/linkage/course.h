@@ -1,0 +1,351 @@
+#pragma once
+/// \file
+/// Signals along the motion of a linkage: all their extremes and those of their derivatives, means over stretches of
+/// it, and how these change with the dimensions.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "analysis/linkage/signals.h"
+#include "analysis/linkage/travel.h"
+#include "analysis/numbers/dual.h"
+#include "analysis/numbers/resolved.h"
+#include "analysis/numbers/second_dual.h"
+#include "analysis/numbers/series.h"
+
+namespace mechwright::linkage {
+
+/// The motion over which signals are measured: a travel, or a part of one, with the turns of links along it (over a
+/// second cycle too, where it is whole, for stretches that go through its end).
+struct Course {
+    Travel travel{};
+    Turns turns{};
+
+    double period() const { return travel.to - travel.from; }
+};
+
+/// Follows the links along a travel: from turns in (-pi, pi] at its start.
+inline Course course_along(const Driven<double>& driven, const Travel& travel) {
+    Driven<double> moving = driven;
+    moving.shortfall = 1e-13 * size_of(driven);
+    return {travel, Turns(moving, travel.from, travel.to + (travel.whole ? travel.to - travel.from : 0))};
+}
+
+/// A linkage with its signals as series of the time, in which the master's input grows by `rate`: numbers of the type T
+/// that is given, and all derivatives up to the K-th.
+template <class T, std::size_t K>
+class Measured {
+public:
+    using Value = Series<T, K>;
+
+    Measured(const Structure& s, const Order& order, std::span<const T> numbers, std::span<const std::int8_t> sides,
+             std::span<const DriveLaw> laws, std::span<const Signal> signals, const Placing<T>& placing,
+             double rate = 1)
+        : driven_(s, order, series(numbers), sides, laws),
+          values_(s, signals, std::span<const Value>(series(numbers)),
+                  {{placing.origin.x, placing.origin.y}, placing.tilt, placing.scale}),
+          rate_(rate) {
+        driven_.shortfall = 1e-13 * size_of(driven_);
+    }
+
+    /// A signal at an input of the master. At a limit its dyad is placed exactly there. Not a number where the linkage
+    /// does not close.
+    Value value(std::size_t signal, double master, std::span<const double> near, const Limit& limit = {}) {
+        if (!place(master, near, limit)) return Value(T(std::numeric_limits<double>::quiet_NaN()));
+        return values_.value(signal, driven_, near);
+    }
+    /// A margin there.
+    Value margin(const Limit& limit, double master, std::span<const double> near) {
+        place(master, near, limit);
+        const Margin<Value>& margin = driven_.pose.margins[limit.margin];
+        return limit.inner ? margin.inner : margin.outer;
+    }
+
+    void start_at(const Course& course) { values_.start_at(course.turns.near(course.travel.from)); }
+    std::span<const Signal> signals() const { return values_.signals; }
+    const Driven<Value>& driven() const { return driven_; }
+    double rate() const { return rate_; }
+
+private:
+    bool place(double master, std::span<const double> near, const Limit& limit) {
+        if (held_ != none) driven_.sides[held_] = held_side_;
+        held_ = none;
+        for (const Step& step : driven_.order.steps)
+            if (limit.exists() && step.margin == limit.margin) held_ = step.choice;
+        if (held_ != none) {
+            held_side_ = driven_.sides[held_];
+            driven_.sides[held_] = 0;
+        }
+        return driven_.place(Value::variable(T(master), T(rate_)), near);
+    }
+    static std::vector<Value> series(std::span<const T> numbers) { return {numbers.begin(), numbers.end()}; }
+
+    Driven<Value> driven_;
+    SignalValues<Value> values_;
+    double rate_;
+    /// The dyad that is placed at its limit now, and its side elsewhere.
+    std::size_t held_ = none;
+    std::int8_t held_side_ = 1;
+};
+
+/// A signal, or a derivative of it by the time.
+struct Asked {
+    std::size_t signal = 0;
+    std::size_t derivative = 0;
+};
+
+/// The derivatives of the pose that `Measured` needs to find the extremes of what is asked, and for their second
+/// derivatives by the dimensions.
+inline std::size_t order_for(std::span<const Signal> signals, const Asked& asked) {
+    return order_of(signals, asked.signal) + asked.derivative + 2;
+}
+
+/// Where something can be extreme along a motion.
+struct Extreme {
+    double at = 0;
+    double value = 0;
+    bool stationary = true;  ///< else it is an end of the motion, or of the stretch that was asked for
+    Limit limit{};           ///< an end that moves with the dimensions
+};
+
+namespace detail {
+
+/// What rounding makes of what is asked, where it is 0 itself.
+template <std::size_t K>
+double rounding_of(Measured<double, K>& measured, const Asked& asked, std::size_t derivative, const Course& course,
+                   const Stretch& stretch) {
+    constexpr int samples = 8;
+    constexpr double unit = 2e-15;
+    const Signal::Kind kind = measured.signals()[asked.signal].kind;
+    const bool angle = kind == Signal::Kind::angle || kind == Signal::Kind::transmission_angle;
+    const double size = angle ? 1 : size_of(measured.driven());
+    double greatest = size * std::pow(std::abs(measured.rate()), static_cast<double>(derivative));
+    for (int i = 0; i < samples; ++i) {
+        const double at = stretch.at((i + 0.5) / samples);
+        const auto value = measured.value(asked.signal, at, course.turns.near(at));
+        for (std::size_t k = 0; k <= derivative; ++k)
+            if (std::isfinite(value.c[k])) greatest = std::max(greatest, std::abs(value.derivative(k)));
+    }
+    return unit * greatest;
+}
+
+inline Stretch stretch_of(const Course& course, double from, double to) {
+    return {from, to, course.travel.first.exists() && from == course.travel.from,
+            course.travel.last.exists() && to == course.travel.to};
+}
+
+inline std::size_t first_panels(const Stretch& stretch) {
+    return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(stretch.length() / std::numbers::pi * 3)), 2,
+                                   6 * most_turns);
+}
+
+/// Where the slope of what is asked vanishes, in order.
+template <std::size_t K>
+std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked& asked, const Course& course,
+                                      const Stretch& stretch) {
+    const std::size_t order = asked.derivative + 1;
+    const double floor = rounding_of(measured, asked, order, course, stretch);
+    // At limits each derivative goes like two powers less of the share: as many of its speed make that finite.
+    const int powers = 2 * static_cast<int>(order + order_of(measured.signals(), asked.signal)) - 1;
+    const auto share = [&](double s) { return stretch.speed(s) / stretch.length(); };
+    const auto value = [&](double s) {
+        const double at = stretch.at(s);
+        return measured.value(asked.signal, at, course.turns.near(at));
+    };
+    const auto slope = [&](double s) { return value(s).derivative(order) * std::pow(share(s), powers); };
+    const auto curvature = [&](double s) {
+        const auto f = value(s);
+        return f.derivative(order + 1) / measured.rate() * stretch.speed(s) * share(s) +
+               f.derivative(order) * powers * (stretch.speed_slope(s) / stretch.length());
+    };
+    const Panels panels(slope, stretch.first(), stretch.last(), {.first = first_panels(stretch), .floor = floor});
+    std::vector<double> found;
+    if (panels.greatest() > 4 * floor)
+        panels.zeros(slope, curvature, [&](double s) { found.push_back(stretch.at(s)); });
+    return found;
+}
+
+}  // namespace detail
+
+/// What is asked at an end of the motion that is a limit: derivatives are infinite there, unless the signal does not
+/// depend on the dyad that ends it.
+template <std::size_t K>
+double value_at_limit(Measured<double, K>& measured, const Asked& asked, const Course& course, bool last) {
+    const Travel& travel = course.travel;
+    const double end = last ? travel.to : travel.from;
+    const Limit& limit = last ? travel.last : travel.first;
+    const auto near = course.turns.near(end);
+    if (limit.parallel) return std::numeric_limits<double>::infinity();
+    if (asked.derivative + order_of(measured.signals(), asked.signal) == 0)
+        return measured.value(asked.signal, end, near, limit).c[0];
+    const Stretch stretch = detail::stretch_of(course, travel.from, travel.to);
+    const auto beside = [&](double s) {
+        const double at = stretch.at(last ? 1 - s : s);
+        return measured.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);
+    };
+    // What goes like the inverse root of the distance or steeper at least doubles when that is quartered.
+    const double nearer = beside(0x1p-13), farther = beside(0x1p-12);
+    if (std::abs(nearer) > 1.5 * std::abs(farther))
+        return std::copysign(std::numeric_limits<double>::infinity(), nearer);
+    return measured.value(asked.signal, end, near).derivative(asked.derivative);
+}
+
+/// All places in [from, to] at which what is asked can be extreme, in order: where it is stationary, and the ends. Of a
+/// whole motion that is asked for whole the ends are none, unless the signal does not come back. K must be at least
+/// `order_for` it.
+template <std::size_t K>
+std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked, const Course& course, double from,
+                              double to) {
+    constexpr double overlap = 0.125, seam = -1, same_within = 1e-6;
+    const Travel& travel = course.travel;
+    const auto at = [&](double x) {
+        return measured.value(asked.signal, x, course.turns.near(x)).derivative(asked.derivative);
+    };
+    std::vector<Extreme> found;
+    bool comes_back = travel.whole && from == travel.from && to == travel.to;
+    if (comes_back) {
+        const double first = at(from), last = at(to);
+        comes_back = std::abs(last - first) <= 1e-9 * (std::abs(first) + std::abs(last)) ||
+                     std::abs(last - first) <= 1e-9 * size_of(measured.driven());
+    }
+    if (!comes_back) {
+        const auto end = [&](double x, const Limit& limit, bool last) {
+            const bool is_limit = limit.exists() && x == (last ? travel.to : travel.from);
+            if (!is_limit) return found.push_back({x, at(x), false, {}});
+            found.push_back({x, value_at_limit(measured, asked, course, last), false, limit});
+        };
+        end(from, travel.first, false);
+        for (const double x : detail::stationary_inputs(measured, asked, course, detail::stretch_of(course, from, to)))
+            if (x > from && x < to) found.push_back({x, at(x)});
+        end(to, travel.last, true);
+        return found;
+    }
+    // One cycle and a little more, from a place where extremes seldom are; what is seen again does not count.
+    const double period = course.period(), start = to + seam;
+    for (const double x : detail::stationary_inputs(measured, asked, course, {start, start + period + overlap})) {
+        const double back = x - period;
+        const bool again = x >= start + period && std::any_of(found.begin(), found.end(), [&](const Extreme& f) {
+                               return std::abs(f.at - back) < same_within;
+                           });
+        if (!again) found.push_back({x >= start + period ? back : x, 0});
+    }
+    for (Extreme& each : found) {
+        if (each.at >= to) each.at -= period;
+        each.value = at(each.at);
+    }
+    std::sort(found.begin(), found.end(), [](const Extreme& a, const Extreme& b) { return a.at < b.at; });
+    return found;
+}
+
+namespace detail {
+
+/// The derivatives of a number alone.
+template <class T>
+T change_of(T x) {
+    if constexpr (requires { x.value; })
+        x.value = 0;
+    else
+        x = T(0);
+    return x;
+}
+
+/// By how much the time changes with the dimensions at which a derivative of f vanishes, up to second derivatives
+/// (Newton's method; each step has one order more). Zero where that place is not settled.
+template <class T, std::size_t K>
+T shift_of_zero(const Series<T, K>& f, std::size_t derivative) {
+    constexpr double settled = 1e-12;
+    const T slope = derivative < K ? f.derivative(derivative + 1) : T(0);
+    double size = 0;
+    for (std::size_t k = 0; k <= K; ++k)
+        size = std::max(size, std::abs(value_of(f.derivative(k))));
+    if (!(std::abs(value_of(slope)) > settled * size)) return T(0);
+    const T value = change_of(f.derivative(derivative));
+    const T first = change_of(T(-(value / slope)));
+    const T curvature = derivative + 2 <= K ? f.derivative(derivative + 2) : T(0);
+    return change_of(T(first - T(0.5) * curvature * (first * first) / slope));
+}
+
+/// A derivative of f where the time has changed by derivatives alone, up to second ones.
+template <class T, std::size_t K>
+T after_shift(const Series<T, K>& f, std::size_t derivative, const T& shift) {
+    T sum = f.derivative(derivative);
+    if (derivative + 1 <= K) sum = sum + f.derivative(derivative + 1) * shift;
+    if (derivative + 2 <= K) sum = sum + T(0.5) * f.derivative(derivative + 2) * (shift * shift);
+    return sum;
+}
+
+}  // namespace detail
+
+/// How the time at which a place is passed changes with the dimensions, as derivatives of 0: of a limit, or of a
+/// stationary place of what is asked. K must be `order_for` it, and one more for second derivatives.
+template <class T, std::size_t K>
+T shift_of(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place) {
+    const auto near = course.turns.near(place.at);
+    if (place.limit.exists()) return detail::shift_of_zero(measured.margin(place.limit, place.at, near), 0);
+    if (!place.stationary) return T(0);
+    return detail::shift_of_zero(measured.value(asked.signal, place.at, near), asked.derivative + 1);
+}
+
+/// What is asked at one of its extremes as a function of the dimensions: the place moves with them, or is given. K must
+/// be `order_for` it.
+template <class T, std::size_t K>
+T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place) {
+    if (!std::isfinite(place.value)) return T(place.value);
+    const auto near = course.turns.near(place.at);
+    if (!place.limit.exists()) {
+        const auto f = measured.value(asked.signal, place.at, near);
+        const T shift = place.stationary ? detail::shift_of_zero(f, asked.derivative + 1) : T(0);
+        return detail::after_shift(f, asked.derivative, shift);
+    }
+    const T shift = shift_of(measured, asked, course, place);
+    const bool exactly = asked.derivative + order_of(measured.signals(), asked.signal) == 0;
+    const auto f = measured.value(asked.signal, place.at, near, exactly ? place.limit : Limit{});
+    return detail::after_shift(f, asked.derivative, shift);
+}
+
+/// The mean of what is asked over [from, to], or of its square, as a function of the dimensions; ends that are limits
+/// of the motion move with them. To rounding.
+template <class T, std::size_t K, std::size_t L>
+T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& asked, const Course& course, double from,
+          double to, bool squared) {
+    const Stretch stretch = detail::stretch_of(course, from, to);
+    const auto end = [&](bool last) -> Extreme {
+        const bool limit = last ? stretch.root_at_to : stretch.root_at_from;
+        return {last ? to : from, 0, false, !limit ? Limit{} : last ? course.travel.last : course.travel.first};
+    };
+    const T shift_from = shift_of(measured, asked, course, end(false)),
+            shift_to = shift_of(measured, asked, course, end(true));
+    if (asked.derivative > 0 && !squared) {
+        // The integral of a derivative is known.
+        const Asked integral{asked.signal, asked.derivative - 1};
+        const T length = (T(to) + shift_to * T(measured.rate())) - (T(from) + shift_from * T(measured.rate()));
+        return T(measured.rate()) *
+               (value_at(measured, integral, course, end(true)) - value_at(measured, integral, course, end(false))) /
+               length;
+    }
+    const double floor = detail::rounding_of(plain, asked, asked.derivative, course, stretch);
+    const auto f = [&](double s) {
+        const double at = stretch.at(s);
+        const double value = plain.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);
+        return (squared ? value * value : value) * stretch.speed(s) / stretch.length();
+    };
+    const Panels panels(f, 0, 1, {.first = detail::first_panels(stretch), .within = 1e-13, .floor = floor});
+    if constexpr (std::is_same_v<T, double>) return panels.integral();
+    T sum(0);
+    for (const Panel& panel : panels.all())
+        for (std::size_t i = 0; i < Panel::nodes; ++i) {
+            const double s = panel.at(i), at = stretch.at(s), share = (at - from) / stretch.length();
+            const T shift = T(1 - share) * shift_from + T(share) * shift_to;
+            const T value =
+                detail::after_shift(measured.value(asked.signal, at, course.turns.near(at)), asked.derivative, shift);
+            sum = sum + T(panel.weight(i) * stretch.speed(s) / stretch.length()) * (squared ? T(value * value) : value);
+        }
+    return sum;
+}
+
+}  // namespace mechwright::linkage
