@@ -59,9 +59,9 @@ public:
         if (!place(master, near, limit)) return Value(T(std::numeric_limits<double>::quiet_NaN()));
         return values_.value(signal, driven_, near);
     }
-    /// A margin there.
-    Value margin(const Limit& limit, double master, std::span<const double> near) {
-        place(master, near, limit);
+    /// A margin there; another one can be held at its limit.
+    Value margin(const Limit& limit, double master, std::span<const double> near, const Limit& held = {}) {
+        place(master, near, held);
         const Margin<Value>& margin = driven_.pose.margins[limit.margin];
         return limit.inner ? margin.inner : margin.outer;
     }
@@ -144,7 +144,8 @@ inline std::size_t first_panels(const Stretch& stretch) {
                                    6 * most_turns);
 }
 
-/// Where the slope of what is asked vanishes, in order.
+/// Where the slope of what is asked vanishes, in order; one that is not a number where the linkage does not close over
+/// the whole stretch.
 template <std::size_t K>
 std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked& asked, const Course& course,
                                       const Stretch& stretch) {
@@ -163,8 +164,10 @@ std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked
         return f.derivative(order + 1) / measured.rate() * stretch.speed(s) * share(s) +
                f.derivative(order) * powers * (stretch.speed_slope(s) / stretch.length());
     };
-    const Panels panels(slope, stretch.first(), stretch.last(), {.first = first_panels(stretch), .floor = floor});
+    const Panels panels(slope, stretch.first(), stretch.last(),
+                        {.first = first_panels(stretch), .floor = floor, .everywhere = true});
     std::vector<double> found;
+    if (!panels.finite()) return {std::numeric_limits<double>::quiet_NaN()};
     if (panels.greatest() > 4 * floor)
         panels.zeros(slope, curvature, [&](double s) { found.push_back(stretch.at(s)); });
     return found;
@@ -196,7 +199,8 @@ double value_at_limit(Measured<double, K>& measured, const Asked& asked, const C
 }
 
 /// All places in [from, to] at which what is asked can be extreme, in order: where it is stationary, and the ends. Of a
-/// whole motion that is asked for whole the ends are none, unless the signal does not come back. K must be at least
+/// whole motion that is asked for whole the ends are none, unless the signal does not come back. Where the linkage does
+/// not close over all of it one of them is not a number. K must be at least
 /// `order_for` it.
 template <std::size_t K>
 std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked, const Course& course, double from,
@@ -221,7 +225,7 @@ std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked,
         };
         end(from, travel.first, false);
         for (const double x : detail::stationary_inputs(measured, asked, course, detail::stretch_of(course, from, to)))
-            if (x > from && x < to) found.push_back({x, at(x)});
+            if (!(x <= from) && !(x >= to)) found.push_back({x, at(x)});
         end(to, travel.last, true);
         return found;
     }
@@ -334,7 +338,9 @@ T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& ask
         const double value = plain.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);
         return (squared ? value * value : value) * stretch.speed(s) / stretch.length();
     };
-    const Panels panels(f, 0, 1, {.first = detail::first_panels(stretch), .within = 1e-13, .floor = floor});
+    const Panels panels(f, 0, 1,
+                        {.first = detail::first_panels(stretch), .within = 1e-13, .floor = floor, .everywhere = true});
+    if (!panels.finite()) return T(std::numeric_limits<double>::quiet_NaN());
     if constexpr (std::is_same_v<T, double>) return panels.integral();
     T sum(0);
     for (const Panel& panel : panels.all())

@@ -95,6 +95,7 @@ public:
         double floor = 0;         ///< a value: what rounding makes of a function that is 0
         double narrowest = 1e-9;  ///< where a function has a kink
         std::size_t most = 4096;  ///< panels
+        bool everywhere = false;  ///< stop at the first value that is not finite
     };
 
     /// Of g(s) over [from, to]. Where g is not finite it counts as resolved once its panel is as narrow as a kink's.
@@ -105,7 +106,7 @@ public:
         for (std::size_t i = limits.first; i-- > 0;)
             open.push_back(sampled(g, from + step * static_cast<double>(i),
                                    i + 1 == limits.first ? to : from + step * static_cast<double>(i + 1)));
-        while (!open.empty()) {
+        while (!open.empty() && !(limits.everywhere && !finite_)) {
             const Panel panel = open.back();
             open.pop_back();
             const double middle = 0.5 * (panel.from + panel.to);
@@ -120,6 +121,9 @@ public:
     }
 
     std::span<const Panel> all() const& { return done_; }
+
+    /// Whether all values that were seen are finite.
+    bool finite() const { return finite_; }
 
     /// The greatest value seen, in size.
     double greatest() const { return greatest_; }
@@ -251,6 +255,7 @@ private:
         Panel panel{from, to};
         for (std::size_t i = 0; i < Panel::nodes; ++i) {
             panel.value[i] = g(panel.at(i));
+            finite_ = finite_ && std::isfinite(panel.value[i]);
             if (std::isfinite(panel.value[i])) greatest_ = std::max(greatest_, std::abs(panel.value[i]));
         }
         return panel;
@@ -283,6 +288,7 @@ private:
 
     Limits limits_;
     double greatest_ = 0;
+    bool finite_ = true;
     std::vector<Panel> done_;
 };
 

@@ -280,7 +280,7 @@ std::vector<double> scanned(const std::vector<double>& values, bool whole) {
 }
 
 TEST(LinkageCourse, MissesNoExtremeOfRandomLinkages) {
-    constexpr int samples = 6000;
+    constexpr int samples = 2000;
     int measured_ones = 0, limited = 0, compared = 0;
     for (std::uint64_t seed = 300; seed < 400; ++seed) {
         RandomLinkage random(seed);

@@ -1,0 +1,112 @@
+#pragma once
+/// \file
+/// How near the dyads of a linkage come to their limits along its motion: all least values of their margins.
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "analysis/linkage/course.h"
+
+namespace mechwright::linkage {
+
+/// A margin at a place where it can be least.
+struct MarginPlace {
+    Limit margin{};
+    Extreme place{};
+};
+
+namespace detail {
+
+/// Whether a margin is that of two lines: no length, and parted otherwise (travel.h).
+inline bool is_of_lines(const Order& order, std::size_t margin) {
+    for (const Step& step : order.steps)
+        if (step.margin == margin)
+            return step.kind == Step::Kind::tied ||
+                   (step.kind == Step::Kind::dyad && step.first.kind != Locus::Kind::circle);
+    return true;
+}
+
+template <std::size_t K>
+void add_margin_places(Measured<double, K>& measured, const Limit& margin, const Travel& travel, const Turns& turns,
+                       std::vector<MarginPlace>& places) {
+    constexpr double seam_overlap = 0.125, unit = 2e-15;
+    const double overlap = travel.whole ? seam_overlap : 0;
+    const Stretch stretch{travel.from, travel.to + overlap, travel.first.exists(), travel.last.exists()};
+    const auto at = [&](double x) { return measured.margin(margin, x, turns.near(x)); };
+    const auto slope = [&](double s) { return at(stretch.at(s)).derivative(1) * stretch.speed(s) / stretch.length(); };
+    const double floor = unit * size_of(measured.driven());
+    const Panels panels(slope, stretch.first(), stretch.last(), {.first = first_panels(stretch), .floor = floor});
+    if (panels.greatest() > 4 * floor)
+        panels.zeros(slope, [&](double s) {
+            const auto value = at(stretch.at(s));
+            if (value.derivative(2) > 0) places.push_back({margin, {stretch.at(s), value.c[0]}});
+        });
+    else
+        places.push_back({margin, {stretch.at(0.5), at(stretch.at(0.5)).c[0], false, {}}});
+    if (travel.whole) return;
+    const auto add_end = [&](double x, const Limit& limit) {
+        if (!limit.parallel)
+            places.push_back({margin, {x, measured.margin(margin, x, turns.near(x), limit).c[0], false, limit}});
+    };
+    add_end(travel.from, travel.first);
+    add_end(travel.to, travel.last);
+}
+
+}  // namespace detail
+
+/// The places at which margins are least, of every dyad that has lengths for margins, over those parts of a motion in
+/// which all dyads before it close; of parts the ends, too.
+template <std::size_t K>
+std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driven<double>& driven,
+                                       const Travel& over) {
+    std::vector<MarginPlace> places;
+    std::vector<Travel> now{over};
+    const double size = size_of(driven);
+    for (std::size_t margin = 0; margin < driven.order.margins && !now.empty(); ++margin) {
+        std::vector<Travel> next;
+        for (const Travel& travel : now) {
+            if (!detail::is_of_lines(driven.order, margin)) {
+                Driven<double> moving = driven;
+                moving.shortfall = std::numeric_limits<double>::infinity();
+                const Turns turns(moving, travel.from, travel.to + (travel.whole ? 0.125 : 0));
+                for (const bool inner : {false, true})
+                    detail::add_margin_places(measured, {margin, inner}, travel, turns, places);
+            }
+            detail::split(driven, margin, size, travel, next);
+        }
+        now = std::move(next);
+    }
+    return places;
+}
+
+/// A margin at such a place as a function of the dimensions.
+template <class T, std::size_t K>
+T margin_at(Measured<T, K>& measured, const MarginPlace& least, std::span<const double> near) {
+    const auto f = measured.margin(least.margin, least.place.at, near, least.place.limit);
+    if (least.place.stationary) return detail::after_shift(f, 0, detail::shift_of_zero(f, 1));
+    if (!least.place.limit.exists()) return f.c[0];
+    const T shift = detail::shift_of_zero(measured.margin(least.place.limit, least.place.at, near), 0);
+    return detail::after_shift(f, 0, shift);
+}
+
+/// The limit that an end of a motion is, to the rounding of its input; none if it is none.
+template <class T, std::size_t K>
+Limit limit_at(Measured<T, K>& measured, double master, std::span<const double> near) {
+    constexpr double rounding = 2e-14;
+    Limit nearest;
+    double least = rounding * size_of(measured.driven());
+    for (std::size_t i = 0; i < measured.driven().order.margins; ++i) {
+        if (detail::is_of_lines(measured.driven().order, i)) continue;
+        for (const bool inner : {false, true}) {
+            const double margin = std::abs(number_as<double>(value_of(measured.margin({i, inner}, master, near).c[0])));
+            if (!(margin <= least)) continue;
+            least = margin;
+            nearest = {i, inner};
+        }
+    }
+    return nearest;
+}
+
+}  // namespace mechwright::linkage

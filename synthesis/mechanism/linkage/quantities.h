@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// The quantities of linkages: what is made of signals over the motion, and those that every linkage has. One function
+/// measures them all; which one, `Quantity::of` says.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/linkage/course.h"
+#include "synthesis/mechanism/quantity.h"
+
+namespace mechwright {
+
+/// What a quantity of a linkage is.
+struct LinkageMeasure {
+    enum class Kind {
+        // Of a signal, or of a derivative of it:
+        least,
+        greatest,
+        range,       ///< greatest less least
+        mean,        ///< over the crank angle
+        rms,         ///< root of the mean of squares
+        deviation,   ///< half of the range
+        at,          ///< at one input
+        time_ratio,  ///< of the two parts of a full cycle between the global extremes, the longer over the shorter
+        // Of every linkage:
+        transmission_angle_worst,  ///< of all dyads, folded at 90 degrees
+        total_length,              ///< of the distances of links' origins to their pins, but those that are 0
+        link_ratio,                ///< the longest of these over the shortest
+        full_turn_margin,          ///< the least of all margins over all turns of the motion, in lengths
+        assembly_margin,           ///< the same over the motion
+        joint_distance_least       ///< between pins that have no link in common
+    };
+    Kind kind = Kind::least;
+    std::vector<linkage::Signal> signals{};          ///< those that it needs, and those that they need
+    linkage::Asked asked{};                          ///< which of these
+    std::optional<std::array<double, 2>> stretch{};  ///< inputs of the master, radians or length; the whole motion
+    double input = 0;                                ///< of `at`
+};
+
+/// A quantity of a linkage whose model is a LinkageModel, with everything but `measure_again`. It reads the first
+/// `dimensions` of the mechanism: at most Reads::most. Angles of lines and dyads of no length have no part in margins.
+/// `motion.to` of a full turn is that of all turns of a cycle. Where the linkage does not close over the motion, or a
+/// stretch lies outside of it, the values are not numbers; derivatives that are infinite, as speeds are at the ends of
+/// a limited motion, are so.
+Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, LinkageMeasure measure,
+                          std::size_t dimensions);
+
+}  // namespace mechwright
