@@ -21,7 +21,7 @@ using linkage::Extreme;
 using linkage::Signal;
 using Kind = linkage::Signal::Kind;
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double one_turn = 2 * std::numbers::pi;
 
 TEST(LinkageSignals, AreWhatTheirNamesSay) {
     const auto sides = sides_of(six_bar(false), {{"C", 1}, {"H", 1}});
@@ -52,7 +52,7 @@ TEST(LinkageSignals, AreWhatTheirNamesSay) {
     const Vector<double> P = pose.pins[p], B = pose.pins[b], G = pose.pins[g];
     const auto direction = [](const Vector<double>& v) { return std::atan2(v.y, v.x); };
     EXPECT_NEAR(value(0), direction(pose.links[3].along), 1e-14);
-    EXPECT_NEAR(std::remainder(value(1) - direction(pose.links[5].along) + direction(pose.links[2].along), turn), 0,
+    EXPECT_NEAR(std::remainder(value(1) - direction(pose.links[5].along) + direction(pose.links[2].along), one_turn), 0,
                 1e-14);
     EXPECT_NEAR(value(1, 0), -7, std::numbers::pi);
     const Vector<double> drawn{10 + 2 * (P.x * std::cos(0.4) - P.y * std::sin(0.4)),
@@ -138,7 +138,7 @@ TEST(LinkageCourse, HasTheFourBarsExtremes) {
         }
         // The velocity ratio's extremes, each of them.
         const auto ratio = w.extremes(0, 1);
-        const auto exact = velocity_ratio_extremes(m, Assembly::open, {true, 0, turn});
+        const auto exact = velocity_ratio_extremes(m, Assembly::open, {true, 0, one_turn});
         ASSERT_EQ(ratio.size(), exact.count) << i;
         for (std::size_t k = 0; k < ratio.size(); ++k) {
             const double value = velocity_ratio(m, exact.at[k], Assembly::open);
@@ -178,8 +178,8 @@ TEST(LinkageCourse, HasTheRamsExtremes) {
         EXPECT_NEAR(greatest_of(stroke_places) - least_of(stroke_places), stroke(m), 1e-14);
         const double outward = std::abs(stroke_places[0].at - stroke_places[1].at);
         const Strokes<double> s = strokes(m);
-        EXPECT_NEAR(std::min(std::abs(outward - s.outward), std::abs(turn - outward - s.outward)), 0, 1e-13);
-        const CrankRange<double> range{true, 0, turn};
+        EXPECT_NEAR(std::min(std::abs(outward - s.outward), std::abs(one_turn - outward - s.outward)), 0, 1e-13);
+        const CrankRange<double> range{true, 0, one_turn};
         const auto compare = [&](const auto& exact, std::size_t derivative, auto function) {
             const auto found = w.extremes(0, derivative);
             ASSERT_EQ(found.size(), exact.count) << i;
@@ -262,7 +262,7 @@ TEST(LinkageCourse, HasThePublishedExtremesOfAGearedFiveBar) {
     EXPECT_NEAR(least_of(y), 0.39724609805250042, 1e-14);
     // The wheel's turn is continuous: twice back in a turn.
     const auto wheel = w.extremes(2);
-    EXPECT_NEAR(greatest_of(wheel) - least_of(wheel), 2 * turn, 1e-13);
+    EXPECT_NEAR(greatest_of(wheel) - least_of(wheel), 2 * one_turn, 1e-13);
     EXPECT_NEAR(wheel.front().value, 30 * degree, 1e-15);
 }
 
@@ -334,7 +334,7 @@ TEST(LinkageCourse, MissesNoExtremeOfRandomLinkages) {
 TEST(LinkageCourse, FindsExtremesOfStretchesAndCloseOnes) {
     const SliderCrank<double> m{1, 2.5, 0};
     Watched w(slider_crank_linkage(m), {signal_of(Kind::slide, 0)});
-    const auto through = w.extremes(0, 0, 5, 1 + turn);  // through the end of the turn
+    const auto through = w.extremes(0, 0, 5, 1 + one_turn);  // through the end of the turn
     ASSERT_EQ(through.size(), 3u);
     EXPECT_NEAR(through[1].value, 3.5, 1e-15);
     EXPECT_EQ(through[0].value, ram_position(m, 5.0));
@@ -360,13 +360,13 @@ TEST(LinkageCourse, MeansAreExactToRounding) {
     const auto mean = [&](std::size_t signal, std::size_t derivative, double from, double to, bool squared = false) {
         return linkage::mean_of(measured, measured, {signal, derivative}, w.course, from, to, squared);
     };
-    EXPECT_NEAR(mean(0, 0, 0, turn), 0, 1e-15);
-    EXPECT_NEAR(mean(0, 0, 0, turn, true), 0.5, 1e-15);
+    EXPECT_NEAR(mean(0, 0, 0, one_turn), 0, 1e-15);
+    EXPECT_NEAR(mean(0, 0, 0, one_turn, true), 0.5, 1e-15);
     EXPECT_NEAR(mean(0, 0, 1, 2), std::cos(1) - std::cos(2), 1e-15);
     EXPECT_NEAR(mean(0, 2, 1, 2, true), 0.5 - (std::sin(4) - std::sin(2)) / 4, 1e-14);
     EXPECT_NEAR(mean(1, 1, 1, 4), (ram_position(m, 4.) - ram_position(m, 1.)) / 3, 1e-15);
-    EXPECT_NEAR(mean(2, 0, 0, turn), std::numbers::pi, 1e-14);
-    EXPECT_NEAR(mean(2, 1, 0, turn), 1, 1e-14);
+    EXPECT_NEAR(mean(2, 0, 0, one_turn), std::numbers::pi, 1e-14);
+    EXPECT_NEAR(mean(2, 1, 0, one_turn), 1, 1e-14);
     EXPECT_NEAR(mean(2, 0, 6, 8, true), 49 + 1.0 / 3, 1e-13);
     // A rod shorter than the crank: the motion ends where it stands square. With no offset and rod = crank / 2 that is
     // 30 degrees to both sides of 180; the rod's share is the elliptic integral of sqrt(1 / 4 - sin^2), by sin u = 2

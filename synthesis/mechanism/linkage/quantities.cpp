@@ -488,13 +488,15 @@ std::size_t components(const Motion& motion) {
 
 void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
     const Over over(motion);
-    const std::size_t order =
-        over.measure.signals.empty() ? 2 : linkage::order_for(over.measure.signals, over.measure.asked);
-    // A time ratio needs one derivative more for its second ones.
-    const std::size_t needed = over.measure.kind == Kind::time_ratio ? order + 1 : order;
-    const bool could = needed <= 2   ? measure_by_series<2>(over, dimensions, out)
-                       : needed <= 4 ? measure_by_series<4>(over, dimensions, out)
-                                     : measure_by_series<7>(over, dimensions, out);
+    const Kind kind = over.measure.kind;
+    std::size_t order = over.measure.signals.empty() ? 2 : linkage::order_for(over.measure.signals, over.measure.asked);
+    // A time ratio needs one derivative more for its second ones; what is given where it is, needs none.
+    if (kind == Kind::time_ratio) ++order;
+    if (motion.full_turn && (kind == Kind::mean || kind == Kind::rms || kind == Kind::at)) order -= 2;
+    const bool could = order == 0   ? measure_by_series<0>(over, dimensions, out)
+                       : order <= 2 ? measure_by_series<2>(over, dimensions, out)
+                       : order <= 4 ? measure_by_series<4>(over, dimensions, out)
+                                    : measure_by_series<7>(over, dimensions, out);
     if (could) return;
     for (const std::span<double>& numbers : {out.value, out.gradient, out.hessian})
         std::fill(numbers.begin(), numbers.end(), not_a_number);
