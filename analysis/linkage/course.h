@@ -29,11 +29,20 @@ struct Course {
     double period() const { return travel.to - travel.from; }
 };
 
-/// Follows the links along a travel: from turns in (-pi, pi] at its start.
-inline Course course_along(const Driven<double>& driven, const Travel& travel) {
+namespace detail {
+
+/// Extremes of a cycle are sought from here on, where they seldom are, and as much beyond its end.
+inline constexpr double seam_of_cycle = 0.7, overlap_of_cycle = 0.125, beyond_cycle = 1;
+
+}  // namespace detail
+
+/// Follows the links along a travel: from turns in (-pi, pi] at its start. Of a whole one that no stretch goes beyond
+/// one cycle is enough.
+inline Course course_along(const Driven<double>& driven, const Travel& travel, bool twice = true) {
     Driven<double> moving = driven;
     moving.shortfall = 1e-13 * size_of(driven);
-    return {travel, Turns(moving, travel.from, travel.to + (travel.whole ? travel.to - travel.from : 0))};
+    const double beyond = !travel.whole ? 0 : twice ? travel.to - travel.from : detail::beyond_cycle;
+    return {travel, Turns(moving, travel.from, travel.to + beyond)};
 }
 
 /// A linkage with its signals as series of the time, in which the master's input grows by `rate`: numbers of the type T
@@ -140,8 +149,8 @@ inline Stretch stretch_of(const Course& course, double from, double to) {
 }
 
 inline std::size_t first_panels(const Stretch& stretch) {
-    return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(stretch.length() / std::numbers::pi * 3)), 2,
-                                   6 * most_turns);
+    return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(stretch.length() / std::numbers::pi * 2)), 2,
+                                   4 * most_turns);
 }
 
 /// Where the slope of what is asked vanishes, in order; one that is not a number where the linkage does not close over
@@ -205,7 +214,7 @@ double value_at_limit(Measured<double, K>& measured, const Asked& asked, const C
 template <std::size_t K>
 std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked, const Course& course, double from,
                               double to) {
-    constexpr double overlap = 0.125, seam = -1, same_within = 1e-6;
+    constexpr double overlap = detail::overlap_of_cycle, same_within = 1e-6;
     const Travel& travel = course.travel;
     const auto at = [&](double x) {
         return measured.value(asked.signal, x, course.turns.near(x)).derivative(asked.derivative);
@@ -230,7 +239,7 @@ std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked,
         return found;
     }
     // One cycle and a little more, from a place where extremes seldom are; what is seen again does not count.
-    const double period = course.period(), start = to + seam;
+    const double period = course.period(), start = from + detail::seam_of_cycle;
     for (const double x : detail::stationary_inputs(measured, asked, course, {start, start + period + overlap})) {
         const double back = x - period;
         const bool again = x >= start + period && std::any_of(found.begin(), found.end(), [&](const Extreme& f) {

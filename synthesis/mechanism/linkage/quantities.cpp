@@ -117,7 +117,7 @@ Course course_of(const Over& over, std::span<const double> dimensions, linkage::
     if (needs_turns(over, signals)) {
         const linkage::Driven<double> driven(over.model.structure, over.model.order, numbers_of(over.model, dimensions),
                                              over.sides(), over.laws);
-        course = linkage::course_along(driven, course.travel);
+        course = linkage::course_along(driven, course.travel, over.measure.stretch || over.measure.kind == Kind::at);
         if (course.turns.empty()) return course;
     }
     if (!course.travel.whole) {

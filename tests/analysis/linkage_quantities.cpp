@@ -19,7 +19,7 @@
 namespace mechwright::test {
 namespace {
 
-using Kind = LinkageMeasure::Kind;
+using Of = LinkageMeasure::Kind;
 using linkage::Signal;
 
 /// Dimensions stand where these numbers are in a made linkage.
@@ -85,7 +85,7 @@ Worth worth(const Quantity& quantity, const Motion& over, const std::vector<doub
     return w;
 }
 
-Quantity quantity_of(const Design& design, Kind kind, std::vector<Signal> signals = {}, std::size_t derivative = 0,
+Quantity quantity_of(const Design& design, Of kind, std::vector<Signal> signals = {}, std::size_t derivative = 0,
                      std::optional<std::array<double, 2>> stretch = {}, double input = 0) {
     return linkage_quantity("quantity", Unit::none, "", {kind, std::move(signals), {0, derivative}, stretch, input},
                             design.dimensions.size());
@@ -141,16 +141,16 @@ TEST(LinkageQuantities, AreTheFourBars) {
         const auto check = [&](const char* name, const Quantity& quantity) {
             compare(*four_bar, name, its, design, design.whole(), quantity);
         };
-        check("swing", quantity_of(design, Kind::range, rocker));
-        check("time-ratio", quantity_of(design, Kind::time_ratio, rocker));
-        check("transmission-angle-worst", quantity_of(design, Kind::transmission_angle_worst));
+        check("swing", quantity_of(design, Of::range, rocker));
+        check("time-ratio", quantity_of(design, Of::time_ratio, rocker));
+        check("transmission-angle-worst", quantity_of(design, Of::transmission_angle_worst));
         check("transmission-angle-min",
-              quantity_of(design, Kind::least, {signal_of(Signal::Kind::transmission_angle, 0)}));
-        check("total-length", quantity_of(design, Kind::total_length));
-        check("link-ratio", quantity_of(design, Kind::link_ratio));
+              quantity_of(design, Of::least, {signal_of(Signal::Kind::transmission_angle, 0)}));
+        check("total-length", quantity_of(design, Of::total_length));
+        check("link-ratio", quantity_of(design, Of::link_ratio));
         // The least margin over a full turn is that of Grashof's conditions that is least.
         const auto margins = crank_rocker_margins(FourBar<double>{lengths[0], lengths[1], lengths[2], lengths[3]});
-        const Worth full = worth(quantity_of(design, Kind::full_turn_margin), design.whole(), lengths);
+        const Worth full = worth(quantity_of(design, Of::full_turn_margin), design.whole(), lengths);
         EXPECT_NEAR(full.value[0], std::min({margins.ground_longest, margins.coupler_longest, margins.rocker_longest}),
                     1e-14);
     }
@@ -163,16 +163,16 @@ TEST(LinkageQuantities, AreTheLimitedFourBars) {
     const auto range = assembled_range(FourBar<double>{5, 3, 4, 3.2});
     ASSERT_FALSE(range.full_turn);
     const Worth worst =
-        worth(quantity_of(design, Kind::transmission_angle_worst), design.limited(range.from, range.to), lengths);
+        worth(quantity_of(design, Of::transmission_angle_worst), design.limited(range.from, range.to), lengths);
     EXPECT_EQ(worst.value[0], 0);
     const double given[]{-0.5, 1.5};
     const Motion its = motion_of(*four_bar, padded(*four_bar, lengths), 0, given);
     const Motion motion = design.limited(-0.5, 1.5);
     compare(*four_bar, "transmission-angle-worst", its, design, motion,
-            quantity_of(design, Kind::transmission_angle_worst));
+            quantity_of(design, Of::transmission_angle_worst));
     // The ends of its whole range: both where coupler and rocker are stretched, at +-a with cos a by the law of
     // cosines; the rocker there points to the crank pin.
-    const Worth greatest = worth(quantity_of(design, Kind::greatest, {angle_of(3, 0, std::numbers::pi)}),
+    const Worth greatest = worth(quantity_of(design, Of::greatest, {angle_of(3, 0, std::numbers::pi)}),
                                  design.limited(range.from, range.to), lengths);
     const auto swung = [](const std::vector<double>& l) {
         const double d = l[2] + l[3], angle = std::acos((l[0] * l[0] + l[1] * l[1] - d * d) / (2 * l[0] * l[1]));
@@ -189,17 +189,17 @@ TEST(LinkageQuantities, AreTheLimitedFourBars) {
                     1e-5);
     }
     // Over a turn it falls short: by the stretched dyad at 180 degrees.
-    const Worth full = worth(quantity_of(design, Kind::full_turn_margin), design.whole(), lengths);
+    const Worth full = worth(quantity_of(design, Of::full_turn_margin), design.whole(), lengths);
     EXPECT_NEAR(full.value[0], 4 + 3.2 - 8, 1e-14);
-    const Worth over = worth(quantity_of(design, Kind::assembly_margin), motion, lengths);
+    const Worth over = worth(quantity_of(design, Of::assembly_margin), motion, lengths);
     EXPECT_NEAR(over.value[0], (5 - 3) - 0.8, 1e-14);
     EXPECT_NEAR(over.gradient[0], 1, 1e-14);
     EXPECT_NEAR(over.gradient[1], -1, 1e-14);
     // What does not close over the motion cannot be measured.
-    for (const Kind kind : {Kind::least, Kind::mean})
+    for (const Of kind : {Of::least, Of::mean})
         EXPECT_TRUE(std::isnan(worth(quantity_of(design, kind, {angle_of(3)}), design.whole(), lengths).value[0]));
     EXPECT_TRUE(
-        std::isnan(worth(quantity_of(design, Kind::least, {angle_of(3)}, 0, {{1, 2}}), motion, lengths).value[0]));
+        std::isnan(worth(quantity_of(design, Of::least, {angle_of(3)}, 0, {{1, 2}}), motion, lengths).value[0]));
 }
 
 TEST(LinkageQuantities, AreTheSliderCranks) {
@@ -212,13 +212,13 @@ TEST(LinkageQuantities, AreTheSliderCranks) {
         const auto check = [&](const char* name, const Quantity& quantity) {
             compare(*slider_crank, name, its, design, design.whole(), quantity);
         };
-        check("stroke", quantity_of(design, Kind::range, ram));
-        check("time-ratio", quantity_of(design, Kind::time_ratio, ram));
-        check("transmission-angle-worst", quantity_of(design, Kind::transmission_angle_worst));
-        check("total-length", quantity_of(design, Kind::total_length));
-        check("link-ratio", quantity_of(design, Kind::link_ratio));
-        check("ram-speed-max", lengths[2] > 0 ? quantity_of(design, Kind::greatest, ram, 1)
-                                              : quantity_of(design, Kind::greatest, {{Signal::Kind::speed, 2}}, 0));
+        check("stroke", quantity_of(design, Of::range, ram));
+        check("time-ratio", quantity_of(design, Of::time_ratio, ram));
+        check("transmission-angle-worst", quantity_of(design, Of::transmission_angle_worst));
+        check("total-length", quantity_of(design, Of::total_length));
+        check("link-ratio", quantity_of(design, Of::link_ratio));
+        check("ram-speed-max", lengths[2] > 0 ? quantity_of(design, Of::greatest, ram, 1)
+                                              : quantity_of(design, Of::greatest, {{Signal::Kind::speed, 2}}, 0));
     }
 }
 
@@ -238,14 +238,14 @@ TEST(LinkageQuantities, HaveTheDerivativesOfDifferences) {
     Design other(made, values, sides_of(made, {{"C", 1}, {"H", 1}}));
     other.model.drives[0].speed = 30;
     for (const Quantity& quantity :
-         {quantity_of(design, Kind::range, output), quantity_of(design, Kind::deviation, output, 0, {{5.5, 1}}),
-          quantity_of(design, Kind::greatest, output, 1), quantity_of(design, Kind::least, output, 2),
-          quantity_of(design, Kind::greatest, output, 3), quantity_of(design, Kind::mean, output),
-          quantity_of(design, Kind::rms, output, 1), quantity_of(design, Kind::mean, output, 1, {{1, 2}}),
-          quantity_of(design, Kind::at, output, 0, {}, 1.3), quantity_of(design, Kind::time_ratio, output),
-          quantity_of(design, Kind::greatest, speed), quantity_of(design, Kind::least, speed, 1),
-          quantity_of(design, Kind::full_turn_margin), quantity_of(design, Kind::joint_distance_least),
-          quantity_of(design, Kind::link_ratio)}) {
+         {quantity_of(design, Of::range, output), quantity_of(design, Of::deviation, output, 0, {{5.5, 1}}),
+          quantity_of(design, Of::greatest, output, 1), quantity_of(design, Of::least, output, 2),
+          quantity_of(design, Of::greatest, output, 3), quantity_of(design, Of::mean, output),
+          quantity_of(design, Of::rms, output, 1), quantity_of(design, Of::mean, output, 1, {{1, 2}}),
+          quantity_of(design, Of::at, output, 0, {}, 1.3), quantity_of(design, Of::time_ratio, output),
+          quantity_of(design, Of::greatest, speed), quantity_of(design, Of::least, speed, 1),
+          quantity_of(design, Of::full_turn_margin), quantity_of(design, Of::joint_distance_least),
+          quantity_of(design, Of::link_ratio)}) {
         const auto kind = static_cast<int>(static_cast<const LinkageMeasure*>(quantity.of.data())->kind);
         const Worth w = worth(quantity, design.whole(), values);
         ASSERT_TRUE(std::isfinite(w.value[0])) << kind;
