@@ -60,13 +60,15 @@ struct Slot {
     Line line{};
 };
 
-/// The turn of `second` against `carrier` is `ratio` times that of `first`, plus `phase`: gears, and belts.
+/// The turn of `second` against `carrier` is `ratio` times that of `first`, plus `phase`: gears, and belts, which
+/// differ in nothing but how they look.
 struct Gear {
     std::size_t first = 0;
     std::size_t second = 0;
     std::size_t carrier = 0;
     Number ratio = 0;
     Number phase = 0;
+    bool belt = false;
 };
 
 /// The displacement of a slide is `radius` times the turn of `wheel` against `carrier`, plus `phase` (a length).

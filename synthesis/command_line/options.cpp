@@ -40,6 +40,11 @@ CLI::Option* add_positive_number(CLI::App& command, const std::string& name, std
     return command.add_option_function<std::string>(name, take, help)->type_name("X");
 }
 
+std::optional<double> decimal(const std::string& text) {
+    const auto number = parsed<double>(text);
+    return number && std::abs(*number) <= 1e9 ? number : std::nullopt;
+}
+
 std::string not_empty(const std::string& text) { return text.empty() ? "may not be empty" : ""; }
 
 }  // namespace mechwright

@@ -21,6 +21,9 @@ CLI::Option* add_whole_number(CLI::App& command, const std::string& name, std::o
 CLI::Option* add_positive_number(CLI::App& command, const std::string& name, std::optional<double>& number,
                                  const std::string& help);
 
+/// The number that a text is, of no more than 1e9 either way; absent if it is none.
+std::optional<double> decimal(const std::string& text);
+
 /// A check for options whose text cannot be empty: what is wrong, or nothing.
 std::string not_empty(const std::string& text);
 

@@ -223,6 +223,8 @@ struct Drawing {
     /// Crank angles of the positions in which the output turns back, or which limit the motion; for cams the least and
     /// the greatest lift.
     std::vector<double> (*limits)(const MovingDesign&) = nullptr;
+    /// What else does not move, in the drawing: guides, slots, wheels. Null: nothing, or the slide of a body "ram".
+    Body (*ground)(const MovingDesign&, double symbol) = nullptr;
 };
 
 /// What has no value is what a mechanism cannot do; what has one is whole.

@@ -92,7 +92,7 @@ py::dict motion_at(const FinishedDesign& design, const py::object& crank_angles)
         numpy.attr("asarray")(crank_angles, py::arg("dtype") = "float64");
     std::vector<double> angles;
     for (py::ssize_t i = 0; i < asked.size(); ++i)
-        angles.push_back(from_file_unit(asked.data()[i], Unit::angle, design.units));
+        angles.push_back(from_file_unit(asked.data()[i], input_unit(design), design.units));
     return motion_arrays(design, angles, Shape(asked.shape(), asked.shape() + asked.ndim()));
 }
 

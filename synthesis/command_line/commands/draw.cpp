@@ -4,11 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <numbers>
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
+#include "synthesis/command_line/input.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/shown.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/report/drawing/linkage_sheets.h"
 #include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
 #include "synthesis/report/drawing/svg.h"
@@ -24,7 +28,10 @@ constexpr int plot_steps = 360;
 struct DrawOptions {
     std::string file;
     std::string out;
+    std::string at;
     bool plots = false;
+    bool assemblies = false;
+    bool skeleton = false;
     std::optional<std::uint64_t> alternative;
     std::optional<std::uint64_t> width;
 };
@@ -42,16 +49,111 @@ std::string picture_of(const ShownDesign& shown, const DrawOptions& options) {
     return svg_picture(shown.design, picture);
 }
 
+/// A picture, or the exit code that says why there is none.
+struct Drawn {
+    std::string picture;
+    int outcome = exit_code::solved;
+};
+
+Drawn draw_design(const DrawOptions& options, Console& console) {
+    ShownDesign shown;
+    if (const int outcome = read_shown(options.file, options.alternative.value_or(0), console, shown))
+        return {{}, outcome};
+    return {picture_of(shown, options)};
+}
+
+/// An input at which the linkage closes, with all assemblies there: that which is asked for, or which the file names,
+/// else the one of a round of inputs at which most close.
+struct AssembledAt {
+    double master = 0;
+    std::vector<LinkageAssembly> assemblies;
+};
+
+AssembledAt find_assemblies(const Linkage& linkage, std::optional<double> at) {
+    const double named = at.value_or(linkage.at.value_or(0));
+    AssembledAt best{named, assemblies_at(linkage, named)};
+    constexpr int inputs = 72;
+    if (at || !best.assemblies.empty() || linkage.structure.drives.front().of_slide) return best;
+    for (int i = 1; i < inputs; ++i) {
+        const double master = 2 * std::numbers::pi * i / inputs;
+        std::vector<LinkageAssembly> there = assemblies_at(linkage, master);
+        if (there.size() > best.assemblies.size()) best = {master, std::move(there)};
+    }
+    return best;
+}
+
+Drawn draw_assemblies(const DrawOptions& options, double width, Console& console) {
+    std::optional<double> at;
+    if (!options.at.empty()) {
+        at = decimal(options.at);
+        if (!at) {
+            complain(console, "--at must be a number, not " + reading::quoted(options.at));
+            return {{}, exit_code::wrong_usage};
+        }
+    }
+    ReadLinkage read;
+    if (const int outcome = read_and_report(options.file, false, console, read); outcome != exit_code::solved)
+        return {{}, outcome};
+    const Linkage& linkage = read.linkage;
+    if (!linkage.order.closed() || linkage.structure.drives.empty()) {
+        complain(console, options.file +
+                              ": a group of its links is no dyad, so that they cannot be placed; "
+                              "'mechwright structure' names it, --skeleton draws the links apart");
+        return {{}, exit_code::invalid_file};
+    }
+    if (at && linkage.units.degrees && !linkage.structure.drives.front().of_slide) *at *= std::numbers::pi / 180;
+    const auto [master, assemblies] = find_assemblies(linkage, at);
+    if (assemblies.empty()) {
+        complain(console, options.file + ": the linkage does not close " + (at ? "at this input" : "at any input") +
+                              "; --skeleton draws its links apart");
+        return {{}, exit_code::infeasible};
+    }
+    if (!options.out.empty())
+        for (std::size_t i = 0; i < assemblies.size(); ++i) {
+            const std::vector<std::string> lines = assembly_block(linkage, assemblies[i], i + 1);
+            print(console, fmt::format("{}[assembly]  {}\n", i == 0 ? "" : "\n", lines[0]));
+            for (std::size_t k = 1; k < lines.size(); ++k)
+                print(console, lines[k] + '\n');
+        }
+    return {assemblies_picture(linkage, assemblies, master, width)};
+}
+
+/// What is wrong with the file is told, and what could be read is drawn.
+Drawn draw_skeleton(const DrawOptions& options, double width, Console& console) {
+    ReadLinkage read;
+    const int outcome = read_and_report(options.file, false, console, read);
+    if (outcome == exit_code::no_access || !has_skeleton(read.linkage)) {
+        if (outcome == exit_code::solved) complain(console, options.file + ": there are no links to be drawn");
+        return {{}, outcome == exit_code::solved ? exit_code::invalid_file : outcome};
+    }
+    return {skeleton_picture(read.linkage, width)};
+}
+
+/// Why options do not go together; empty if they do.
+std::string why_not_together(const DrawOptions& options) {
+    if (options.assemblies && options.skeleton) return "either --assemblies or --skeleton";
+    if (!options.at.empty() && !options.assemblies) return "--at is for --assemblies";
+    if ((options.assemblies || options.skeleton) && (options.plots || options.alternative))
+        return "--assemblies and --skeleton are of a problem file: leave --plots and --alternative out";
+    return "";
+}
+
 int draw(const DrawOptions& options, Console& console) {
     const std::optional<RasterFormat> format = raster_format_of(options.out);
     if (!options.out.empty() && !format && !options.out.ends_with(".svg")) {
         complain(console, "--out: '" + options.out + "' must end in .svg, .png or .pdf");
         return exit_code::wrong_usage;
     }
-    ShownDesign shown;
-    if (const int outcome = read_shown(options.file, options.alternative.value_or(0), console, shown)) return outcome;
+    if (const std::string why = why_not_together(options); !why.empty()) {
+        complain(console, why);
+        return exit_code::wrong_usage;
+    }
     try {
-        std::string picture = picture_of(shown, options);
+        const auto width = static_cast<double>(options.width.value_or(default_width));
+        auto [picture, outcome] = options.assemblies ? draw_assemblies(options, width, console)
+                                  : options.skeleton ? draw_skeleton(options, width, console)
+                                                     : draw_design(options, console);
+        if (outcome != exit_code::solved) return outcome;
         if (format) picture = rasterised(picture, *format);
         return hand_over(options.out, picture, console);
     } catch (const ChartFault& fault) {
@@ -72,6 +174,10 @@ Command add_draw(CLI::App& program) {
         ->type_name("FILE")
         ->check(not_empty);
     command->add_flag("--plots", options->plots, "The curves of the motion below it (with gnuplot)");
+    command->add_flag("--assemblies", options->assemblies,
+                      "All sides on which a linkage closes, with what [assembly] says of them");
+    command->add_option("--at", options->at, "Crank angle, or displacement, of --assemblies")->option_text("NUMBER");
+    command->add_flag("--skeleton", options->skeleton, "The links of a linkage apart, even where it does not close");
     add_whole_number(*command, "--alternative", options->alternative, 1, 1'000'000, "Draw this alternative");
     add_whole_number(*command, "--width", options->width, 100, 10'000, "Width in pixels (640)");
     return {command, [options](Console& console) { return draw(*options, console); }};

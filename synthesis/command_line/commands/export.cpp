@@ -44,7 +44,7 @@ std::string format_of(const ExportOptions& options) {
 
 /// The crank angle at which a drawing shows the mechanism: that asked for, in the file's unit.
 double angle_of(const ExportOptions& options, const FinishedDesign& design) {
-    return options.at ? from_file_unit(*options.at, Unit::angle, design.units) : pictured_angle(design);
+    return options.at ? from_file_unit(*options.at, input_unit(design), design.units) : pictured_angle(design);
 }
 
 std::string exported(const std::string& format, const ExportOptions& options, const FinishedDesign& design) {
@@ -72,8 +72,8 @@ int run_export(const ExportOptions& options, Console& console) {
     if (!MotionRow(design, angle_of(options, design)).assembled()) {
         complain(console,
                  fmt::format("--at {}: the mechanism does not assemble at this crank angle; it does from {} to {}",
-                             options.at.value_or(0), in_file_unit(design.motion.from, Unit::angle, design.units),
-                             in_file_unit(design.motion.to, Unit::angle, design.units)));
+                             options.at.value_or(0), in_file_unit(design.motion.from, input_unit(design), design.units),
+                             in_file_unit(design.motion.to, input_unit(design), design.units)));
         return exit_code::wrong_usage;
     }
     return hand_over(options.out, exported(format, options, design), console);

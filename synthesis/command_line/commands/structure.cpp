@@ -3,8 +3,6 @@
 #include "synthesis/report/structure/structure.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -12,6 +10,7 @@
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/input.h"
+#include "synthesis/command_line/options.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/json_text.h"
 
@@ -28,13 +27,11 @@ struct StructureOptions {
 int show_structure(const StructureOptions& options, Console& console) {
     std::optional<double> at;
     if (!options.at.empty()) {
-        double value = 0;
-        const auto [end, error] = std::from_chars(options.at.data(), options.at.data() + options.at.size(), value);
-        if (error != std::errc{} || end != options.at.data() + options.at.size() || !(std::abs(value) <= 1e9)) {
+        at = decimal(options.at);
+        if (!at) {
             complain(console, "--at must be a number, not " + reading::quoted(options.at));
             return exit_code::wrong_usage;
         }
-        at = value;
     }
     ReadLinkage read;
     if (const int code = read_and_report(options.file, false, console, read); code != exit_code::solved) return code;

@@ -2,6 +2,7 @@
 /// \file
 /// Rigid bodies as they are drawn, and where they are.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,30 @@ struct Outline {
     bool closed = false;
 };
 
-/// Something rigid. Its outlines and pins are in its own frame, whose origin is its first pin.
+/// A name that stands beside a place.
+struct Label {
+    std::string text;
+    Vector<double> at;
+};
+
+/// In place of the number of a body: what does not move.
+inline constexpr std::size_t the_ground = static_cast<std::size_t>(-1);
+
+/// A straight line of a body on which points of another one stay; two of a body that does not turn on it.
+struct Guide {
+    Vector<double> from, to;             ///< beyond all that they pass
+    std::size_t body;                    ///< whose points they are
+    std::vector<Vector<double>> points;  ///< in that one's frame
+};
+
+/// Something rigid. What it consists of is in its own frame.
 struct Body {
     std::string name;
     std::vector<Outline> outlines;
     std::vector<Vector<double>> pins;
     std::vector<Vector<double>> points;  ///< that guide something
+    std::vector<Label> labels{};         ///< names of these, where they have some
+    std::vector<Guide> guides{};
 };
 
 /// Where a body's frame is: its origin, and the unit vector of its x axis.

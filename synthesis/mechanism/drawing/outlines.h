@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "synthesis/mechanism/drawing/body.h"
 
@@ -27,6 +28,24 @@ inline Outline circle(const Vector<double>& centre, double radius, Layer layer) 
     for (const Vector<double>& side : {Vector<double>{1, 0}, {0, 1}, {-1, 0}, {0, -1}})
         outline.vertices.push_back({centre + radius * side, quarter});
     return outline;
+}
+
+/// Radius of an outline that `circle` made; absent for others.
+inline std::optional<double> radius_of(const Outline& outline) {
+    const std::vector<ArcVertex>& v = outline.vertices;
+    if (!outline.closed || v.size() != 4) return {};
+    for (const ArcVertex& vertex : v)
+        if (vertex.bulge != std::tan(std::numbers::pi / 8)) return {};
+    const Vector<double> across = v[2].at - v[0].at;
+    return 0.5 * std::hypot(across.x, across.y);
+}
+
+/// What is at most `half_width` from a segment.
+inline Outline slot(const Vector<double>& a, const Vector<double>& b, double half_width, Layer layer) {
+    const Vector<double> along = b - a;
+    const double length = std::hypot(along.x, along.y);
+    const Vector<double> side = length > 0 ? (half_width / length) * left_of(along) : Vector<double>{0, half_width};
+    return {layer, {{a - side, 0}, {b - side, 1}, {b + side, 0}, {a + side, 1}}, true};
 }
 
 inline Outline rectangle(double half_length, double half_height, Layer layer) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "synthesis/mechanism/drawing/outlines.h"
+
 namespace mechwright {
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 std::string upper(std::string_view name) {
     std::string text(name);
     for (char& c : text)
-        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c == ' ' ? '_' : c;
     return text;
 }
 
@@ -76,17 +78,25 @@ std::string dxf_of(const FinishedDesign& design, const Scene& scene, double cran
     std::vector<DxfCurve> curves;
     std::vector<DxfCircle> circles;
     const double pin = 0.3 * scene.symbol;
+    const auto add = [&](const Outline& outline, const BodyPlace& place, std::string layer) {
+        DxfCurve curve = placed(outline, place, std::move(layer));
+        const auto radius = outline.layer == Layer::pitch ? outlines::radius_of(outline) : std::nullopt;
+        if (radius)
+            circles.push_back({curve.layer, 0.5 * (curve.vertices[0].at + curve.vertices[2].at), *radius});
+        else
+            curves.push_back(std::move(curve));
+    };
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const Body& body = scene.bodies[b];
         for (const Outline& outline : body.outlines) {
             const bool own = outline.layer == Layer::link || outline.layer == Layer::block;
-            curves.push_back(placed(outline, places[b], upper(own ? body.name : name_of(outline.layer))));
+            add(outline, places[b], upper(own ? body.name : name_of(outline.layer)));
         }
         for (const Vector<double>& at : body.pins)
             circles.push_back({"PINS", in_drawing(places[b], at), pin});
     }
     for (const Outline& outline : scene.fixed)
-        curves.push_back(placed(outline, {}, upper(name_of(outline.layer))));
+        add(outline, {}, upper(name_of(outline.layer)));
     for (const Vector<double>& pivot : scene.pivots)
         circles.push_back({"PIVOTS", pivot, 2 * pin});
     for (const TargetPlace& target : design.targets)

@@ -76,14 +76,16 @@ nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document,
     return shown;
 }
 
+Unit input_unit(const FinishedDesign& design) { return design.mechanism->table.units.front(); }
+
 std::vector<double> even_angles(const FinishedDesign& design, int steps) {
     const Motion& motion = design.motion;
     if (!design.assembles()) return {};
-    const double from = in_file_unit(motion.from, Unit::angle, design.units);
-    const double to = in_file_unit(motion.to, Unit::angle, design.units);
+    const Unit unit = input_unit(design);
+    const double from = in_file_unit(motion.from, unit, design.units), to = in_file_unit(motion.to, unit, design.units);
     std::vector<double> angles{motion.from};
     for (int i = 1; i < steps; ++i)
-        angles.push_back(from_file_unit(from + (to - from) * i / steps, Unit::angle, design.units));
+        angles.push_back(from_file_unit(from + (to - from) * i / steps, unit, design.units));
     angles.push_back(motion.to);
     return angles;
 }

@@ -43,6 +43,9 @@ FinishedDesign finished_design(const Problem& problem, const Design& design);
 /// `other` is an object with a design.
 nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& other);
 
+/// What the motion is counted in: an angle, or the length by which a slide is driven.
+Unit input_unit(const FinishedDesign& design);
+
 /// `steps` + 1 crank angles (radians) from one end of the motion to the other, even in the file's unit, so that whole
 /// degrees stay whole degrees; none where it does not assemble.
 std::vector<double> even_angles(const FinishedDesign& design, int steps);

@@ -59,7 +59,7 @@ Json motion_json(const FinishedDesign& design, const Scene& scene, int steps) {
     Json angles = Json::array(), frames = Json::array();
     std::vector<BodyPlace> places(scene.bodies.size());
     for (const double angle : even_angles(design, steps)) {
-        angles.push_back(in_file_unit(angle, Unit::angle, design.units));
+        angles.push_back(in_file_unit(angle, input_unit(design), design.units));
         if (!place_bodies(design, angle, design.motion.assembly, places)) {
             frames.push_back(nullptr);
             continue;

@@ -176,10 +176,10 @@ MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_j
                                            std::vector<double>(rows, std::numeric_limits<double>::quiet_NaN()));
     MotionPlots plots;
     plots.angle_name = mechanism.table.columns.front();
-    plots.angle_unit = unit_label(Unit::angle, design.units);
+    plots.angle_unit = unit_label(input_unit(design), design.units);
     for (const double angle : even_angles(design, steps)) {
         const std::size_t i = plots.angles.size();
-        plots.angles.push_back(in_file_unit(angle, Unit::angle, design.units));
+        plots.angles.push_back(in_file_unit(angle, input_unit(design), design.units));
         const MotionRow row(design, angle);
         if (!row.assembled()) continue;
         for (std::size_t c = 0; c < columns; ++c)

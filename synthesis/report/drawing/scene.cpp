@@ -1,8 +1,9 @@
 #include "synthesis/report/drawing/scene.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -45,11 +46,15 @@ void over_motion(const FinishedDesign& design, std::size_t bodies, const Take& t
             take(std::span<const BodyPlace>(places));
 }
 
-/// What the bodies pass, with pivots and targets.
-Box passed(const FinishedDesign& design, const std::vector<Body>& bodies, const std::vector<Vector<double>>& pivots) {
+/// What the bodies pass, with pivots, what else is fixed, and targets.
+Box passed(const FinishedDesign& design, const std::vector<Body>& bodies, const std::vector<Vector<double>>& pivots,
+           const Body& ground) {
     Box box;
     for (const Vector<double>& pivot : pivots)
         box.add(pivot);
+    for (const Outline& outline : ground.outlines)
+        for (const ArcVertex& v : outline.vertices)
+            box.add(v.at);
     for (const TargetPlace& target : design.targets)
         box.add(target.at);
     over_motion(design, bodies.size(), [&](std::span<const BodyPlace> places) {
@@ -66,7 +71,7 @@ Box passed(const FinishedDesign& design, const std::vector<Body>& bodies, const 
 
 /// The line on which a ram slides, as far as it goes.
 void add_slide(const FinishedDesign& design, Scene& scene) {
-    if (scene.bodies.back().name != "ram") return;
+    if (drawing_of(design).ground != nullptr || scene.bodies.back().name != "ram") return;
     double from = std::numeric_limits<double>::infinity(), to = -from;
     BodyPlace line;
     over_motion(design, scene.bodies.size(), [&](std::span<const BodyPlace> places) {
@@ -83,18 +88,26 @@ void add_slide(const FinishedDesign& design, Scene& scene) {
     scene.fixed.push_back(outlines::segment(at(from - beyond), at(to + beyond), Layer::ground));
 }
 
-/// What the guided point describes over the motion.
-void add_path(const FinishedDesign& design, double tolerance, Scene& scene) {
-    if (!guided_point(design, scene, design.motion.from)) return;
-    const auto curve = [&](double crank_angle) { return *guided_point(design, scene, crank_angle); };
+/// What guided points describe over the motion.
+void add_paths(const FinishedDesign& design, double tolerance, Scene& scene) {
     const Motion& motion = design.motion;
-    Outline path{Layer::path, {}, motion.full_turn};
-    // In quarters, so that no arc closes on itself.
-    for (int i = 0; i < 4; ++i)
-        fit_arcs(curve, angle_at(motion, i * samples / 4), angle_at(motion, (i + 1) * samples / 4), tolerance,
-                 path.vertices);
-    if (!path.closed) path.vertices.push_back({curve(motion.to), 0});
-    scene.fixed.push_back(std::move(path));
+    // In quarters of a turn at least, so that no arc closes on itself.
+    const int pieces =
+        4 * std::max(1, static_cast<int>(std::lround((motion.to - motion.from) / (2 * std::numbers::pi))));
+    const auto piece_end = [&](int i) { return motion.from + (motion.to - motion.from) * i / pieces; };
+    std::vector<BodyPlace> places(scene.bodies.size());
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        for (const Vector<double>& point : scene.bodies[b].points) {
+            const auto curve = [&](double crank_angle) {
+                place_bodies(design, crank_angle, motion.assembly, places);
+                return in_drawing(places[b], point);
+            };
+            Outline path{Layer::path, {}, motion.full_turn};
+            for (int i = 0; i < pieces; ++i)
+                fit_arcs(curve, piece_end(i), piece_end(i + 1), tolerance, path.vertices);
+            if (!path.closed) path.vertices.push_back({curve(motion.to), 0});
+            scene.fixed.push_back(std::move(path));
+        }
 }
 
 }  // namespace
@@ -134,16 +147,22 @@ Scene scene_of(const FinishedDesign& design, double fineness) {
     constexpr double symbol_share = 0.018, coarse = 1e-3;
     Scene scene;
     scene.pivots = drawing.pivots(design);
+    const auto ground = [&](double symbol) {
+        return drawing.ground == nullptr ? Body{} : drawing.ground(design, symbol);
+    };
     // Symbols are sized by the drawing without them.
-    const Box bare = passed(
-        design, drawing.bodies(design, 0, coarse * longest_length(*design.mechanism, design.dimensions)), scene.pivots);
+    const Box bare =
+        passed(design, drawing.bodies(design, 0, coarse * longest_length(*design.mechanism, design.dimensions)),
+               scene.pivots, ground(0));
     const double extent = bare.extent() > 0 ? bare.extent() : 1;
     scene.symbol = symbol_share * extent;
     scene.bodies = drawing.bodies(design, scene.symbol, fineness * extent);
-    const Box box = passed(design, scene.bodies, scene.pivots);
+    scene.ground = ground(scene.symbol);
+    const Box box = passed(design, scene.bodies, scene.pivots, scene.ground);
     scene.low = box.low;
     scene.high = box.high;
-    add_path(design, fineness * extent, scene);
+    scene.fixed = std::exchange(scene.ground.outlines, {});
+    add_paths(design, fineness * extent, scene);
     add_slide(design, scene);
     add_followed(design, scene);
     return scene;

@@ -19,8 +19,9 @@ struct Scene {
     std::vector<Body> bodies;            ///< that move; the first one is driven
     std::vector<Outline> fixed;          ///< slides, paths, lines to be followed
     std::vector<Vector<double>> pivots;  ///< on the ground
-    Vector<double> low, high;            ///< all that is passed in the motion lies between
-    double symbol = 1;                   ///< size of what has no size of its own, such as a ram
+    Body ground;               ///< names of its points and lines on which bodies stay; outlines are in `fixed`
+    Vector<double> low, high;  ///< all that is passed in the motion lies between
+    double symbol = 1;         ///< size of what has no size of its own, such as a ram
 
     double extent() const { return std::max(high.x - low.x, high.y - low.y); }
 };
@@ -34,7 +35,7 @@ bool place_bodies(const FinishedDesign& design, double crank_angle, std::size_t 
 /// Crank angles of the positions that limit the motion (Drawing::limits).
 std::vector<double> limit_angles(const FinishedDesign& design);
 
-/// Where the guided point of a scene is; nothing where it has none.
+/// Where the guided point of a scene is, the first where there are several; nothing where it has none.
 std::optional<Vector<double>> guided_point(const FinishedDesign& design, const Scene& scene, double crank_angle);
 
 }  // namespace mechwright

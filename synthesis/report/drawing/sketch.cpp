@@ -7,20 +7,25 @@
 #include <cmath>
 #include <optional>
 
+#include "synthesis/mechanism/drawing/outlines.h"
+
 namespace mechwright {
 
 namespace {
 
 // Numbers of SolveSpace's file format (version REVa).
 constexpr int line_request = 200;
+constexpr int circle_request = 400;
 constexpr int arc_request = 500;
 constexpr int point_request = 101;
 constexpr int points_coincide = 20;
 constexpr int distance_of_points = 30;
 constexpr int point_on_line = 42;
+constexpr int diameter = 90;
 constexpr int held = 200;
 constexpr unsigned workplane = 0x80020000;
 constexpr unsigned first_parameter = 16;
+constexpr unsigned radius_parameter = 64;
 
 /// A point of the sketch, by its number in the file.
 struct SketchPoint {
@@ -36,6 +41,9 @@ struct SketchLine {
 /// Text of requests (what is drawn) with their parameters (where), and of constraints.
 class SketchText {
 public:
+    /// Joints too many for almost all lengths may fit, as those of a parallelogram with a third crank.
+    explicit SketchText(bool allows_redundant) : allows_redundant_(allows_redundant) {}
+
     SketchPoint point(const Vector<double>& at) {
         const unsigned request = add_request(point_request, false);
         return parameters(request, 0, at);
@@ -53,6 +61,16 @@ public:
         parameters(request, 0, centre);
         const SketchPoint a = parameters(request, 1, from), b = parameters(request, 2, to);
         return {request << 16, shifted(a), shifted(b)};
+    }
+
+    /// Its centre.
+    SketchPoint circle(const Vector<double>& centre, double radius) {
+        const unsigned request = add_request(circle_request, false);
+        const SketchPoint middle = shifted(parameters(request, 0, centre));
+        parameters_ += fmt::format("Param.h.v.={:08x}\nParam.val={:.20f}\nAddParam\n\n",
+                                   (request << 16) + radius_parameter, radius);
+        constraint(diameter, 2 * radius, 0, 0, request << 16);
+        return middle;
     }
 
     void coincide(const SketchPoint& a, const SketchPoint& b) { constraint(points_coincide, 0, a.number, b.number, 0); }
@@ -96,14 +114,14 @@ private:
                                     ++last_constraint_, type);
         constraints_ += fmt::format("Constraint.workplane.v={:08x}\n", workplane);
         if (value != 0) constraints_ += fmt::format("Constraint.valA={:.20f}\n", value);
-        constraints_ += fmt::format("Constraint.ptA.v={:08x}\n", a);
+        if (a != 0) constraints_ += fmt::format("Constraint.ptA.v={:08x}\n", a);
         if (b != 0) constraints_ += fmt::format("Constraint.ptB.v={:08x}\n", b);
         if (line != 0) constraints_ += fmt::format("Constraint.entityA.v={:08x}\n", line);
         constraints_ += "Constraint.other=0\nConstraint.other2=0\nConstraint.reference=0\nAddConstraint\n\n";
     }
 
     /// The two groups that every file has: the axes with their planes, and a sketch in the xy plane.
-    static std::string head() {
+    std::string head() const {
         std::string text = "\xB1\xB2\xB3SolveSpaceREVa\n\n\n";
         text +=
             "Group.h.v=00000001\nGroup.type=5000\nGroup.name=#references\nGroup.color=ff000000\nGroup.skipFirst=0\n"
@@ -115,7 +133,9 @@ private:
             "Group.activeWorkplane.v=80020000\nGroup.color=ff000000\nGroup.subtype=6000\nGroup.skipFirst=0\n"
             "Group.predef.q.w=1.00000000000000000000\nGroup.predef.origin.v=00010001\nGroup.predef.swapUV=0\n"
             "Group.predef.negateU=0\nGroup.predef.negateV=0\nGroup.visible=1\nGroup.suppress=0\n"
-            "Group.relaxConstraints=0\nGroup.allowRedundant=0\nGroup.allDimsReference=0\nGroup.remap={\n}\n"
+            "Group.relaxConstraints=0\nGroup.allowRedundant=" +
+            std::string(allows_redundant_ ? "1" : "0") +
+            "\nGroup.allDimsReference=0\nGroup.remap={\n}\n"
             "AddGroup\n\n";
         // The reference planes: their origins and directions.
         const std::array<std::array<double, 4>, 3> planes{
@@ -136,6 +156,7 @@ private:
         return text;
     }
 
+    bool allows_redundant_;
     std::string parameters_, requests_, constraints_;
     unsigned next_request_ = 4;
     unsigned last_constraint_ = 0;
@@ -195,10 +216,35 @@ void add_flat_link(SketchText& sketch, Joined& joined, const std::string& name, 
     join(sketch, joined, between, tolerance);
 }
 
+/// A body of many points: each is held by its distances from the two that are farthest apart.
+void add_plate(SketchText& sketch, Joined& joined, const std::string& name, const std::vector<Vector<double>>& corners,
+               double tolerance) {
+    const auto square = [](const Vector<double>& a, const Vector<double>& b) { return dot(b - a, b - a); };
+    std::size_t first = 0, second = 1;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t k = i + 1; k < corners.size(); ++k)
+            if (square(corners[i], corners[k]) > square(corners[first], corners[second])) first = i, second = k;
+    const SketchLine line = add_side(sketch, joined, corners[first], corners[second], tolerance);
+    joined.arms.emplace_back(name, line);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (i == first || i == second) continue;
+        if (in_line({corners[first], corners[second], corners[i]})) {
+            const SketchPoint between = sketch.point(corners[i]);
+            sketch.keep_on(between, line);
+            sketch.keep_distance(between, line.from);
+            join(sketch, joined, between, tolerance);
+        } else {
+            add_side(sketch, joined, corners[first], corners[i], tolerance);
+            add_side(sketch, joined, corners[second], corners[i], tolerance);
+        }
+    }
+}
+
 /// The corners of a rigid body joined by lines of fixed length.
 void add_link(SketchText& sketch, Joined& joined, const std::string& name, const std::vector<Vector<double>>& corners,
               double tolerance) {
     if (corners.size() == 1) return;
+    if (corners.size() > 3) return add_plate(sketch, joined, name, corners, tolerance);
     if (in_line(corners)) return add_flat_link(sketch, joined, name, corners, tolerance);
     const std::size_t sides = corners.size() == 2 ? 1 : corners.size();
     for (std::size_t i = 0; i < sides; ++i) {
@@ -234,13 +280,99 @@ void add_curve(SketchText& sketch, const Outline& outline, const BodyPlace& plac
     if (first && last) sketch.coincide(*last, *first);
 }
 
+/// The point of the sketch at a place, made where there is none.
+SketchPoint point_at(SketchText& sketch, Joined& joined, const Vector<double>& at, double tolerance) {
+    for (const SketchPoint& point : joined.points)
+        if (same(point.at, at, tolerance)) return point;
+    joined.points.push_back(sketch.point(at));
+    return joined.points.back();
+}
+
+/// A scene with its bodies where they are.
+struct PlacedScene {
+    const Scene& scene;
+    std::vector<BodyPlace> places;
+
+    BodyPlace place(std::size_t body) const { return body == the_ground ? BodyPlace{} : places[body]; }
+    /// Pins and points of a body, and those that guides need: their ends, and what they guide.
+    std::vector<Vector<double>> corners(std::size_t b, double tolerance) const {
+        const Body& body = scene.bodies[b];
+        std::vector<Vector<double>> all;
+        const auto add = [&](const Vector<double>& own) {
+            const Vector<double> at = in_drawing(places[b], own);
+            for (const Vector<double>& other : all)
+                if (same(other, at, tolerance)) return;
+            all.push_back(at);
+        };
+        for (const std::vector<Vector<double>>& list : {body.pins, body.points})
+            std::for_each(list.begin(), list.end(), add);
+        for (const Guide& guide : body.guides)
+            add(guide.from), add(guide.to);
+        for (const Body& other : scene.bodies)
+            for (const Guide& guide : other.guides)
+                if (guide.body == b) std::for_each(guide.points.begin(), guide.points.end(), add);
+        for (const Guide& guide : scene.ground.guides)
+            if (guide.body == b) std::for_each(guide.points.begin(), guide.points.end(), add);
+        return all;
+    }
+};
+
+/// The points that stay on lines of a body, or of the ground.
+void add_guides(SketchText& sketch, Joined& joined, const PlacedScene& placed, std::size_t on, double tolerance) {
+    const Body& body = on == the_ground ? placed.scene.ground : placed.scene.bodies[on];
+    for (const Guide& guide : body.guides) {
+        const SketchLine line =
+            sketch.line(in_drawing(placed.place(on), guide.from), in_drawing(placed.place(on), guide.to), true);
+        for (const SketchPoint& end : {line.from, line.to})
+            on == the_ground ? sketch.hold(end) : join(sketch, joined, end, tolerance);
+        for (const Vector<double>& own : guide.points) {
+            const SketchPoint point = point_at(sketch, joined, in_drawing(placed.place(guide.body), own), tolerance);
+            if (guide.body == the_ground) sketch.hold(point);
+            sketch.keep_on(point, line);
+        }
+    }
+}
+
+/// Wheels, which turn about the joint at their middle.
+void add_wheels(SketchText& sketch, Joined& joined, const std::vector<Outline>& drawn, const BodyPlace& place,
+                double tolerance) {
+    for (const Outline& outline : drawn)
+        if (const auto radius = outline.layer == Layer::pitch ? outlines::radius_of(outline) : std::nullopt) {
+            const Vector<double> middle = 0.5 * (outline.vertices[0].at + outline.vertices[2].at);
+            join(sketch, joined, sketch.circle(in_drawing(place, middle), *radius), tolerance);
+        }
+}
+
+/// The line of a ram, and the arm on which a block stays.
+void add_ram_and_block(SketchText& sketch, const Joined& joined, const PlacedScene& placed, double tolerance) {
+    const auto pin_of = [&](const std::string& name) -> std::optional<SketchPoint> {
+        for (std::size_t b = 0; b < placed.places.size(); ++b)
+            if (placed.scene.bodies[b].name == name)
+                for (const SketchPoint& point : joined.points)
+                    if (same(point.at, placed.places[b].at, tolerance)) return point;
+        return std::nullopt;
+    };
+    if (const auto ram = pin_of("ram")) {
+        const BodyPlace& slide = placed.places.back();
+        const double reach = 0.2 * placed.scene.extent();
+        const SketchLine line = sketch.line(slide.at - reach * slide.turn, slide.at + reach * slide.turn, true);
+        sketch.hold(line.from);
+        sketch.hold(line.to);
+        sketch.keep_on(*ram, line);
+    }
+    if (const auto block = pin_of("block"))
+        for (const auto& [name, arm] : joined.arms)
+            if (name == "lever" || name == "arm") sketch.keep_on(*block, arm);
+}
+
 }  // namespace
 
 std::string sketch_of(const FinishedDesign& design, const Scene& scene, double crank_angle) {
-    std::vector<BodyPlace> places(scene.bodies.size());
-    place_bodies(design, crank_angle, design.motion.assembly, places);
+    PlacedScene placed{scene, std::vector<BodyPlace>(scene.bodies.size())};
+    place_bodies(design, crank_angle, design.motion.assembly, placed.places);
     const double tolerance = 1e-9 * scene.extent();
-    SketchText sketch;
+    const bool says_its_guides = design.mechanism->drawing->ground != nullptr;
+    SketchText sketch(says_its_guides);
     Joined joined;
     for (const Vector<double>& pivot : scene.pivots) {
         const SketchPoint point = sketch.point(pivot);
@@ -250,31 +382,20 @@ std::string sketch_of(const FinishedDesign& design, const Scene& scene, double c
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const Body& body = scene.bodies[b];
         for (const Outline& outline : body.outlines)
-            if (outline.layer == Layer::cam) add_curve(sketch, outline, places[b]);
-        std::vector<Vector<double>> corners;
-        for (const std::vector<Vector<double>>& list : {body.pins, body.points})
-            for (const Vector<double>& corner : list)
-                corners.push_back(in_drawing(places[b], corner));
+            if (outline.layer == Layer::cam) add_curve(sketch, outline, placed.places[b]);
+        const std::vector<Vector<double>> corners = placed.corners(b, tolerance);
         if (!corners.empty()) add_link(sketch, joined, body.name, corners, tolerance);
     }
-    const auto pin_of = [&](const std::string& name) -> std::optional<SketchPoint> {
-        for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-            if (scene.bodies[b].name == name)
-                for (const SketchPoint& point : joined.points)
-                    if (same(point.at, places[b].at, tolerance)) return point;
-        return std::nullopt;
-    };
-    if (const auto ram = pin_of("ram")) {
-        const BodyPlace& slide = places.back();
-        const SketchLine line = sketch.line(slide.at - (0.2 * scene.extent()) * slide.turn,
-                                            slide.at + (0.2 * scene.extent()) * slide.turn, true);
-        sketch.hold(line.from);
-        sketch.hold(line.to);
-        sketch.keep_on(*ram, line);
+    if (!says_its_guides) {
+        add_ram_and_block(sketch, joined, placed, tolerance);
+        return sketch.text();
     }
-    if (const auto block = pin_of("block"))
-        for (const auto& [name, arm] : joined.arms)
-            if (name == "lever" || name == "arm") sketch.keep_on(*block, arm);
+    add_guides(sketch, joined, placed, the_ground, tolerance);
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        add_guides(sketch, joined, placed, b, tolerance);
+        add_wheels(sketch, joined, scene.bodies[b].outlines, placed.places[b], tolerance);
+    }
+    add_wheels(sketch, joined, scene.fixed, {}, tolerance);
     return sketch.text();
 }
 

@@ -32,6 +32,7 @@ constexpr std::string_view style =
     ".target{fill:none;stroke:#1c7a4a;stroke-width:1.5}"
     ".error{stroke:#1c7a4a;stroke-width:1}"
     ".ghost{opacity:.22}"
+    ".name{font-size:13px;fill:#111}"
     "</style>";
 
 std::string px(double value) {
@@ -86,8 +87,16 @@ std::string pivot(const Vector<double>& at) {
     return fmt::format("<path class=\"ground\" d=\"M{0} {1}l-9 14h18z m-13 14h26\"/>", px(at.x), px(at.y));
 }
 
+/// A name beside a place, upright in a group that is turned.
+std::string name_element(const Label& label, const Vector<double>& at, const Vector<double>& turn) {
+    return fmt::format(
+        "<text class=\"name\" data-x=\"{0}\" data-y=\"{1}\" transform=\"matrix({2:.6g} {3:.6g} {4:.6g} {2:.6g} {0} "
+        "{1})\" x=\"7\" y=\"-7\">{5}</text>",
+        px(at.x), px(at.y), turn.x, turn.y, -turn.y, escaped(label.text));
+}
+
 /// One body in its own frame, in pixels.
-std::string body_elements(const Body& body, double scale) {
+std::string body_elements(const Body& body, double scale, const Vector<double>& turn) {
     const auto local = [&](const Vector<double>& p) { return Vector<double>{scale * p.x, -scale * p.y}; };
     std::string text;
     for (const Outline& outline : body.outlines)
@@ -96,6 +105,8 @@ std::string body_elements(const Body& body, double scale) {
         text += circle("pin", local(pin), 4);
     for (const Vector<double>& point : body.points)
         text += circle("point", local(point), 4);
+    for (const Label& label : body.labels)
+        text += name_element(label, local(label.at), turn);
     return text;
 }
 
@@ -147,15 +158,30 @@ std::string svg_matrix(const SvgView& view, const BodyPlace& place) {
                        px(at.x), px(at.y));
 }
 
-std::string svg_fixed(const FinishedDesign& design, const Scene& scene, const SvgView& view) {
+std::string svg_fixed(const Scene& scene, const SvgView& view) {
     const auto pixels = [&](const Vector<double>& p) { return view.pixels(p); };
     std::string text;
     for (const Outline& outline : scene.fixed)
         text += path_element(outline, path_data(outline, view.scale, pixels));
     for (const Vector<double>& at : scene.pivots)
         text += pivot(view.pixels(at));
+    for (const Label& label : scene.ground.labels)
+        text += name_element(label, view.pixels(label.at), {1, 0});
+    return text;
+}
+
+std::string svg_fixed(const FinishedDesign& design, const Scene& scene, const SvgView& view) {
+    std::string text = svg_fixed(scene, view);
     for (const TargetPlace& target : design.targets)
         text += target_elements(target, view);
+    return text;
+}
+
+std::string svg_bodies(const Scene& scene, const SvgView& view, std::span<const BodyPlace> places) {
+    std::string text;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        text += fmt::format("<g class=\"body\" data-body=\"{}\" transform=\"{}\">{}</g>", escaped(scene.bodies[b].name),
+                            svg_matrix(view, places[b]), body_elements(scene.bodies[b], view.scale, places[b].turn));
     return text;
 }
 
@@ -163,20 +189,18 @@ std::string svg_bodies(const FinishedDesign& design, const Scene& scene, const S
                        std::size_t assembly) {
     std::vector<BodyPlace> places(scene.bodies.size());
     place_bodies(design, crank_angle, assembly, places);
-    std::string text;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-        text += fmt::format("<g class=\"body\" data-body=\"{}\" transform=\"{}\">{}</g>", scene.bodies[b].name,
-                            svg_matrix(view, places[b]), body_elements(scene.bodies[b], view.scale));
-    return text;
+    return svg_bodies(scene, view, places);
 }
 
 std::string svg_ghosts(const FinishedDesign& design, const Scene& scene, const SvgView& view) {
-    Scene without_cam = scene;
-    for (Body& body : without_cam.bodies)
-        if (body.name == "cam") body = {};
+    Scene bare = scene;  // without cams and names
+    for (Body& body : bare.bodies) {
+        body.labels.clear();
+        if (!body.outlines.empty() && body.outlines.front().layer == Layer::cam) body = {};
+    }
     std::string text;
     for (const double angle : limit_angles(design))
-        text += "<g class=\"ghost\">" + svg_bodies(design, without_cam, view, angle, design.motion.assembly) + "</g>";
+        text += "<g class=\"ghost\">" + svg_bodies(design, bare, view, angle, design.motion.assembly) + "</g>";
     return text;
 }
 
@@ -186,26 +210,29 @@ double pictured_angle(const FinishedDesign& design) {
     return motion.from + 0.125 * (motion.to - motion.from);
 }
 
-std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture) {
-    const Scene scene = scene_of(design, fineness);
-    const SvgView view = view_of(scene, picture.width, picture.width);
+std::string svg_file(std::string_view title, double width, double height, std::string_view content) {
     constexpr double head = 34;
-    const double height = head + view.height + picture.below_height;
     // A letter is about half as wide as its size.
-    const auto letters = static_cast<double>(std::max(1, reading::count_characters(picture.title)));
-    const double letter_size = std::min(16.0, 1.8 * picture.width / letters);
+    const auto letters = static_cast<double>(std::max(1, reading::count_characters(title)));
+    const double letter_size = std::min(16.0, 1.8 * width / letters);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
         "role=\"img\"><title>{2}</title>{3}<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>",
-        px(picture.width), px(height), escaped(picture.title), style);
-    text += fmt::format("<text x=\"{}\" y=\"23\" font-size=\"{}\" text-anchor=\"middle\">{}</text>\n",
-                        px(0.5 * picture.width), px(letter_size), escaped(picture.title));
-    text += fmt::format("<g transform=\"translate(0 {})\">\n", px(head)) + svg_fixed(design, scene, view) + "\n" +
-            svg_ghosts(design, scene, view) + "\n" +
-            svg_bodies(design, scene, view, pictured_angle(design), design.motion.assembly) + "</g>\n";
+        px(width), px(head + height), escaped(title), style);
+    text += fmt::format("<text x=\"{}\" y=\"23\" font-size=\"{}\" text-anchor=\"middle\">{}</text>\n", px(0.5 * width),
+                        px(letter_size), escaped(title));
+    return text + fmt::format("<g transform=\"translate(0 {})\">\n", px(head)) + std::string(content) +
+           "</g>\n</svg>\n";
+}
+
+std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture) {
+    const Scene scene = scene_of(design, fineness);
+    const SvgView view = view_of(scene, picture.width, picture.width);
+    std::string text = svg_fixed(design, scene, view) + "\n" + svg_ghosts(design, scene, view) + "\n" +
+                       svg_bodies(design, scene, view, pictured_angle(design), design.motion.assembly);
     if (!picture.below.empty())
-        text += fmt::format("<g transform=\"translate(0 {})\">{}</g>\n", px(head + view.height), picture.below);
-    return text + "</svg>\n";
+        text += fmt::format("<g transform=\"translate(0 {})\">{}</g>\n", px(view.height), picture.below);
+    return svg_file(picture.title, picture.width, view.height + picture.below_height, text);
 }
 
 }  // namespace mechwright

@@ -29,15 +29,22 @@ SvgView view_of(const Scene& scene, double width, double most_height);
 /// "matrix(...)": what brings a body's outlines, drawn in its own frame in pixels, to its place.
 std::string svg_matrix(const SvgView& view, const BodyPlace& place);
 
-/// What does not move: ground, paths, targets with their errors.
+/// What does not move: ground and paths; and with the design its targets with their errors.
+std::string svg_fixed(const Scene& scene, const SvgView& view);
 std::string svg_fixed(const FinishedDesign& design, const Scene& scene, const SvgView& view);
 
 /// The bodies, each a group of class "body" with the name of the body, at the crank angle.
 std::string svg_bodies(const FinishedDesign& design, const Scene& scene, const SvgView& view, double crank_angle,
                        std::size_t assembly);
 
+/// The same for bodies that are somewhere.
+std::string svg_bodies(const Scene& scene, const SvgView& view, std::span<const BodyPlace> places);
+
 /// The limit positions, in groups of class "ghost".
 std::string svg_ghosts(const FinishedDesign& design, const Scene& scene, const SvgView& view);
+
+/// An SVG file with a title above its content (SVG, `height` high).
+std::string svg_file(std::string_view title, double width, double height, std::string_view content);
 
 /// A picture that stands alone, at the start of the motion, with its title above it and `below` (SVG, `below_height`
 /// high) beneath.

@@ -36,9 +36,11 @@
     groups.forEach((group, body) => {
       const place = placeOf(assembly, body, share);
       group.style.display = place ? "" : "none";
-      if (place)
-        group.setAttribute("transform", `matrix(${place.cosine} ${-place.sine} ${place.sine} ${place.cosine} ` +
-          `${place.x} ${place.y})`);
+      if (!place) return;
+      const { cosine, sine } = place;
+      group.setAttribute("transform", `matrix(${cosine} ${-sine} ${sine} ${cosine} ${place.x} ${place.y})`);
+      for (const name of group.querySelectorAll(".name"))  // stays upright
+        name.setAttribute("transform", `matrix(${cosine} ${sine} ${-sine} ${cosine} ${name.dataset.x} ${name.dataset.y})`);
     });
   }
 
@@ -212,7 +214,9 @@
 
   function advance(time) {
     if (!playing) return;
-    const turns = (design.to - design.from) / (design.unit === "deg" ? 360 : 2 * Math.PI);
+    // A stroke of a driven slide takes as long as half a turn.
+    const turn = { deg: 360, rad: 2 * Math.PI }[design.unit] || 2 * (design.to - design.from);
+    const turns = (design.to - design.from) / turn;
     const step = Math.min(100, time - lastTime) / 1000 * Number($("speed").value) / (secondsPerTurn * turns);
     lastTime = time;
     share += backward ? -step : step;

@@ -122,7 +122,7 @@ ShownParts shown_parts(const DesignToShow& shown, int steps, bool with_thumbnail
     const MotionPlots plots = motion_plots(design, shown.document, steps);
     parts.motion = {{"from", plots.angles.front()},
                     {"to", plots.angles.back()},
-                    {"start", in_file_unit(pictured_angle(design), Unit::angle, design.units)},
+                    {"start", in_file_unit(pictured_angle(design), input_unit(design), design.units)},
                     {"name", plots.angle_name},
                     {"unit", plots.angle_unit},
                     {"closed", design.motion.full_turn},

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "synthesis/problem/linkage/closing.h"
+#include "synthesis/report/structure/assemblies.h"
 #include "synthesis/report/text/table.h"
 
 namespace mechwright {
@@ -35,10 +35,6 @@ std::vector<std::string> links_at(const Linkage& l, const linkage::Pin& pin) {
         links.push_back(point.link);
     std::sort(links.begin(), links.end());
     return names_of(l, links);
-}
-
-bool is_redundant(const Linkage& l, std::size_t link) {
-    return std::find(l.redundant.begin(), l.redundant.end(), link) != l.redundant.end();
 }
 
 /// With these dimensions: redundant links fit, so that they hold nothing and the drives settle what moves.
@@ -159,11 +155,6 @@ std::vector<std::string> dimensions_read(const Linkage& l, std::size_t group) {
     return names;
 }
 
-std::string_view word_of(const Group& group, int side) {
-    if (group.kind == Kind::rrr) return side > 0 ? "left" : side < 0 ? "right" : "either";
-    return side > 0 ? "ahead" : side < 0 ? "behind" : "either";
-}
-
 /// A side as a file says it whatever the order of its links.
 Json side_of(const Linkage& l, const Group& group, int side) {
     if (group.kind != Kind::rrr) return word_of(group, side);
@@ -193,26 +184,16 @@ double shown_input(const Linkage& l, double at) {
 
 /// All assemblies at an input: of each the sides and where its moving points are.
 Json assemblies_of(const Linkage& l, double at) {
-    LinkagePoses poses(l, numbers_of(l, usual_dimensions(l)));
     Json list = Json::array();
-    std::vector<std::int8_t> open(l.order.choices, 0);
-    for (const Group& group : l.order.groups)
-        if (group.choice != linkage::none && is_redundant(l, group.links[0])) open[group.choice] = 1;
-    for_each_assembly(open, 10, [&](const std::vector<std::int8_t>& sides) {
-        if (!poses.place(at, sides) || poses.misfit() > 1e-9 * poses.size()) return;
-        Json one{{"sides", Json::object()}, {"points", Json::object()}};
-        bool meant = true;
-        for (const Group& group : l.order.groups)
-            if (group.choice != linkage::none && open[group.choice] == 0) {
-                one["sides"][l.pins[group.pin]] = word_of(group, sides[group.choice]);
-                meant = meant && l.sides[group.choice] * sides[group.choice] >= 0;
-            }
-        one["as-in-file"] = meant;
+    for (const LinkageAssembly& assembly : assemblies_at(l, at)) {
+        Json one{{"sides", Json::object()}, {"points", Json::object()}, {"as-in-file", assembly.as_in_file}};
+        for (const Group* group : chosen_dyads(l))
+            one["sides"][l.pins[group->pin]] = word_of(*group, assembly.sides[group->choice]);
         for (std::size_t i = 0; i < l.pins.size(); ++i)
             if (!linkage::is_on(l.structure.pins[i], 0))
-                one["points"][l.pins[i]] = {poses.pose.pins[i].x, poses.pose.pins[i].y};
+                one["points"][l.pins[i]] = {assembly.pose.pins[i].x, assembly.pose.pins[i].y};
         list.push_back(std::move(one));
-    });
+    }
     return {{"crank", shown_input(l, at)}, {"assemblies", std::move(list)}};
 }
 

@@ -1,0 +1,128 @@
+#include "synthesis/mechanism/linkage/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "synthesis/mechanism/drawing/moving_design.h"
+
+namespace mechwright {
+
+namespace {
+
+const LinkageModel& model_of(const MovingDesign& design) { return linkage_of(design.motion.model); }
+
+/// Calls `take` with poses of the linkage spread over its motion.
+template <class Take>
+void over_motion(PlacedLinkage& linkage, const MovingDesign& design, const Take& take) {
+    const LinkageModel& model = model_of(design);
+    const Motion& motion = design.motion;
+    const int samples = 360 * (motion.full_turn ? std::max(1, model.turns) : 1);
+    for (int i = 0; i <= samples; ++i)
+        if (place_within(linkage, motion, motion.from + (motion.to - motion.from) * i / samples)) take(linkage.pose());
+}
+
+/// The shape of a design, with all that its slides and pins in slots pass.
+LinkageShape shape_of(const MovingDesign& design, PlacedLinkage& linkage) {
+    const LinkageModel& model = model_of(design);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    LinkageShape shape{.structure = model.structure,
+                       .numbers = linkage.numbers(),
+                       .links = model.links,
+                       .pins = model.pins,
+                       .scale = placement_of(model, design.dimensions).scale,
+                       .first_body = driven_link(model),
+                       .slides = {model.structure.slides.size(), Stretch{infinity, -infinity}},
+                       .slots = {model.structure.slots.size(), Stretch{infinity, -infinity}}};
+    if (shape.slides.empty() && shape.slots.empty()) return shape;
+    const auto widen = [](Stretch& stretch, double at) {
+        stretch = {std::min(stretch.from, at), std::max(stretch.to, at)};
+    };
+    over_motion(linkage, design, [&](const linkage::Pose<double>& pose) {
+        for (std::size_t i = 0; i < shape.slides.size(); ++i)
+            widen(shape.slides[i], slide_displacement(shape, i, pose));
+        for (std::size_t i = 0; i < shape.slots.size(); ++i)
+            widen(shape.slots[i], slot_displacement(shape, i, pose));
+    });
+    for (std::vector<Stretch>* stretches : {&shape.slides, &shape.slots})
+        for (Stretch& stretch : *stretches)
+            if (!(stretch.from <= stretch.to)) stretch = {};
+    return shape;
+}
+
+std::vector<Body> bodies(const MovingDesign& design, double symbol, double) {
+    PlacedLinkage linkage(model_of(design), design.dimensions, design.motion.assembly);
+    const LinkageShape shape = shape_of(design, linkage);
+    std::vector<Body> made(shape.links.size() - 1);
+    for (std::size_t link = 1; link < shape.links.size(); ++link)
+        made[body_of(shape.first_body, link)] = link_body(shape, link, symbol);
+    // Points of the ground that bodies guide are in the drawing.
+    const LinkagePlacement placement = placement_of(model_of(design), design.dimensions);
+    for (Body& body : made)
+        for (Guide& guide : body.guides)
+            if (guide.body == the_ground)
+                for (Vector<double>& point : guide.points)
+                    point = in_drawing(placement.frame, point);
+    return made;
+}
+
+/// The frame, in the drawing.
+Body ground(const MovingDesign& design, double symbol) {
+    const LinkageModel& model = model_of(design);
+    PlacedLinkage linkage(model, design.dimensions, design.motion.assembly);
+    Body body = link_body(shape_of(design, linkage), 0, symbol);
+    const BodyPlace frame = placement_of(model, design.dimensions).frame;
+    const auto put = [&frame](Vector<double>& at) { at = in_drawing(frame, at); };
+    for (Outline& outline : body.outlines)
+        for (ArcVertex& vertex : outline.vertices)
+            put(vertex.at);
+    for (Vector<double>& pin : body.pins)
+        put(pin);
+    for (Label& label : body.labels)
+        put(label.at);
+    for (Guide& guide : body.guides)
+        put(guide.from), put(guide.to);
+    return body;
+}
+
+bool place(const MovingDesign& design, double crank_angle, std::size_t assembly, std::span<BodyPlace> places) {
+    const LinkageModel& model = model_of(design);
+    PlacedLinkage linkage(model, design.dimensions, assembly);
+    const bool closes = place_within(linkage, design.motion, crank_angle);
+    const LinkagePlacement placement = placement_of(model, design.dimensions);
+    const std::size_t first = driven_link(model);
+    for (std::size_t link = 1; link < model.links.size(); ++link) {
+        const linkage::LinkPlace<double>& at = linkage.pose().links[link];
+        places[body_of(first, link)] = {placement.in_drawing(at.origin), turned(at.along, placement.frame.turn)};
+    }
+    return closes;
+}
+
+/// Where the pins of the frame are.
+std::vector<Vector<double>> pivots(const MovingDesign& design) { return ground(design, 0).pins; }
+
+std::vector<double> limits(const MovingDesign& design) {
+    return design.motion.full_turn ? std::vector<double>{} : ends_of(design.motion);
+}
+
+}  // namespace
+
+std::size_t driven_link(const LinkageModel& model) {
+    const linkage::Drive& drive = model.structure.drives.front();
+    if (!drive.of_slide) return drive.link != 0 ? drive.link : drive.on;
+    const linkage::Slide& slide = model.structure.slides[drive.slide];
+    return slide.link != 0 ? slide.link : slide.line.on;
+}
+
+bool place_within(PlacedLinkage& linkage, const Motion& motion, double master) {
+    if (linkage.place(master)) return true;
+    if (motion.full_turn) return false;
+    const double span = motion.to - motion.from, inwards = master < 0.5 * (motion.from + motion.to) ? 1 : -1;
+    for (double share = 1e-15; share <= 1e-6; share *= 10)
+        if (linkage.place(master + inwards * share * span)) return true;
+    return false;
+}
+
+Drawing linkage_drawing() { return {bodies, place, pivots, limits, ground}; }
+
+}  // namespace mechwright
