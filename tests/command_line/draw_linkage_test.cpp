@@ -102,7 +102,7 @@ TEST(DrawSkeleton, ShowsTheLinksOfWhatNeverCloses) {
     EXPECT_EQ(outcome.exit_code, 0);
     expect_has(outcome.err, "never closes");
     for (const char* part :
-         {"<svg", ">frame<", ">crank<", ">coupler<", ">rocker<", ">P<", "B (0, 0)  C (30, 0)  P (10, 12.5)"})
+         {"<svg", ">frame<", ">crank<", ">coupler<", ">rocker<", ">P<", "B (0, 0), C (30, 0), P (10, 12.5)"})
         expect_has(outcome.out, part);
     // What is no linkage at all has none.
     const std::string empty = folder.write("empty.toml", "schema = 1\nmechanism = \"linkage\"\n");

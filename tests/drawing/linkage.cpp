@@ -15,7 +15,7 @@
 #include "tests/drawing/linkages.h"
 #include "tests/report/temporary_folder.h"
 
-namespace mechwright::testing {
+namespace mechwright::testing::drawn_linkages {
 namespace {
 
 constexpr double fineness = 1e-3, pi = std::numbers::pi;
@@ -46,8 +46,9 @@ struct Drawn {
     LinkagePlacement placement;
     std::vector<BodyPlace> places;
 
-    explicit Drawn(LinkageModel of)
-        : design(design_of(std::move(of))),
+    explicit Drawn(LinkageModel of) : Drawn(design_of(std::move(of))) {}
+    explicit Drawn(FinishedDesign of)
+        : design(std::move(of)),
           model(mechwright::linkage_of(design.motion.model)),
           scene(scene_of(design, fineness)),
           placement(placement_of(model, {})),
@@ -291,8 +292,12 @@ TEST(LinkageDrawing, HasBarsPlatesBlocksAndSlots) {
     EXPECT_TRUE(std::any_of(yoke.scene.fixed.begin(), yoke.scene.fixed.end(),
                             [](const Outline& o) { return o.layer == Layer::ground; }));
 
-    // A third crank that fits is a bar with two pins, not a slot.
-    const Drawn parallelogram(shipped_linkage_model("parallelogram"));
+    // A third crank that fits is a bar with two pins, not a slot. Between change points, for the side stays.
+    FinishedDesign upper = design_of(shipped_linkage_model("parallelogram"));
+    upper.motion.full_turn = false;
+    upper.motion.from = 0.1;
+    upper.motion.to = 3;
+    const Drawn parallelogram(std::move(upper));
     EXPECT_EQ(parallelogram.body(4).pins.size(), 2u);
     EXPECT_EQ(parallelogram.body(4).outlines.size(), 1u);
     EXPECT_NEAR(apart(parallelogram.body(4).pins[0], parallelogram.body(4).pins[1]), 40, 1e-9);
@@ -424,4 +429,4 @@ TEST(LinkageTable, KeepsTheInputApartFromAnotherCrank) {
 }
 
 }  // namespace
-}  // namespace mechwright::testing
+}  // namespace mechwright::testing::drawn_linkages

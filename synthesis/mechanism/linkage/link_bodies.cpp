@@ -58,6 +58,11 @@ bool in_a_slot(const LinkageShape& shape, std::size_t pin) {
     return std::any_of(slots.begin(), slots.end(), [pin](const linkage::Slot& slot) { return slot.pin == pin; });
 }
 
+/// A vector of the link that has a slide's line, in the frame of the link that slides.
+Vector<double> seen_from_slider(const LinkageShape& shape, const linkage::Slide& slide, const Vector<double>& vector) {
+    return turned(vector, conjugate(unit(shape.numbers[slide.angle])));
+}
+
 /// A link that moves of those that have a pin, else the frame.
 std::size_t bearer_of(const linkage::Pin& pin) {
     for (const linkage::Point& point : pin.points)
@@ -83,7 +88,9 @@ struct LinkDrawing {
             const bool joint = pin.points.size() > 1 || in_a_slot(shape, i);
             if (joint || link != 0) (joint ? body.pins : body.points).push_back(at);
             corners.push_back(at);
-            if (link == bearer_of(pin)) body.labels.push_back({shape.pins[i], at});
+            // What stands for a circular slot has a name that is a phrase.
+            if (link == bearer_of(pin) && shape.pins[i].find(' ') == std::string::npos)
+                body.labels.push_back({shape.pins[i], at});
         }
     }
 
@@ -150,12 +157,12 @@ struct LinkDrawing {
         body.guides.push_back({line.at(shape.slides[index].from - beyond) + away,
                                line.at(shape.slides[index].to + ahead + beyond) + away,
                                body_of(shape.first_body, slide.link),
-                               {point, point + ahead * unit(-shape.numbers[slide.angle])}});
+                               {point, point + ahead * seen_from_slider(shape, slide, line.direction)}});
     }
 
     /// A block at the foot of this link's origin.
     void add_block(const linkage::Slide& slide) {
-        const Vector<double> along = unit(-shape.numbers[slide.angle]);  // the line, from this link
+        const Vector<double> along = seen_from_slider(shape, slide, direction_of(slide.line, shape.numbers));
         const Vector<double> foot = -(shape.scale * shape.numbers[slide.offset]) * left_of(along);
         Outline block = outlines::rectangle(1.6 * symbol, symbol, layer(Layer::block));
         for (ArcVertex& v : block.vertices)
@@ -264,11 +271,10 @@ std::optional<RackWheel> rack_of(const LinkageShape& shape, const linkage::Rack&
     const GuidingLine line = slide_line(shape, rack.slide);
     // A wheel that turns against the clock moves its lowest point along the line's direction.
     const Vector<double> contact = pin->on_second - radius * left_of(line.direction);
-    const Vector<double> along = unit(-shape.numbers[slide.angle]);
     const auto on_rack = [&](double displacement) {
-        return turned(contact - line.at(displacement), conjugate(unit(shape.numbers[slide.angle])));
+        return seen_from_slider(shape, slide, contact - line.at(displacement));
     };
-    const Vector<double> beyond = 0.1 * std::abs(radius) * along;
+    const Vector<double> beyond = 0.1 * std::abs(radius) * seen_from_slider(shape, slide, line.direction);
     const Stretch& passed = shape.slides[rack.slide];
     return RackWheel{{pin->on_first, std::abs(radius)}, on_rack(passed.to) - beyond, on_rack(passed.from) + beyond};
 }

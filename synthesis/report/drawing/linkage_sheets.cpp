@@ -163,7 +163,7 @@ Panel apart(const Linkage& l, const LinkageShape& shape, std::size_t link, doubl
         body.labels.push_back({l.pins[pin], at});
         const std::string place = fmt::format("{} ({}, {})", l.pins[pin], number_text(at.x, 6), number_text(at.y, 6));
         if (panel.lines.size() > 1 && panel.lines.back().size() + place.size() < longest)
-            panel.lines.back() += "  " + place;
+            panel.lines.back() += ", " + place;
         else
             panel.lines.push_back(place);
     };

@@ -32,7 +32,7 @@ constexpr std::string_view style =
     ".target{fill:none;stroke:#1c7a4a;stroke-width:1.5}"
     ".error{stroke:#1c7a4a;stroke-width:1}"
     ".ghost{opacity:.22}"
-    ".name{font-size:13px;fill:#111}"
+    ".name{font-size:13px;fill:#111;stroke:#fff;stroke-width:3;paint-order:stroke}"
     "</style>";
 
 std::string px(double value) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <numbers>
 
 #include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/problem/units.h"
@@ -71,6 +72,14 @@ Json assemblies_of(const FinishedDesign& design, std::size_t bodies, const SvgVi
     return list;
 }
 
+/// The turns of a motion, begun ones whole; of a page as many as do not make it slow to open.
+int turns_of(const FinishedDesign& design) {
+    constexpr double most = 16;
+    if (input_unit(design) != Unit::angle) return 1;
+    const double turns = (design.motion.to - design.motion.from) / (2 * std::numbers::pi);
+    return static_cast<int>(std::clamp(std::ceil(turns - 1e-9), 1.0, most));
+}
+
 Json plots_of(const MotionPlots& plots) {
     Json list = Json::array();
     for (const MotionPlot& plot : plots.plots) {
@@ -100,9 +109,10 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-ShownParts shown_parts(const DesignToShow& shown, int steps, bool with_thumbnail) {
+ShownParts shown_parts(const DesignToShow& shown, int steps_of_turn, bool with_thumbnail) {
     constexpr double fineness = 2e-4;  // of curves: an eighth of a pixel at most
     const FinishedDesign& design = shown.design;
+    const int steps = steps_of_turn * turns_of(design);
     const Scene scene = scene_of(design, fineness);
     const SvgView view = view_of(scene, sketch_width, most_sketch_height);
     ShownParts parts;

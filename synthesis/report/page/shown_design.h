@@ -25,12 +25,12 @@ struct ShownParts {
     nlohmann::ordered_json motion;
 };
 
-/// `steps` of the motion are shown; without `with_thumbnail` there is none. In `motion`: from, to, unit, closed (the
-/// crank turns fully), steps, bodies (names), assemblies [{name, scale, places}], where places are 16-bit integers in
-/// base 64: for each body and step x and y in pixels over `scale`, then cosine and sine over 32767, all 0 where the
+/// `steps_of_turn` of the motion are shown; without `with_thumbnail` there is none. In `motion`: from, to, unit, closed
+/// (the crank turns fully), steps, bodies (names), assemblies [{name, scale, places}], where places are 16-bit integers
+/// in base 64: for each body and step x and y in pixels over `scale`, then cosine and sine over 32767, all 0 where the
 /// mechanism does not assemble; and plots [{title, unit, levels: [[name, value]], curves: [[name, 32-bit floats in base
 /// 64]]}], as motion_plots.h has them.
-ShownParts shown_parts(const DesignToShow& shown, int steps, bool with_thumbnail);
+ShownParts shown_parts(const DesignToShow& shown, int steps_of_turn, bool with_thumbnail);
 
 /// The bytes of numbers in base 64, lowest byte first.
 std::string base64(std::string_view bytes);
