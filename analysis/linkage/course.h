@@ -124,12 +124,14 @@ struct Extreme {
 
 namespace detail {
 
+/// Of the size of what goes into a value.
+inline constexpr double one_rounding = 2e-15;
+
 /// What rounding makes of what is asked, where it is 0 itself.
 template <std::size_t K>
 double rounding_of(Measured<double, K>& measured, const Asked& asked, std::size_t derivative, const Course& course,
                    const Stretch& stretch) {
     constexpr int samples = 8;
-    constexpr double unit = 2e-15;
     const Signal::Kind kind = measured.signals()[asked.signal].kind;
     const bool angle = kind == Signal::Kind::angle || kind == Signal::Kind::transmission_angle;
     const double size = angle ? 1 : size_of(measured.driven());
@@ -140,7 +142,7 @@ double rounding_of(Measured<double, K>& measured, const Asked& asked, std::size_
         for (std::size_t k = 0; k <= derivative; ++k)
             if (std::isfinite(value.c[k])) greatest = std::max(greatest, std::abs(value.derivative(k)));
     }
-    return unit * greatest;
+    return one_rounding * greatest;
 }
 
 inline Stretch stretch_of(const Course& course, double from, double to) {
@@ -173,8 +175,9 @@ std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked
         return f.derivative(order + 1) / measured.rate() * stretch.speed(s) * share(s) +
                f.derivative(order) * powers * (stretch.speed_slope(s) / stretch.length());
     };
+    const std::size_t first = first_panels(stretch);
     const Panels panels(slope, stretch.first(), stretch.last(),
-                        {.first = first_panels(stretch), .floor = floor, .everywhere = true});
+                        {.first = first, .floor = floor, .most = first + 256, .everywhere = true});
     std::vector<double> found;
     if (!panels.finite()) return {std::numeric_limits<double>::quiet_NaN()};
     if (panels.greatest() > 4 * floor)
@@ -341,14 +344,19 @@ T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& ask
                (value_at(measured, integral, course, end(true)) - value_at(measured, integral, course, end(false))) /
                length;
     }
-    const double floor = detail::rounding_of(plain, asked, asked.derivative, course, stretch);
+    // The rounding of the input counts as much as that of the value.
+    const double floor = detail::rounding_of(plain, asked, std::min(asked.derivative + 1, L), course, stretch);
     const auto f = [&](double s) {
         const double at = stretch.at(s);
         const double value = plain.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);
         return (squared ? value * value : value) * stretch.speed(s) / stretch.length();
     };
     const Panels panels(f, 0, 1,
-                        {.first = detail::first_panels(stretch), .within = 1e-13, .floor = floor, .everywhere = true});
+                        {.first = detail::first_panels(stretch),
+                         .within = 1e-13,
+                         .floor = squared ? floor * (floor / detail::one_rounding) : floor,
+                         .most = 512,
+                         .everywhere = true});
     if (!panels.finite()) return T(std::numeric_limits<double>::quiet_NaN());
     if constexpr (std::is_same_v<T, double>) return panels.integral();
     T sum(0);

@@ -28,6 +28,35 @@ inline bool is_of_lines(const Order& order, std::size_t margin) {
     return true;
 }
 
+/// Where the distance of a dyad's outer pins passes 0, far beyond its limit, its margin has a cusp and no derivative:
+/// the least of samples, and golden section about it.
+template <class Function>
+void add_cusp(const Function& margin_at, const Stretch& stretch, std::vector<MarginPlace>& places,
+              const Limit& margin) {
+    constexpr int samples = 360, halvings = 80;
+    const auto value = [&](double s) { return margin_at(stretch.at(s)).c[0]; };
+    int lowest = -1;
+    double least = 0;
+    for (int i = 0; i <= samples; ++i)
+        if (const double one = value(static_cast<double>(i) / samples); one < least) {
+            lowest = i;
+            least = one;
+        }
+    if (lowest < 0) return;
+    double from = std::max(lowest - 1, 0) / static_cast<double>(samples),
+           to = std::min(lowest + 1, samples) / static_cast<double>(samples);
+    const double golden = 0.38196601125010515;
+    for (int i = 0; i < halvings; ++i) {
+        const double a = from + golden * (to - from), b = to - golden * (to - from);
+        if (value(a) < value(b))
+            to = b;
+        else
+            from = a;
+    }
+    const double s = 0.5 * (from + to);
+    places.push_back({margin, {stretch.at(s), value(s), false, {}}});
+}
+
 template <std::size_t K>
 void add_margin_places(Measured<double, K>& measured, const Limit& margin, const Travel& travel, const Turns& turns,
                        std::vector<MarginPlace>& places) {
@@ -45,6 +74,7 @@ void add_margin_places(Measured<double, K>& measured, const Limit& margin, const
         });
     else
         places.push_back({margin, {stretch.at(0.5), at(stretch.at(0.5)).c[0], false, {}}});
+    if (margin.inner) add_cusp(at, stretch, places, margin);
     if (travel.whole) return;
     const auto add_end = [&](double x, const Limit& limit) {
         if (!limit.parallel)

@@ -78,7 +78,9 @@ public:
     /// What decides whether it closes.
     double least(double master) {
         const double first = (*this)(0, master);
-        return lines_ ? std::abs(first) : std::min(first, (*this)(1, master));
+        if (lines_) return std::abs(first);
+        const double second = (*this)(1, master);
+        return first <= second || std::isnan(first) ? first : second;
     }
 
 private:
@@ -96,13 +98,22 @@ struct Vanishing {
     Limit limit;
 };
 
-inline std::vector<Vanishing> vanishing(MarginAlong& margin, std::size_t index, const Stretch& stretch) {
+/// In order; absent where the margin is not a number somewhere, as of dyads whose outer pins coincide.
+inline std::optional<std::vector<Vanishing>> vanishing(MarginAlong& margin, std::size_t index, const Stretch& stretch,
+                                                       double size) {
+    constexpr double rounding = 2e-15;
     std::vector<Vanishing> found;
     const auto per_turn = static_cast<std::size_t>(std::ceil(stretch.length() / std::numbers::pi * 3));
+    const double floor = rounding * (margin.lines() ? 1 : size);
     for (std::size_t function = 0; function < margin.functions(); ++function) {
         const auto g = [&](double s) { return margin(function, stretch.at(s)); };
-        const Panels panels(g, stretch.first(), stretch.last(), {.first = std::clamp<std::size_t>(per_turn, 2, 384)});
-        panels.zeros(g, [&](double s) { found.push_back({stretch.at(s), {index, function == 1, margin.lines()}}); });
+        const Panels panels(g, stretch.first(), stretch.last(),
+                            {.first = std::clamp<std::size_t>(per_turn, 2, 384), .floor = floor, .everywhere = true});
+        if (!panels.finite()) return {};
+        if (panels.greatest() > 4 * floor)
+            panels.zeros(g, [&](double s) {
+                found.push_back({stretch.at(s), {index, function == 1, margin.lines()}});
+            });
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
     return found;
@@ -132,7 +143,9 @@ inline void split(const Driven<double>& driven, std::size_t index, double size, 
     const double to = travel.to + (travel.whole ? overlap : 0);
     margin.follow(travel.from, to);
     const Stretch stretch{travel.from, to, travel.first.exists(), travel.last.exists()};
-    std::vector<Vanishing> ends = vanishing(margin, index, stretch);
+    const auto found = vanishing(margin, index, stretch, size);
+    if (!found) return;
+    std::vector<Vanishing> ends = *found;
     if (travel.whole) {
         // What lies in the overlap is seen a second time, but for pairs next to the seam.
         constexpr double same_within = 1e-6;
@@ -147,9 +160,9 @@ inline void split(const Driven<double>& driven, std::size_t index, double size, 
         std::sort(first.begin(), first.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
         ends = std::move(first);
     }
-    const double unit = margin.lines() ? 1 : size;
     const auto closes = [&](double from, double until) {
-        return margin.least(from + 0.5 * (until - from)) > -rounding * unit;
+        const double least = margin.least(from + 0.5 * (until - from));
+        return margin.lines() ? least > rounding : least > -rounding * size;
     };
     if (ends.empty()) {
         if (closes(travel.from, travel.to)) parts.push_back(travel);

@@ -142,6 +142,11 @@ public:
         const Grid grid(*this, g);
         std::vector<double> single;
         zeros_in(grid, g, [&](double s) { single.push_back(s); });
+        if (single.size() > 2 * done_.size()) {  // rounding noise
+            for (const double s : single)
+                found(s);
+            return;
+        }
         // Intervals beside a lone zero may hold a pair that no sample tells of.
         std::size_t done = 0;
         const auto between = [&](std::size_t right, double zero) {

@@ -28,11 +28,6 @@ int read_and_report(const std::string& file, bool quiet, Console& console, ReadL
     return report(read, quiet, console);
 }
 
-int check_and_report(const std::string& file, bool quiet, Console& console, ReadProblem& read) {
-    read = read_problem(file);
-    return read.linkage ? report(read_linkage(file), quiet, console) : report(read, quiet, console);
-}
-
 int report_method_fault(const Problem& problem, Console& console) {
     const auto fault = solver_method_fault(problem);
     if (!fault) return exit_code::solved;

@@ -17,9 +17,6 @@ int read_and_report(const std::string& file, bool quiet, Console& console, ReadP
 /// The same for a file of a linkage.
 int read_and_report(const std::string& file, bool quiet, Console& console, ReadLinkage& read);
 
-/// The same for a file of either kind, of which nothing is wanted but its messages: `read.linkage` says which it is.
-int check_and_report(const std::string& file, bool quiet, Console& console, ReadProblem& read);
-
 /// Reports what is wrong with the method that the file names, and returns the exit code: 0 or invalid_file.
 int report_method_fault(const Problem& problem, Console& console);
 

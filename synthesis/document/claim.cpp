@@ -10,6 +10,7 @@
 #include "synthesis/document/claimed_cam.h"
 #include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/problem/linkage/mechanism.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/target/followed/document.h"
 #include "synthesis/target/function/document.h"
@@ -54,11 +55,41 @@ std::shared_ptr<const Mechanism> mechanism_of(const Json& document, const std::s
     return mechanism ? with_targets(mechanism, names) : nullptr;
 }
 
+/// The names of all quantities that a document speaks of.
+std::vector<std::string> quantities_in(const Json& document) {
+    std::vector<std::string> names;
+    const auto add = [&](const Json* object) {
+        if (const Json* name = object && object->is_object() ? member(*object, of_requirement("quantity")) : nullptr)
+            if (name->is_string()) names.push_back(name->get<std::string>());
+    };
+    const auto add_all = [&](const Json* list) {
+        if (!list || !list->is_array()) return;
+        for (const Json& one : *list)
+            add(&one);
+    };
+    add_all(member(document, of_document("requirements")));
+    if (const Json* objective = member(document, of_document("objective")); objective && objective->is_object()) {
+        add(objective);
+        add_all(member(*objective, of_objective("terms")));
+    }
+    if (const Json* quantities = member(document, of_document("quantities")); quantities && quantities->is_object())
+        for (const auto& [name, value] : quantities->items())
+            names.push_back(name);
+    return names;
+}
+
 void read_head(Reader& in, const Json& document, Claim& claim) {
     if (in.number(member(document, of_document("schema")), "schema") != 1) in.fail("schema is not 1");
     const Json* problem = in.object(member(document, of_document("problem")), "problem");
     const std::string name = problem ? in.text(member(*problem, of_problem("mechanism")), "problem.mechanism") : "";
-    claim.mechanism = mechanism_of(document, name);
+    if (const Json* sections = member(document, of_document("linkage"))) {
+        MadeAgain made = mechanism_of_sections(*sections, quantities_in(document));
+        if (!made.mechanism) return in.fail("linkage " + made.defect);
+        claim.mechanism = std::move(made.mechanism);
+        if (claim.mechanism->name != name) return in.fail("problem.mechanism is no linkage, and there is one");
+    } else {
+        claim.mechanism = mechanism_of(document, name);
+    }
     if (!claim.mechanism) in.fail(fmt::format("there is no mechanism {}", reading::quoted(name)));
     if (const Json* units = member(document, of_document("units"))) {
         if (const Json* angle = in.object(units, "units") ? member(*units, of_units("angle")) : nullptr) {
@@ -125,6 +156,14 @@ void read_design(Reader& in, const Json& document, Claim& claim) {
     if (const Json* kind = member(*design, of_design("kind"))) claim.kind = in.text(kind, "design.kind");
     const Json* assembly = member(*design, of_design("assembly"));
     if (!assembly || mechanism.assemblies.empty()) return;
+    if (!mechanism.assembly_documents.empty()) {
+        while (claim.assembly < mechanism.assemblies.size() &&
+               Json::parse(mechanism.assembly_documents[claim.assembly]) != *assembly)
+            ++claim.assembly;
+        if (claim.assembly == mechanism.assemblies.size())
+            in.fail("design.assembly does not say one side of each dyad, as the linkage allows");
+        return;
+    }
     const std::string name = in.text(assembly, "design.assembly");
     while (claim.assembly < mechanism.assemblies.size() && mechanism.assemblies[claim.assembly] != name)
         ++claim.assembly;

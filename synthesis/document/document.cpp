@@ -58,7 +58,10 @@ Json design_of(const Problem& problem, const Design& design) {
         if (!dimension.required && !problem.dimensions[i].named && value == 0) continue;
         put(json, dimension.name, in_file_unit(value, unit_of(dimension.kind), problem.units));
     }
-    if (!mechanism.assemblies.empty()) json[of_design("assembly")] = mechanism.assemblies[design.assembly];
+    if (!mechanism.assembly_documents.empty())
+        json[of_design("assembly")] = Json::parse(mechanism.assembly_documents[design.assembly]);
+    else if (!mechanism.assemblies.empty())
+        json[of_design("assembly")] = mechanism.assemblies[design.assembly];
     if (is_cam(*problem.mechanism)) put_cam_choice(json, problem, design.assembly);
     json[of_design("kind")] = mechanism.describe(mechanism.form(0), design.dimensions);
     return json;
@@ -251,6 +254,7 @@ Json head(const Problem& problem) {
 void put_body(Json& json, const Problem& problem, const Solution* best) {
     put(json, of_document("tolerance"), problem.solver.tolerance);
     json[of_document("dimensions")] = given_dimensions(problem);
+    if (!problem.mechanism->made_from.empty()) json[of_document("linkage")] = Json::parse(problem.mechanism->made_from);
     if (is_cam(*problem.mechanism)) json[of_document("cam")] = cam_document(problem);
     if (problem.crank_range)
         json[of_document("crank_range")] = angles({problem.crank_range->x, problem.crank_range->y}, problem.units);

@@ -28,6 +28,7 @@ constexpr std::array<Key, A + B> joined(const std::array<Key, A>& first, const s
 }
 
 inline constexpr Words<5> statuses{"solved", "infeasible", "limit", "unverified", "interrupted"};
+inline constexpr Words<4> sides{"left", "right", "ahead", "behind"};
 inline constexpr Words<2> senses{"maximize", "minimize"};
 inline constexpr Words<2> reductions{"sum", "max"};
 inline constexpr Words<8> certificates{"half-planes", "curvature", "limit", "bound",
@@ -68,9 +69,29 @@ inline constexpr std::array cam{Key{"follower", Shape::word, "What touches the c
                                 Key{"contour", Shape::word, "The specified contour.", false, cam_contour_names},
                                 Key{"segments", Shape::tables, "Parts of the motion.", true, {}, segment}};
 
+inline constexpr std::array side{Key{"side", Shape::word, "On which it is closed.", true, sides},
+                                 Key{"from", Shape::text, "Pin that the side counts from."},
+                                 Key{"to", Shape::text, "Pin that it counts to."}};
+
+/// As the file of a linkage has them.
+inline constexpr std::array linkage{Key{"units", Shape::value, "Units of angles and lengths."},
+                                    Key{"dimensions", Shape::value, "Dimensions: numbers, ranges, and sums of others."},
+                                    Key{"links", Shape::value, "Points of each link, by their places on it."},
+                                    Key{"slide", Shape::value, "Links that slide."},
+                                    Key{"slot", Shape::value, "Pins in slots."},
+                                    Key{"gear", Shape::value, "Pairs of gears."},
+                                    Key{"belt", Shape::value, "Belts."},
+                                    Key{"rack", Shape::value, "Racks."},
+                                    Key{"drive", Shape::value, "What is driven."},
+                                    Key{"assembly", Shape::value, "Sides of dyads that were asked for."},
+                                    Key{"sketch", Shape::value, "Where points are about."},
+                                    Key{"placement", Shape::value, "Where the frame is in the drawing."},
+                                    Key{"motion", Shape::value, "An input that belongs to the motion."},
+                                    Key{"signals", Shape::value, "What is measured along the motion."}};
+
 /// Beside the dimensions by name.
 inline constexpr std::array design{
-    Key{"assembly", Shape::text, "How the links are put together."},
+    Key{"assembly", Shape::value, "How the links are put together: a word, or of a linkage the side of each dyad."},
     Key{"rotation", Shape::word, "Sense of rotation of a cam.", false, cam_rotation_names},
     Key{"laws", Shape::texts, "Law of motion of each segment of a cam, empty where it has none."},
     Key{"kind", Shape::text, "What kind of linkage the dimensions make.", true}};
@@ -232,6 +253,7 @@ inline constexpr std::array of_run{
     Key{"tolerance", Shape::number, "Relative, on every requirement.", true, {}, {}, positive},
     Key{"dimensions", Shape::names, "What was given: a number, a range, or a tie to another dimension.", true},
     Key{"cam", Shape::table, "What was given of a cam.", false, {}, cam},
+    Key{"linkage", Shape::value, "Of a linkage the sections that describe it, as its problem file has them."},
     Key{"crank_range", Shape::ends, "Crank angles that the file limits the motion to."},
     Key{"settings", Shape::names, "How the mechanism is judged."},
     Key{"instant", Shape::flag, "Whether velocities at one crank angle are asked for."},

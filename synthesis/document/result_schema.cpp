@@ -57,6 +57,7 @@ const Json& number() {
 
 Json design_of(const Kinds& kinds) {
     Json schema = table_of(fields::design);
+    schema["properties"]["assembly"]["type"] = "string";
     Json properties = table_by(kinds.dimensions, number())["properties"];
     properties.update(schema["properties"]);
     schema["properties"] = std::move(properties);
@@ -85,6 +86,24 @@ Json of_kinds(const Kinds& kinds) {
     return where({{"properties", {{"problem", is_of_them}}}}, {{"properties", std::move(properties)}});
 }
 
+/// Where the file itself makes the names.
+Json table_of_any(const Json& value) { return {{"type", "object"}, {"additionalProperties", value}}; }
+
+Json of_linkages() {
+    Json design = table_of(fields::design);
+    design["properties"]["assembly"].update(table_of_any(table_of(fields::side)));
+    design["additionalProperties"] = number();
+    Json properties{{"design", design},
+                    {"quantities", table_of_any(number())},
+                    {"dimensions", table_of_any(any_of({number(), table_of(fields::range), table_of(fields::tie)}))},
+                    {"linkage", table_of(fields::linkage)}};
+    properties["front"] = {{"items", {{"properties", properties}}}};
+    properties["alternatives"] = {{"items", {{"properties", {{"design", std::move(design)}}}}}};
+    Json is_one{{"properties", {{"mechanism", {{"const", "linkage"}}}}}};
+    return where({{"properties", {{"problem", std::move(is_one)}}}},
+                 {{"properties", std::move(properties)}, {"required", {"linkage"}}});
+}
+
 }  // namespace
 
 nlohmann::ordered_json result_schema() {
@@ -99,6 +118,8 @@ nlohmann::ordered_json result_schema() {
         names.push_back(kinds.name);
         by_mechanism.push_back(of_kinds(kinds));
     }
+    names.push_back("linkage");
+    by_mechanism.push_back(of_linkages());
     properties["problem"]["properties"]["mechanism"].update(one_of(names));
     schema["dependencies"] = {{"status", {"alternatives", "search"}}};
     schema["allOf"] = std::move(by_mechanism);

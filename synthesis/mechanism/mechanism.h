@@ -232,9 +232,8 @@ struct Mechanism {
     std::string name;
     std::string meaning;
     std::vector<Dimension> dimensions;
-    std::vector<std::string> assemblies;  ///< first is the default
-    /// The names of its assemblies say the side of each dyad: "C left, E right".
-    bool assemblies_by_dyad = false;
+    std::vector<std::string> assemblies;            ///< first is the default
+    std::vector<std::string> assembly_documents{};  ///< what documents say for each, JSON; empty: its name
     std::vector<Quantity> quantities;
     std::vector<Family> families;
     std::vector<Setting> settings{};  ///< at most Setting::most
@@ -242,6 +241,8 @@ struct Mechanism {
     /// The sections of a problem file that it was made from, a JSON object; empty for a mechanism of the list.
     /// Documents repeat it, so that who reads them can make the mechanism again.
     std::string made_from{};
+    /// What its lengths are measured against; null: the greatest of the dimensions that are lengths.
+    double (*size)(Form, std::span<const double> dimensions) = nullptr;
 
     /// Whether no design of this mechanism lies in the given ranges, where that shows at a glance; null: no such check.
     std::optional<Objection> (*objection)(std::span<const double> least, std::span<const double> greatest) = nullptr;

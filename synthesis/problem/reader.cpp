@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "synthesis/problem/bytes.h"
-#include "synthesis/problem/linkage/linkage.h"
+#include "synthesis/problem/linkage/mechanism.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/varied_problem.h"
@@ -59,17 +59,6 @@ void add_targets(const Section& file, Problem& problem) {
     problem.mechanism = with_targets(problem.mechanism, names);
 }
 
-bool names_linkage(const toml::table& table) { return table["mechanism"].value_exact<std::string>() == "linkage"; }
-
-/// All that is wrong with a linkage, and that nothing but its structure is looked at.
-void refuse_linkage(const toml::table& table, Messages& messages) {
-    Linkage passed_over;
-    read_linkage_table(table, passed_over, messages);
-    add_error(messages, place_of(*table.get("mechanism")),
-              "a linkage is not analysed, drawn or solved by this version: 'mechwright structure' shows how it moves, "
-              "'mechwright check' says what is wrong with it");
-}
-
 /// Accuracy points that no method will look at.
 void warn_of_accuracy_points(const Section& file, const Problem& problem, Messages& messages) {
     if (!problem.function || problem.function->accuracy_points.empty() || problem.solver.method == "exact") return;
@@ -81,7 +70,7 @@ void warn_of_accuracy_points(const Section& file, const Problem& problem, Messag
 }  // namespace
 
 void read_problem_table(const toml::table& table, Problem& problem, Messages& messages) {
-    if (names_linkage(table)) return refuse_linkage(table, messages);
+    if (names_linkage(table)) return read_linkage_problem(table, problem, messages);
     Section file{&table, "", {1, 1}, keys::of_file()};
     read_schema(file, messages);
     read_mechanism(file, problem, messages);
@@ -126,9 +115,8 @@ void read_whole(const toml::table& table, const MakeVaried& varied, Problem& pro
         check_ends(varied(), place_of(*table.get("study")), *problem.study, messages);
 }
 
-ReadProblem concluded(Problem&& problem, bool linkage, Messages&& messages, std::string text) {
+ReadProblem concluded(Problem&& problem, Messages&& messages, std::string text) {
     ReadProblem read;
-    read.linkage = linkage;
     read.problem = std::move(problem);
     conclude(read, std::move(messages));
     read.problem.sha256 = sha256(text);
@@ -148,8 +136,7 @@ ReadProblem parse_problem(std::string_view text, const std::string& file) {
     if (table)
         reading::read_whole(
             *table, [&] { return VariedProblem(text, file); }, problem, messages);
-    return reading::concluded(std::move(problem), table && reading::names_linkage(*table), std::move(messages),
-                              std::string(text));
+    return reading::concluded(std::move(problem), std::move(messages), std::string(text));
 }
 
 ReadProblem take_problem(const nlohmann::ordered_json& tables, const std::string& file) {
@@ -159,8 +146,7 @@ ReadProblem take_problem(const nlohmann::ordered_json& tables, const std::string
     reading::Messages messages{.file = file, .nodes = &made.nodes};
     reading::read_whole(
         made.table, [&] { return VariedProblem(made.table, file); }, problem, messages);
-    return reading::concluded(std::move(problem), reading::names_linkage(made.table), std::move(messages),
-                              reading::text_of(made.table));
+    return reading::concluded(std::move(problem), std::move(messages), reading::text_of(made.table));
 }
 
 ReadProblem read_problem(const std::string& file) {

@@ -35,7 +35,6 @@ struct NamedFile {
 struct ReadProblem {
     Problem problem;                     ///< complete only if ok()
     std::vector<Message> messages;       ///< errors and warnings in the order of their places
-    bool linkage = false;                ///< a linkage, which `read_linkage` reads: never ok here
     bool unreadable = false;             ///< the file itself, or one it names, cannot be read (exit code 6)
     std::vector<NamedFile> named_files;  ///< that were read, in the order in which they are named
 

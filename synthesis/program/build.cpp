@@ -30,19 +30,21 @@ double path_extent(const PathTarget& path) {
     return 2 * std::sqrt(sum);
 }
 
-/// The size that the problem speaks of: its longest fixed link, else its path, else its ranges.
+/// The size that the problem speaks of: its longest fixed link, else its path, else its ranges, of coordinates at last.
 double length_scale(const Problem& problem) {
-    double fixed = 0;
-    double ranged = 0;
+    double fixed = 0, ranged = 0, coordinates = 0;
     for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
         const DimensionRange& d = problem.dimensions[i];
+        if (problem.mechanism->dimensions[i].kind == DimensionKind::coordinate)
+            coordinates = std::max({coordinates, std::abs(d.min), std::abs(d.max)});
         if (problem.mechanism->dimensions[i].kind != DimensionKind::length) continue;
         if (d.fixed()) fixed = std::max(fixed, d.max);
         ranged = std::max(ranged, std::sqrt(std::max(d.min, 0.01 * d.max) * d.max));
     }
     if (fixed > 0) return fixed;
     const double extent = problem.path ? path_extent(*problem.path) : 0;
-    return extent > 0 ? extent : ranged;
+    if (extent > 0) return extent;
+    return ranged > 0 ? ranged : coordinates > 0 ? coordinates : 1;
 }
 
 bool is_angle(const Dimension& d) { return d.kind == DimensionKind::angle; }

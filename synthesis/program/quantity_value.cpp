@@ -74,7 +74,7 @@ double longest_length(const Mechanism& mechanism, std::span<const double> dimens
     double longest = 0;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
         if (mechanism.dimensions[i].kind == DimensionKind::length) longest = std::max(longest, std::abs(dimensions[i]));
-    return longest;
+    return mechanism.size ? mechanism.size(mechanism.form(0), dimensions) : longest;
 }
 
 double least_component(const Quantity& margin, const Motion& motion, std::span<const double> dimensions) {

@@ -104,7 +104,7 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
         return measured_path(*design.path, design.claim->path->weights, quantity.path);
     }
     // Over a given range in which the mechanism comes apart nothing has a value.
-    if (!quantity.defined(design.motion) || (design.claim->crank_range && !all_passed(design.of_motion)))
+    if (!is_defined(quantity, design.motion) || (design.claim->crank_range && !all_passed(design.of_motion)))
         return std::nullopt;
     const Digits50 value = measure_again(quantity, design.motion, design.dimensions);
     if (!isfinite(value)) return std::nullopt;
@@ -133,6 +133,7 @@ Rebuilt rebuilt(const Claim& claim) {
             design.longest = std::max<Digits50>(design.longest, abs(design.dimensions.back()));
         if (kind == DimensionKind::length) design.longest = std::max(design.longest, design.dimensions.back());
     }
+    if (mechanism.size) design.longest = mechanism.size(mechanism.form(0), design.rounded);
     for (std::size_t i = 0; i < claim.design.size(); ++i) {
         const DimensionKind kind = mechanism.dimensions[i].kind;
         if (kind == DimensionKind::force) design.strongest += abs(design.dimensions[i]);

@@ -65,7 +65,8 @@ TEST(DrawAssemblies, PrintsWhatGivesThemBack) {
             const Outcome again = run({"structure", file, "--json", "--at", at});
             ASSERT_EQ(again.exit_code, 0) << again.err << blocks[i];
             std::vector<nlohmann::json> asked;
-            for (const auto& one : nlohmann::json::parse(again.out)["assemblies"])
+            const auto there = nlohmann::json::parse(again.out);
+            for (const auto& one : there["assemblies"])
                 if (one["as-in-file"]) asked.push_back(one);
             ASSERT_EQ(asked.size(), 1u) << blocks[i];
             EXPECT_EQ(asked[0]["sides"], all["assemblies"][i]["sides"]);

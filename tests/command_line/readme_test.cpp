@@ -40,6 +40,7 @@ TEST(Readme, ShowsWhatNewWrites) {
 
 TEST(Readme, ShowsWhatExplainPrints) { expect_shown({"explain", "swing"}); }
 
+TEST(Readme, ShowsTheAnalysisOfALinkage) { expect_shown({"analyse", "problems/linkage/scotch-yoke.toml"}); }
 TEST(Readme, ShowsWhatStructurePrints) { expect_shown({"structure", "problems/linkage/geared-five-bar.toml"}); }
 
 TEST(Readme, ShowsWhatTolerancesDo) {

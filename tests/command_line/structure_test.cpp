@@ -86,11 +86,22 @@ TEST(Structure, SaysWhatIsWrong) {
     expect_has(other.err, "linkage");
 }
 
-TEST(Structure, IsWhatOtherCommandsNameForALinkage) {
-    const std::string file = shipped_linkage("scotch-yoke");
-    EXPECT_EQ(run({"check", file}).exit_code, 0);
-    EXPECT_EQ(run({"check", file}).err, "");
-    for (const char* command : {"analyse", "solve", "draw", "methods"}) {
+TEST(Structure, IsWhatOtherCommandsNameForALinkageThatTheyCannotPlace) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("triad.toml", R"(schema = 1
+mechanism = "linkage"
+[links]
+frame = { A = [0, 0], D = [4, 0], G = [2, 5] }
+crank = { G = [0, 0], H = [1, 0] }
+one = { A = [0, 0], P = [3, 0] }
+two = { D = [0, 0], Q = [3, 0] }
+three = { H = [0, 0], R = [3, 0] }
+plate = { P = [0, 0], Q = [2, 0], R = [1, 1] }
+[drive]
+link = "crank"
+)");
+    EXPECT_EQ(run({"structure", file}).exit_code, 0);
+    for (const char* command : {"check", "analyse", "solve", "draw", "methods"}) {
         const Outcome outcome = run({command, file});
         EXPECT_EQ(outcome.exit_code, 3) << command;
         EXPECT_EQ(outcome.out, "") << command;

@@ -1,6 +1,5 @@
 #include <clocale>
 
-#include "synthesis/problem/linkage/linkage.h"
 #include "tests/problem/problem_text.h"
 
 namespace mechwright::test {
@@ -22,12 +21,6 @@ TEST(Files, EveryShippedProblemIsValid) {
     EXPECT_GE(files.size(), 1u);
     for (const std::string& file : files) {
         const ReadProblem problem = read_problem(file);
-        if (problem.linkage) {
-            const ReadLinkage linkage = read_linkage(file);
-            EXPECT_TRUE(linkage.ok()) << file;
-            EXPECT_FALSE(linkage.linkage.title.empty()) << file;
-            continue;
-        }
         EXPECT_TRUE(problem.ok()) << all_messages(problem);
         EXPECT_FALSE(problem.problem.title.empty()) << file;
     }

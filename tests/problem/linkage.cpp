@@ -270,11 +270,23 @@ TEST(LinkageFile, SaysAllErrorsAtOnce) {
     EXPECT_GE(read.messages.size(), 3u) << all_messages(read);
 }
 
-TEST(LinkageFile, IsRefusedByWhatCannotUseIt) {
+TEST(LinkageFile, IsAProblemLikeAnyOther) {
     const ReadProblem read = parse_problem(four_bar_text, "p.toml");
-    EXPECT_TRUE(read.linkage);
-    EXPECT_TRUE(only_says(read, "p.toml:2:13", {"mechwright structure"}));
-    EXPECT_FALSE(parse_problem(valid, "p.toml").linkage);
+    ASSERT_TRUE(read.ok()) << all_messages(read);
+    EXPECT_EQ(read.problem.mechanism->name, "linkage");
+    EXPECT_EQ(read.problem.mechanism->assemblies, std::vector<std::string>{"C left"});
+    EXPECT_EQ(read.problem.mechanism->dimensions.front().name, "ground");
+    EXPECT_EQ(why_not_whole(*read.problem.mechanism), "");
+}
+
+TEST(LinkageFile, NeedsAnEndWhereItsGearsNeverComeBack) {
+    const std::string text =
+        changed("crank = {", "wheel = { A = [0, 0], W = [1, 0] }\ncrank = {",
+                changed("[drive]", "[[gear]]\nlinks = [\"crank\", \"wheel\"]\nratio = 1.2345678901\n[drive]"));
+    const ReadProblem endless = parse_problem(text, "p.toml");
+    EXPECT_FALSE(endless.ok());
+    EXPECT_NE(all_messages(endless).find("crank_range"), std::string::npos) << all_messages(endless);
+    EXPECT_TRUE(parse_problem(text + "[motion]\ncrank_range = [0, 360]\n", "p.toml").ok());
 }
 
 TEST(LinkageFile, OfRandomBytesIsReadOrRefused) {

@@ -29,11 +29,11 @@ inline std::vector<Digits50> dimensions_of(const FourBar<double>& m) {
 }
 
 inline Motion full_turn(std::size_t family, std::size_t assembly = 0) {
-    return {assembly, family, nullptr, true, 0, 2 * std::numbers::pi};
+    return {assembly, family, nullptr, nullptr, true, 0, 2 * std::numbers::pi};
 }
 
 inline Motion limited(double from, double to, std::size_t assembly = 0) {
-    return {assembly, 2, nullptr, false, from, to};
+    return {assembly, 2, nullptr, nullptr, false, from, to};
 }
 
 }  // namespace mechwright::test

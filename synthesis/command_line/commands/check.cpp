@@ -18,8 +18,8 @@ int check(const CheckOptions& options, Console& console) {
     int code = exit_code::solved;
     for (const std::string& file : options.files) {
         ReadProblem read;
-        int outcome = check_and_report(file, options.quiet, console, read);
-        if (outcome == exit_code::solved && !read.linkage) outcome = report_method_fault(read.problem, console);
+        int outcome = read_and_report(file, options.quiet, console, read);
+        if (outcome == exit_code::solved) outcome = report_method_fault(read.problem, console);
         code = exit_code::worse(code, outcome);
     }
     return code;

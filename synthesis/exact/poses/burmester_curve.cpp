@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "synthesis/exact/poses/dyad_equation.h"
+#include "synthesis/exact/poses/orthogonal_basis.h"
 
 namespace mechwright {
 
@@ -42,8 +43,7 @@ Equations equations_at(const Conditions& c, const Point& z) {
 /// The direction of the curve, in the sense of another.
 Point tangent_at(const Conditions& c, const Point& z, const Point& sense) {
     const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 4, 3>> qr(equations_at(c, z).slopes.transpose());
-    const Eigen::Matrix4d basis = qr.householderQ();
-    const Point tangent = basis.col(3);
+    const Point tangent = orthogonal_basis(qr).col(3);
     return tangent.dot(sense) < 0 ? Point(-tangent) : tangent;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "synthesis/exact/poses/dyad_equation.h"
+#include "synthesis/exact/poses/orthogonal_basis.h"
 
 namespace mechwright {
 
@@ -39,6 +40,30 @@ std::array<Eigen::Matrix<double, 7, 7>, 2> product_forms() {
 
 double determinant(const Conic& a) { return a.determinant(); }
 
+/// The real roots of c0 + c1 t + c2 t^2 + t^3, and the real parts of a pair that rounding may have made complex: the
+/// eigenvalues of the companion matrix, which is upper Hessenberg as it stands.
+std::vector<double> real_roots(double c0, double c1, double c2) {
+    Eigen::Matrix3d companion;
+    companion << 0, 0, -c0, 1, 0, -c1, 0, 1, -c2;
+    if (!companion.allFinite()) return {};
+    const double scale = companion.cwiseAbs().maxCoeff();
+    Eigen::RealSchur<Eigen::Matrix3d> schur(3);
+    schur.computeFromHessenberg(companion / scale, Eigen::Matrix3d::Identity(), false);
+    const Eigen::Matrix3d t = scale * schur.matrixT();
+    std::vector<double> roots;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        if (i == 2 || t(i + 1, i) == 0) {
+            roots.push_back(t(i, i));
+            continue;
+        }
+        const double half = 0.5 * (t(i, i) - t(i + 1, i + 1)), real = t(i + 1, i + 1) + half;
+        const double imaginary = std::sqrt(std::abs(half * half + t(i + 1, i) * t(i, i + 1)));
+        if (imaginary <= 1e-6 * std::hypot(real, imaginary)) roots.push_back(real);
+        ++i;
+    }
+    return roots;
+}
+
 /// The degenerate conics of a pencil cos a A + sin a B, as angles a: det is a cubic form of (cos a, sin a).
 std::vector<double> degenerate_members(const Conic& A, const Conic& B) {
     // Turned by an angle without meaning, so that the cubic does not lose its degree where A or B is degenerate itself.
@@ -51,14 +76,9 @@ std::vector<double> degenerate_members(const Conic& A, const Conic& B) {
     std::vector<double> angles;
     if (!(size > 0)) return angles;
     if (std::abs(c3) < zero_within * size) angles.push_back(turn + std::acos(0.0));
-    if (std::abs(c3) > 0) {
-        Eigen::Matrix3d companion;
-        companion << 0, 0, -c0 / c3, 1, 0, -c1 / c3, 0, 1, -c2 / c3;
-        if (!companion.allFinite()) return angles;
-        const Eigen::EigenSolver<Eigen::Matrix3d> roots(companion, false);
-        for (const Complex& t : roots.eigenvalues())
-            if (std::abs(t.imag()) <= 1e-6 * std::abs(t)) angles.push_back(turn + std::atan(t.real()));
-    }
+    if (std::abs(c3) > 0)
+        for (const double t : real_roots(c0 / c3, c1 / c3, c2 / c3))
+            angles.push_back(turn + std::atan(t));
     return angles;
 }
 
@@ -194,7 +214,7 @@ std::optional<Eigen::Vector4d> left_by(std::span<const Displacement> displacemen
     const Eigen::ColPivHouseholderQR<Eigen::Matrix4d> qr(rows.transpose());
     if (!(std::abs(qr.matrixR()(count - 1, count - 1)) > zero_within * std::abs(qr.matrixR()(0, 0))))
         return std::nullopt;
-    const Eigen::Matrix4d basis = qr.householderQ();
+    const Eigen::Matrix4d basis = orthogonal_basis(qr);
     const auto angle = [&](std::size_t k) { return k < numbers.size() ? std::numbers::pi * numbers[k] : 0.0; };
     Eigen::Vector4d left = std::cos(angle(0)) * basis.col(3);
     if (count <= 2) left += std::sin(angle(0)) * std::cos(angle(1)) * basis.col(2);
@@ -219,7 +239,7 @@ DyadSolutions dyads_meeting(const DyadConditions& conditions) {
     DyadSolutions found;
     found.isolated = std::abs(qr.matrixR()(3, 3)) > zero_within * std::abs(qr.matrixR()(0, 0));
     if (!found.isolated) return found;
-    const Eigen::Matrix<double, 7, 7> basis = qr.householderQ();
+    const Eigen::Matrix<double, 7, 7> basis = orthogonal_basis(qr);
     const Plane plane = basis.rightCols<3>();
     static const auto forms = product_forms();
     std::array<Conic, 2> conics;

@@ -32,10 +32,10 @@ LinkageShape shape_of(const MovingDesign& design, PlacedLinkage& linkage) {
                        .pins = model.pins,
                        .scale = placement_of(model, design.dimensions).scale,
                        .first_body = driven_link(model),
-                       .slides = {model.structure.slides.size(), Stretch{infinity, -infinity}},
-                       .slots = {model.structure.slots.size(), Stretch{infinity, -infinity}}};
+                       .slides = {model.structure.slides.size(), Extent{infinity, -infinity}},
+                       .slots = {model.structure.slots.size(), Extent{infinity, -infinity}}};
     if (shape.slides.empty() && shape.slots.empty()) return shape;
-    const auto widen = [](Stretch& stretch, double at) {
+    const auto widen = [](Extent& stretch, double at) {
         stretch = {std::min(stretch.from, at), std::max(stretch.to, at)};
     };
     over_motion(linkage, design, [&](const linkage::Pose<double>& pose) {
@@ -44,8 +44,8 @@ LinkageShape shape_of(const MovingDesign& design, PlacedLinkage& linkage) {
         for (std::size_t i = 0; i < shape.slots.size(); ++i)
             widen(shape.slots[i], slot_displacement(shape, i, pose));
     });
-    for (std::vector<Stretch>* stretches : {&shape.slides, &shape.slots})
-        for (Stretch& stretch : *stretches)
+    for (std::vector<Extent>* stretches : {&shape.slides, &shape.slots})
+        for (Extent& stretch : *stretches)
             if (!(stretch.from <= stretch.to)) stretch = {};
     return shape;
 }

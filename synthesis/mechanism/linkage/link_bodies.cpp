@@ -100,7 +100,7 @@ struct LinkDrawing {
         for (std::size_t i = 0; i < shape.structure.slots.size(); ++i) {
             const linkage::Slot& slot = shape.structure.slots[i];
             if (slot.line.on != link) continue;
-            const Stretch& passed = shape.slots[i];
+            const Extent& passed = shape.slots[i];
             const GuidingLine line = slot_line(shape, i);
             const Vector<double> from = line.at(passed.from), to = line.at(passed.to);
             if (passed.to - passed.from <= still * std::max(std::abs(passed.from), distance({}, from))) {
@@ -275,7 +275,7 @@ std::optional<RackWheel> rack_of(const LinkageShape& shape, const linkage::Rack&
         return seen_from_slider(shape, slide, contact - line.at(displacement));
     };
     const Vector<double> beyond = 0.1 * std::abs(radius) * seen_from_slider(shape, slide, line.direction);
-    const Stretch& passed = shape.slides[rack.slide];
+    const Extent& passed = shape.slides[rack.slide];
     return RackWheel{{pin->on_first, std::abs(radius)}, on_rack(passed.to) - beyond, on_rack(passed.from) + beyond};
 }
 

@@ -16,7 +16,7 @@
 namespace mechwright {
 
 /// What something passes on its line.
-struct Stretch {
+struct Extent {
     double from = 0;
     double to = 0;
 };
@@ -29,9 +29,9 @@ struct LinkageShape {
     std::span<const std::string> links;
     std::span<const std::string> pins;
     double scale = 1;
-    std::size_t first_body = 1;     ///< the link that is body 0
-    std::vector<Stretch> slides{};  ///< of each the displacements
-    std::vector<Stretch> slots{};   ///< of each where its pin goes, from the line's place `through`
+    std::size_t first_body = 1;    ///< the link that is body 0
+    std::vector<Extent> slides{};  ///< of each the displacements
+    std::vector<Extent> slots{};   ///< of each where its pin goes, from the line's place `through`
 
     Vector<double> at(const linkage::Coordinates& own) const { return scale * linkage::place_of(own, numbers); }
 };

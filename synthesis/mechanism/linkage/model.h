@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "analysis/linkage/place.h"
+#include "analysis/linkage/signals.h"
 #include "analysis/linkage/steps.h"
 #include "analysis/linkage/structure.h"
 #include "synthesis/mechanism/drawing/body.h"
@@ -28,6 +29,12 @@ struct LinkageDrive {
     std::optional<double> speed{};  ///< turns per minute
 };
 
+/// A signal's name and the unit of its values.
+struct NamedSignal {
+    std::string name;
+    Unit unit = Unit::none;
+};
+
 struct LinkageModel {
     std::vector<std::string> links;   ///< the frame first
     std::vector<std::string> pins;    ///< of points, too, that are on one link only
@@ -39,8 +46,10 @@ struct LinkageModel {
     std::vector<std::vector<std::int8_t>> sides;  ///< [assembly][choice of the order], 1 or -1
     std::array<Affine, 3> placement{};            ///< origin-x, origin-y, tilt of the frame in the drawing
     Affine scale{1, {}};                          ///< of all lengths; > 0
-    std::optional<double> at{};                   ///< an input of the master that belongs to the motion
-    int turns = 1;                                ///< of the master, after which everything is where it was
+    std::vector<linkage::Signal> signals{};
+    std::vector<NamedSignal> signal_names{};  ///< one for each
+    std::optional<double> at{};               ///< an input of the master that belongs to the motion
+    int turns = 1;                            ///< of the master, after which everything is where it was; 0: never
 
     bool driven_by_slide() const { return structure.drives.front().of_slide; }
 };

@@ -127,6 +127,18 @@ Course course_of(const Over& over, std::span<const double> dimensions, linkage::
     return course;
 }
 
+/// Whether it closes here and there over the motion: what does not at all is not looked at closely.
+bool closes_at_samples(const Over& over, std::span<const double> dimensions) {
+    constexpr int samples = 36;
+    const linkage::Travel travel = over.travel();
+    if (travel.from > travel.to) return false;
+    linkage::Driven<double> driven(over.model.structure, over.model.order, numbers_of(over.model, dimensions),
+                                   over.sides(), over.laws);
+    for (int i = 0; i < samples; ++i)
+        if (!driven.place(travel.from + (travel.to - travel.from) * (i + 0.5) / samples)) return false;
+    return true;
+}
+
 /// A stretch of the motion as inputs that lie in it, or in its second cycle; absent where it does not.
 std::optional<std::array<double, 2>> stretch_in(const Over& over, std::array<double, 2> stretch) {
     constexpr double rounding = 1e-12;
@@ -358,6 +370,7 @@ private:
         for (std::size_t i = 0; i < few; ++i)
             for (std::size_t j = 0; j < few; ++j)
                 if (i != n - 1 - j) out.push_back(lengths[i] / lengths[n - 1 - j]);
+        if (n == 1) out.push_back(T(1));
         std::stable_sort(out.begin(), out.end(), [](const T& a, const T& b) { return a > b; });
     }
 
@@ -385,6 +398,8 @@ bool measure_by_series(const Over& over, std::span<const double> dimensions, con
         over.measure.signals.empty() ? std::span<const Signal>(own) : std::span<const Signal>(over.measure.signals);
     auto plain = measured<double, K>(over, dimensions, signals);
     const bool of_lengths = kind == Kind::total_length || kind == Kind::link_ratio;
+    if (kind == Kind::joint_distance_least && own.empty()) return false;
+    if (of_lengths && link_lengths(over.model, dimensions).empty()) return false;
     const bool of_margins = kind == Kind::full_turn_margin || kind == Kind::assembly_margin;
     Course course{over.travel()};
     Found found;
@@ -402,7 +417,7 @@ bool measure_by_series(const Over& over, std::span<const double> dimensions, con
         if (found.margins.empty()) return false;
         if (needs_turns(over, signals)) course = linkage::course_along(driven, all);
     } else if (!of_lengths) {
-        if (course.travel.from > course.travel.to) return false;
+        if (!closes_at_samples(over, dimensions)) return false;
         course = course_of(over, dimensions, plain, signals);
         if (needs_turns(over, signals)) {
             if (course.turns.empty() || course.turns.to() < course.travel.to) return false;

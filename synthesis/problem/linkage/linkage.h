@@ -5,6 +5,7 @@
 
 #include <toml++/toml.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "analysis/linkage/order.h"
 #include "analysis/linkage/structure.h"
 #include "synthesis/mechanism/linkage/model.h"
+#include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/problem/linkage/affine.h"
 #include "synthesis/problem/messages.h"
 #include "synthesis/problem/problem.h"
@@ -47,7 +49,15 @@ struct LinkageNumber {
 
 struct LinkageSignal {
     std::string name;
-    std::string_view kind;  ///< the key that says what it is: "angle", "x", ...
+    std::string_view kind{};  ///< the key that says what it is: "angle", "x", ...
+    linkage::Signal value{};  ///< of a transmission angle `of` is the pin
+    Unit unit = Unit::none;   ///< of its values
+};
+
+/// Where the frame is in the drawing, and its scale.
+struct LinkageAnchor {
+    LinkageDimension range{};     ///< of a number of its own
+    std::optional<Affine> sum{};  ///< of dimensions
 };
 
 struct Linkage {
@@ -62,6 +72,9 @@ struct Linkage {
     linkage::Structure structure;
     std::vector<LinkageDrive> drives;
     std::vector<LinkageSignal> signals;
+    std::array<LinkageAnchor, 4> placement{};     ///< origin-x, origin-y, tilt, scale; file's units
+    bool scaled = false;                          ///< the file says a scale
+    std::optional<Vector<double>> crank_range{};  ///< radians, or displacements
     std::optional<double> at;  ///< a crank angle of its motion, radians; a displacement where a slide is driven
     linkage::Mobility mobility;
     linkage::Order order;
@@ -81,6 +94,13 @@ std::vector<double> usual_dimensions(const Linkage& linkage);
 
 /// The inputs of all drives for one of the master.
 std::vector<double> inputs_of(const Linkage& linkage, double master);
+
+inline constexpr std::array<std::string_view, 5> ready_made_quantities{
+    "transmission-angle-worst", "total-length", "link-ratio", "full-turn-margin", "joint-distance-least"};
+
+/// What the name of a quantity means, its signals aside, which it names by their index among all; else `fault` says
+/// what is wrong with it, and what would be right.
+std::optional<LinkageMeasure> to_linkage_quantity(const Linkage& linkage, std::string_view name, std::string& fault);
 
 struct ReadLinkage {
     Linkage linkage;                ///< complete only if ok()

@@ -326,6 +326,7 @@ void read_gear(LinkageReading& reading, Section& section, bool belt) {
             ratio.value = turned;
         }
     }
+    gear.belt = belt;
     gear.phase = read_structure_number(reading, section, "phase", Measure::angle);
     report_unknown_keys(section, reading.messages);
     if (!whole || !carrier) return;

@@ -26,8 +26,9 @@ void read_linkage_motion(LinkageReading& reading) {
         if (range->size() != 2 || !((*range)[0] < (*range)[1]))
             add_error(reading.messages, place_of(*section, "crank_range"),
                       "crank_range must be two inputs that rise, like [0, 120]");
-        else if (!reading.made.at)
-            reading.made.at = input(reading, (*range)[0]);
+        else
+            reading.made.crank_range = {input(reading, (*range)[0]), input(reading, (*range)[1])};
+        if (reading.made.crank_range && !reading.made.at) reading.made.at = reading.made.crank_range->x;
     }
     report_unknown_keys(*section, reading.messages);
 }
@@ -52,9 +53,16 @@ void read_sketch(LinkageReading& reading) {
 }
 
 void read_placement(LinkageReading& reading) {
+    auto& placement = reading.made.placement;
+    for (std::size_t i = 0; i < placement.size(); ++i)
+        placement[i].range.name = keys::placement[i].name;
+    placement[3].range.min = placement[3].range.max = 1;
     std::optional<Section> section = read_section(reading.file, "placement", reading.messages);
     if (!section) return;
-    for (const Key& key : keys::placement) {
+    reading.made.scaled = has(*section, "scale");
+    for (std::size_t i = 0; i < placement.size(); ++i) {
+        const Key& key = keys::placement[i];
+        LinkageAnchor& anchor = placement[i];
         const toml::node* node = find(*section, key.name);
         if (node == nullptr) continue;
         const Measure measure = key.name == "tilt"    ? Measure::angle
@@ -64,6 +72,10 @@ void read_placement(LinkageReading& reading) {
             const auto number = to_linkage_number(reading, at, name_of(*section, key.name), measure);
             if (number && key.name == "scale" && number->value.terms.empty() && !(number->value.constant > 0))
                 add_error(reading.messages, place_of(at), "'scale' in [placement] must be greater than 0");
+            if (number && number->value.terms.empty())
+                anchor.range.min = anchor.range.max = number->value.constant;
+            else if (number)
+                anchor.sum = number->value;
         };
         const toml::table* range = node->as_table();
         if (range == nullptr) {
@@ -73,7 +85,9 @@ void read_placement(LinkageReading& reading) {
         Section limits{range, fmt::format("the range of '{}'", key.name), place_of(*node), keys::dimension_range};
         const auto min = read_number(limits, "min", reading.messages),
                    max = read_number(limits, "max", reading.messages);
-        read_number(limits, "start", reading.messages);
+        anchor.range.start = read_number(limits, "start", reading.messages);
+        anchor.range.min = min.value_or(0);
+        anchor.range.max = max.value_or(0);
         report_unknown_keys(limits, reading.messages);
         if (!min || !max || *min > *max)
             add_error(reading.messages, limits.place,

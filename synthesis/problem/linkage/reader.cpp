@@ -57,11 +57,11 @@ namespace {
 
 /// Sections of the contract that nothing looks at yet.
 void pass_over(LinkageReading& reading) {
-    for (const char* name : {"path", "poses", "function", "line", "arc", "instant", "study"}) {
+    for (const char* name : {"path", "poses", "function", "line", "arc", "instant"}) {
         if (find(reading.file, name) == nullptr) continue;
-        add_warning(reading.messages, key_place(reading.file, name),
-                    std::string("targets and studies of a linkage are not looked at by this version: '") + name +
-                        "' is passed over");
+        add_warning(
+            reading.messages, key_place(reading.file, name),
+            std::string("targets of a linkage are not looked at by this version: '") + name + "' is passed over");
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
 
 namespace mechwright::reading {
@@ -19,25 +20,23 @@ struct SignalKind {
     Word key;
     std::array<Word, 2> beside;
     Word unit;  ///< "" where it follows from other signals
+    linkage::Signal::Kind is;
 };
 
-constexpr std::array<SignalKind, 12> kinds{{{"angle", {"to", "near"}, "angle"},
-                                            {"x", {"on", ""}, "length"},
-                                            {"y", {"on", ""}, "length"},
-                                            {"along", {"point", "on"}, "length"},
-                                            {"distance", {"", ""}, "length"},
-                                            {"from-line", {"point", ""}, "length"},
-                                            {"slide", {"", ""}, "length"},
-                                            {"speed-of", {"", ""}, "speed"},
-                                            {"acceleration-of", {"", ""}, "acceleration"},
-                                            {"transmission-angle", {"", ""}, "angle"},
-                                            {"sum", {"", ""}, ""},
-                                            {"ratio", {"", ""}, ""}}};
+constexpr std::array<SignalKind, 12> kinds{
+    {{"angle", {"to", "near"}, "angle", linkage::Signal::Kind::angle},
+     {"x", {"on", ""}, "length", linkage::Signal::Kind::x},
+     {"y", {"on", ""}, "length", linkage::Signal::Kind::y},
+     {"along", {"point", "on"}, "length", linkage::Signal::Kind::along},
+     {"distance", {"", ""}, "length", linkage::Signal::Kind::distance},
+     {"from-line", {"point", ""}, "length", linkage::Signal::Kind::from_line},
+     {"slide", {"", ""}, "length", linkage::Signal::Kind::slide},
+     {"speed-of", {"", ""}, "speed", linkage::Signal::Kind::speed},
+     {"acceleration-of", {"", ""}, "acceleration", linkage::Signal::Kind::acceleration},
+     {"transmission-angle", {"", ""}, "angle", linkage::Signal::Kind::transmission_angle},
+     {"sum", {"", ""}, "", linkage::Signal::Kind::sum},
+     {"ratio", {"", ""}, "", linkage::Signal::Kind::ratio}}};
 
-constexpr std::array<Word, 5> ready_made{"transmission-angle-worst", "total-length", "link-ratio", "full-turn-margin",
-                                         "joint-distance-least"};
-constexpr std::array<Word, 8> made_of{"least", "greatest", "range", "mean", "rms", "deviation", "at", "time-ratio"};
-constexpr std::array<Word, 3> derivatives{"speed", "acceleration", "jerk"};
 constexpr std::array<Word, 4> of_targets{"path-rms", "path-max", "pose-rms", "pose-max"};
 
 struct SignalReading {
@@ -63,30 +62,29 @@ struct SignalReading {
                               known.empty() ? "signals stand in [signals]" : remedy(name, known)));
         return {};
     }
-    void pin(const toml::node& node, const std::string& what) const {
+    std::size_t pin(const toml::node& node, const std::string& what) const {
         if (const auto name = node.value_exact<std::string>())
-            find_pin(reading, *name, place_of(node), what);
-        else
-            report_kind(node, what, "the name of a point", reading.messages);
+            return find_pin(reading, *name, place_of(node), what).value_or(0);
+        report_kind(node, what, "the name of a point", reading.messages);
+        return 0;
     }
-    void link(const toml::node& node, const std::string& what) const {
+    std::size_t link(const toml::node& node, const std::string& what) const {
         if (const auto name = node.value_exact<std::string>())
-            find_link(reading, *name, place_of(node), what);
-        else
-            report_kind(node, what, "the name of a link", reading.messages);
+            return find_link(reading, *name, place_of(node), what).value_or(0);
+        report_kind(node, what, "the name of a link", reading.messages);
+        return 0;
     }
-    void two(const toml::node& node, const std::string& what) const {
+    void two(const toml::node& node, const std::string& what, std::size_t& first, std::size_t& second) const {
         const toml::array* list = node.as_array();
         if (list == nullptr || list->size() != 2)
             return add_error(reading.messages, place_of(node),
                              fmt::format("{} must be two names, like [\"P\", \"Q\"]", what));
+        const bool signals = what.starts_with("'ratio'");
         for (std::size_t i = 0; i < 2; ++i)
-            if (what.starts_with("'ratio'"))
-                find_signal(*list->get(i), what);
-            else
-                pin(*list->get(i), what);
+            (i == 0 ? first : second) =
+                signals ? find_signal(*list->get(i), what).value_or(0) : pin(*list->get(i), what);
     }
-    void sum(const toml::node& node, const std::string& what) const {
+    void sum(const toml::node& node, const std::string& what, linkage::Signal& made) const {
         const toml::table* terms = node.as_table();
         if (terms == nullptr || terms->empty())
             return add_error(
@@ -94,24 +92,27 @@ struct SignalReading {
                 fmt::format("{} must be signals with their factors, like {{ swing = 1, other = -0.5 }}", what));
         const Section section{terms, what, place_of(node)};
         for (const auto& [name, factor] : in_order(*terms)) {
-            find_signal(name, key_place(section, name), what);
-            to_number(*factor, fmt::format("the factor of '{}'", name), reading.messages);
+            const auto signal = find_signal(name, key_place(section, name), what);
+            const auto number = to_number(*factor, fmt::format("the factor of '{}'", name), reading.messages);
+            if (signal && number) made.terms.push_back({*signal, *number});
         }
     }
     /// What stands behind a key of a signal.
-    void check(Word key, const toml::node& node, const std::string& what, Word kind) const {
+    void take(Word key, const toml::node& node, const std::string& what, Word kind, linkage::Signal& made) const {
         if (key == "near" || (key == "along" && kind == "along"))
-            to_number(node, what, reading.messages);
+            made.number = to_radians(reading.made.units, to_number(node, what, reading.messages).value_or(0));
         else if (key == "angle" || key == "to" || key == "on")
-            link(node, what);
-        else if (key == "distance" || key == "from-line" || key == "ratio")
-            two(node, what);
+            (key == "angle" ? made.of : key == "to" ? made.to : made.on) = link(node, what);
+        else if (key == "distance" || key == "ratio")
+            two(node, what, made.of, made.to);
+        else if (key == "from-line")
+            two(node, what, made.to, made.end);
         else if (key == "slide")
-            find_slide(reading, node, what);
+            made.of = find_slide(reading, node, what).value_or(0);
         else if (key == "sum")
-            sum(node, what);
+            sum(node, what, made);
         else
-            pin(node, what);
+            made.of = pin(node, what);
     }
     const SignalKind* kind_of_table(std::size_t i) const {
         const SignalKind* found = nullptr;
@@ -134,13 +135,14 @@ struct SignalReading {
                              fmt::format("{} needs exactly one of {}", title, listed(words)));
         }
         signal.kind = kind->key;
+        signal.value.kind = kind->is;
         Section section{tables[i], title, places[i]};
         for (const Word key : {kind->key, kind->beside[0], kind->beside[1]}) {
             if (key.empty()) continue;
             const toml::node* node = find(section, key);
             const bool needed = key == "point";
             if (node != nullptr)
-                check(key, *node, name_of(section, key), kind->key);
+                take(key, *node, name_of(section, key), kind->key, signal.value);
             else if (needed)
                 add_error(reading.messages, section.place, fmt::format("{} is missing", name_of(section, key)));
         }
@@ -175,46 +177,13 @@ bool is_one_of(std::span<const Word> words, Word word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// What is wrong with what stands behind a signal's name: ".speed.greatest", ".at(60)", ".least(10, 50)".
-std::string suffix_fault(Word rest) {
-    const auto next = [&rest] {
-        const std::size_t end = std::min(rest.find_first_of(".("), rest.size());
-        const Word word = rest.substr(0, end);
-        rest.remove_prefix(end);
-        return word;
-    };
-    Word word = next();
-    if (is_one_of(derivatives, word) && rest.starts_with('.')) {
-        rest.remove_prefix(1);
-        word = next();
-    }
-    if (!is_one_of(made_of, word)) return remedy(word, made_of);
-    if (word == "at" && rest.empty()) return "say where, like at(60)";
-    if (!rest.empty() && (!rest.starts_with('(') || !rest.ends_with(')')))
-        return "after it may stand a stretch, like (10, 50)";
-    return {};
-}
-
 void check_quantity(const SignalReading& signals, const toml::node& node, const std::string& what) {
     const auto text = node.value_exact<std::string>();
     if (!text) return report_kind(node, what, "the name of a quantity", signals.reading.messages);
-    const std::size_t dot = text->find('.');
-    if (dot == std::string::npos) {
-        if (is_one_of(ready_made, *text) || is_one_of(of_targets, *text)) return;
-        std::vector<Word> known(ready_made.begin(), ready_made.end());
-        for (const LinkageSignal& signal : signals.signals())
-            if (signal.name == *text)
-                return add_error(
-                    signals.reading.messages, place_of(node),
-                    fmt::format("{}: '{}' is a signal; say what of it, like {}.greatest", what, *text, *text));
-        return add_error(
-            signals.reading.messages, place_of(node),
-            fmt::format("{}: there is no quantity {}; {}", what, reading::quoted(*text), remedy(*text, known)));
-    }
-    if (!signals.find_signal(Word(*text).substr(0, dot), place_of(node), what)) return;
-    if (const std::string fault = suffix_fault(Word(*text).substr(dot + 1)); !fault.empty())
-        add_error(signals.reading.messages, place_of(node),
-                  fmt::format("{}: {} is no quantity of a signal; {}", what, reading::quoted(*text), fault));
+    if (is_one_of(of_targets, *text)) return;
+    std::string fault;
+    if (!to_linkage_quantity(signals.reading.made, *text, fault))
+        add_error(signals.reading.messages, place_of(node), fmt::format("{}: {}", what, fault));
 }
 
 void check_quantities(const SignalReading& signals, const toml::node& node, const std::string& what) {
@@ -231,7 +200,7 @@ void read_signals(LinkageReading& reading) {
     if (std::optional<Section> section = read_section(reading.file, "signals", reading.messages)) {
         for (const auto& [name, node] : in_order(*section->table)) {
             const FilePlace place = key_place(*section, name);
-            if (is_one_of(ready_made, name) || is_one_of(of_targets, name)) {
+            if (is_one_of(ready_made_quantities, name) || is_one_of(of_targets, name)) {
                 add_error(reading.messages, place,
                           fmt::format("'{}' cannot be the name of a signal: it is a quantity already", name));
                 continue;
@@ -243,7 +212,7 @@ void read_signals(LinkageReading& reading) {
                             reading.messages);
                 continue;
             }
-            reading.made.signals.push_back({std::string(name), {}});
+            reading.made.signals.emplace_back().name = name;
             signals.tables.push_back(table);
             signals.places.push_back(place);
         }
@@ -257,6 +226,9 @@ void read_signals(LinkageReading& reading) {
     signals.units.resize(signals.tables.size());
     for (std::size_t i = 0; i < signals.tables.size(); ++i) {
         const Word unit = signals.unit_of(i);
+        reading.made.signals[i].unit = unit == "angle"                                                 ? Unit::angle
+                                       : unit == "length" || unit == "speed" || unit == "acceleration" ? Unit::length
+                                                                                                       : Unit::none;
         if (unit == "circle")
             add_error(reading.messages, signals.places[i],
                       fmt::format("the signal '{}' is made of itself", reading.made.signals[i].name));

@@ -18,7 +18,7 @@ namespace mechwright {
 namespace {
 
 /// One picture among others, with lines of text beneath.
-struct Panel {
+struct LinkagePanel {
     Scene scene;
     std::vector<BodyPlace> places;
     std::vector<std::string> lines;
@@ -27,14 +27,14 @@ struct Panel {
 constexpr double sheet_symbol = 0.03, line_height = 15, least_panel = 260;
 
 /// All panels in as many columns as there is room for, in one scale.
-std::string sheet(const std::string& title, const std::vector<Panel>& panels, double width) {
+std::string sheet(const std::string& title, const std::vector<LinkagePanel>& panels, double width) {
     const auto count = static_cast<double>(panels.size());
     const double columns = std::clamp(std::floor(width / least_panel), 1.0, std::max(1.0, std::ceil(std::sqrt(count))));
     const double panel_width = width / columns;
     Scene all;
     std::size_t most_lines = 0;
     int letters = 1;
-    for (const Panel& panel : panels) {
+    for (const LinkagePanel& panel : panels) {
         const Vector<double> wanted = panel.scene.high - panel.scene.low;
         all.high = {std::max(all.high.x, wanted.x), std::max(all.high.y, wanted.y)};
         most_lines = std::max(most_lines, panel.lines.size());
@@ -47,7 +47,7 @@ std::string sheet(const std::string& title, const std::vector<Panel>& panels, do
     const double panel_height = common.height + line_height * (static_cast<double>(most_lines) + 1);
     std::string text;
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        const Panel& panel = panels[i];
+        const LinkagePanel& panel = panels[i];
         const double column = std::fmod(static_cast<double>(i), columns);
         const double row = std::floor(static_cast<double>(i) / columns);
         SvgView view = common;
@@ -108,8 +108,8 @@ LinkageShape shape_at(const Linkage& l, std::span<const double> numbers, const l
 }
 
 /// The bodies of a pose, the frame fixed.
-Panel posed(const Linkage& l, const LinkageShape& shape, const linkage::Pose<double>& pose) {
-    Panel panel;
+LinkagePanel posed(const Linkage& l, const LinkageShape& shape, const linkage::Pose<double>& pose) {
+    LinkagePanel panel;
     panel.scene.symbol = sheet_symbol * 2 * size_of(shape);
     panel.scene.ground = link_body(shape, 0, panel.scene.symbol);
     panel.scene.fixed = std::move(panel.scene.ground.outlines);
@@ -135,7 +135,7 @@ std::string input_text(const Linkage& l, double master) {
 }
 
 /// What a line of the file goes through where nothing says how far.
-Stretch nominal(const LinkageShape& shape, const linkage::Line& line) {
+Extent nominal(const LinkageShape& shape, const linkage::Line& line) {
     if (line.by_angle) return {-0.2 * size_of(shape), 0.2 * size_of(shape)};
     const Vector<double> along = shape.at(line.towards) - shape.at(line.through);
     return {0, std::hypot(along.x, along.y)};
@@ -153,8 +153,8 @@ LinkageShape shape_apart(const Linkage& l, std::span<const double> numbers) {
 }
 
 /// A link in its own frame; all its points have their names, and stand below with their places.
-Panel apart(const Linkage& l, const LinkageShape& shape, std::size_t link, double symbol) {
-    Panel panel;
+LinkagePanel apart(const Linkage& l, const LinkageShape& shape, std::size_t link, double symbol) {
+    LinkagePanel panel;
     Body body = link_body(shape, link, symbol);
     body.labels.clear();
     panel.lines = {l.links[link]};
@@ -206,7 +206,7 @@ std::string assemblies_picture(const Linkage& linkage, std::span<const LinkageAs
                                double width) {
     constexpr std::size_t most = 64;
     const std::vector<double> numbers = numbers_of(linkage, usual_dimensions(linkage));
-    std::vector<Panel> panels;
+    std::vector<LinkagePanel> panels;
     for (std::size_t i = 0; i < std::min(most, assemblies.size()); ++i) {
         const linkage::Pose<double>& pose = assemblies[i].pose;
         panels.push_back(posed(linkage, shape_at(linkage, numbers, pose), pose));
@@ -253,7 +253,7 @@ std::string skeleton_picture(const Linkage& linkage, double width) {
     const std::vector<double> numbers = numbers_of(linkage, usual_dimensions(linkage));
     const LinkageShape shape = shape_apart(linkage, numbers);
     const double symbol = sheet_symbol * size_of(shape);
-    std::vector<Panel> panels;
+    std::vector<LinkagePanel> panels;
     for (std::size_t link = 0; link < linkage.links.size(); ++link)
         panels.push_back(apart(linkage, shape, link, symbol));
     return sheet(linkage.title.empty() ? std::string("links") : linkage.title + ", links", panels, width);

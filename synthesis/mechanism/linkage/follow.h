@@ -1,0 +1,116 @@
+#pragma once
+/// \file
+/// A linkage followed along its motion by the equations of its joints (loop.h), from one pose to the next.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "synthesis/mechanism/linkage/loop.h"
+#include "synthesis/mechanism/linkage/mechanism.h"
+
+namespace mechwright {
+
+template <class T>
+class Follower {
+public:
+    Follower(const LinkageModel& model, std::vector<T> numbers)
+        : model_(model), loop(model.structure, std::move(numbers)), inputs_(model.drives.size()), speeds_(inputs_) {
+        for (std::size_t i = 0; i < speeds_.size(); ++i)
+            speeds_[i] = T(i == 0 ? 1 : model.drives[i].ratio);
+    }
+
+    /// Takes a pose that is nearly one at this input; false where none is next to it.
+    bool start(const T& input, LoopPose<T> near) {
+        set_inputs(model_, input, std::span(inputs_));
+        if (!loop.solve(inputs_, near)) return false;
+        at = input;
+        pose = std::move(near);
+        return true;
+    }
+
+    /// Goes on to an input in one step, if the pose there lies where the velocities lead.
+    bool step(const T& to) {
+        constexpr double astray = 0.02;
+        LoopPose<T> speed;
+        if (!loop.velocities(speeds_, pose, speed)) return false;
+        LoopPose<T> next = pose;
+        for (std::size_t i = 0; i < next.turns.size(); ++i) {
+            next.origins[i] = next.origins[i] + (to - at) * speed.origins[i];
+            next.turns[i] += (to - at) * speed.turns[i];
+        }
+        const LoopPose<T> predicted = next;
+        set_inputs(model_, to, std::span(inputs_));
+        if (!loop.solve(inputs_, next) || distance(predicted, next) > astray) return false;
+        at = to;
+        pose = std::move(next);
+        return true;
+    }
+
+    /// Goes on in steps of a degree, or shorter where needed, and calls `use(follower)` after each. Returns whether it
+    /// comes to the end; else it stands where it could not go on by `least`.
+    template <class Use>
+    bool follow(const T& end, double least, const Use& use) {
+        using std::abs;
+        constexpr double usual = std::numbers::pi / 180;
+        const double unit = model_.driven_by_slide() ? number_as<double>(loop.size()) : 1;
+        double length = usual * unit;
+        while (at != end) {
+            const T rest = end - at;
+            const bool last = abs(rest) <= T(length);
+            const T to = last ? end : T(at + (rest > T(0) ? T(length) : T(-length)));
+            if (step(to)) {
+                use(*this);
+                length = std::min(usual * unit, 2 * length);
+            } else {
+                length = std::min(length, number_as<double>(abs(rest))) / 2;
+                if (length < least * unit) return false;
+            }
+        }
+        return true;
+    }
+
+    /// How far two poses are apart: the greatest turn in radians, or way over the size.
+    T distance(const LoopPose<T>& a, const LoopPose<T>& b) const {
+        using std::abs;
+        T greatest(0);
+        for (std::size_t i = 0; i < a.turns.size(); ++i) {
+            const Vector<T> way = a.origins[i] - b.origins[i];
+            const T apart = hypotenuse(way.x, way.y) / loop.size(), turn = abs(T(a.turns[i] - b.turns[i]));
+            if (!(apart <= greatest)) greatest = apart;
+            if (!(turn <= greatest)) greatest = turn;
+        }
+        return greatest;
+    }
+
+private:
+    const LinkageModel& model_;
+
+public:
+    Loop<T> loop;
+    LoopPose<T> pose{};
+    T at{0};
+
+private:
+    std::vector<T> inputs_, speeds_;
+};
+
+/// The pose of the dyads on their sides, nearly, at an input; none where they do not close.
+std::optional<LoopPose<double>> pose_of_dyads(linkage::Driven<double>& moving, double input);
+
+/// A pose with more digits.
+template <class To, class From>
+LoopPose<To> pose_as(const LoopPose<From>& pose) {
+    LoopPose<To> made;
+    for (const Vector<From>& origin : pose.origins)
+        made.origins.push_back({number_as<To>(origin.x), number_as<To>(origin.y)});
+    for (const From& turn : pose.turns)
+        made.turns.push_back(number_as<To>(turn));
+    return made;
+}
+
+}  // namespace mechwright

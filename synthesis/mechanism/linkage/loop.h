@@ -1,0 +1,225 @@
+#pragma once
+/// \file
+/// Poses of a linkage by the equations of all its joints at once: Newton's method on the places of all links, from a
+/// pose nearby. It knows no order of solving, no dyad and no side: what verification measures with, in any number type
+/// (derivation; the rows are those of analysis/linkage/mobility.h).
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "analysis/linkage/mobility.h"
+#include "analysis/linkage/structure.h"
+
+namespace mechwright {
+
+/// Where all links are: their origins, and the turns of their x axes, which are not folded. The frame is the first.
+template <class T>
+struct LoopPose {
+    std::vector<Vector<T>> origins;
+    std::vector<T> turns;
+
+    Vector<T> at(std::size_t link, const Vector<T>& own) const {
+        using std::cos, std::sin;
+        return origins[link] + turned(own, Vector<T>{cos(turns[link]), sin(turns[link])});
+    }
+};
+
+namespace loop_detail {
+
+/// Solves a square system by elimination with row pivots, in place; false where it is singular to rounding.
+template <class T>
+bool solve_linear(std::vector<T>& a, std::vector<T>& b) {
+    using std::abs;
+    const std::size_t n = b.size();
+    T greatest(0);
+    for (const T& entry : a)
+        if (abs(entry) > greatest) greatest = abs(entry);
+    const T least = greatest * std::numeric_limits<T>::epsilon();
+    for (std::size_t k = 0; k < n; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t i = k + 1; i < n; ++i)
+            if (abs(a[i * n + k]) > abs(a[pivot * n + k])) pivot = i;
+        if (!(abs(a[pivot * n + k]) > least)) return false;
+        if (pivot != k) {
+            for (std::size_t j = k; j < n; ++j)
+                std::swap(a[k * n + j], a[pivot * n + j]);
+            std::swap(b[k], b[pivot]);
+        }
+        for (std::size_t i = k + 1; i < n; ++i) {
+            if (a[i * n + k] == T(0)) continue;
+            const T factor = a[i * n + k] / a[k * n + k];
+            for (std::size_t j = k + 1; j < n; ++j)
+                a[i * n + j] -= factor * a[k * n + j];
+            b[i] -= factor * b[k];
+        }
+    }
+    for (std::size_t k = n; k-- > 0;) {
+        for (std::size_t j = k + 1; j < n; ++j)
+            b[k] -= a[k * n + j] * b[j];
+        b[k] /= a[k * n + k];
+    }
+    return true;
+}
+
+}  // namespace loop_detail
+
+/// A linkage by its joints' equations.
+template <class T>
+class Loop {
+public:
+    Loop(const linkage::Structure& structure, std::vector<T> numbers) : s_(structure), numbers_(std::move(numbers)) {
+        for (std::size_t i = 0; i < s_.links; ++i)
+            for (const linkage::Pin& pin : s_.pins)
+                if (linkage::is_on(pin, i)) grow(place(linkage::coordinates_on(pin, i)));
+        for (const linkage::Slide& slide : s_.slides)
+            grow(place(slide.line.through));
+    }
+
+    /// The greatest distance by which it is described; 1 where there is none.
+    T size() const { return size_ > T(0) ? size_ : T(1); }
+
+    /// Moves a pose to the one next to it at these inputs of the drives; false where Newton's method finds none.
+    bool solve(std::span<const T> inputs, LoopPose<T>& pose) const {
+        constexpr int most_steps = 40;
+        const T close = std::numeric_limits<T>::epsilon() * 64, far = T(4) * size() + farthest(pose);
+        T last = std::numeric_limits<T>::max();
+        for (int step = 0; step < most_steps; ++step) {
+            const linkage::VelocityEquations<T> rows = linkage::velocity_equations(s_, instant(pose));
+            std::vector<T> a = rows.rows, b = residuals(inputs, pose);
+            if (rows.equations.size() != rows.unknowns || !loop_detail::solve_linear(a, b)) return false;
+            const T moved = move(pose, b);
+            if (!(moved < far)) return false;
+            // As near as rounding lets it come: the steps become no shorter.
+            constexpr double settled = 1e-9;
+            if (moved <= close || (moved < T(settled) && !(moved < last))) return true;
+            last = moved;
+        }
+        return false;
+    }
+
+    /// Velocities of all links for unit speeds of the drives as given: origins and turns.
+    bool velocities(std::span<const T> speeds, const LoopPose<T>& pose, LoopPose<T>& out) const {
+        const linkage::VelocityEquations<T> rows = linkage::velocity_equations(s_, instant(pose));
+        std::vector<T> a = rows.rows, b(rows.equations.size(), T(0));
+        for (std::size_t i = 0; i < rows.equations.size(); ++i)
+            if (rows.equations[i].by == linkage::Joined::drive) b[i] = speeds[rows.equations[i].index];
+        if (rows.equations.size() != rows.unknowns || !loop_detail::solve_linear(a, b)) return false;
+        out = {std::vector<Vector<T>>(s_.links, Vector<T>{T(0), T(0)}), std::vector<T>(s_.links, T(0))};
+        for (std::size_t i = 1; i < s_.links; ++i) {
+            out.origins[i] = {b[3 * i - 3], b[3 * i - 2]};
+            out.turns[i] = b[3 * i - 1];
+        }
+        return true;
+    }
+
+    /// A point of a link by its place there.
+    Vector<T> place(const linkage::Coordinates& at) const { return linkage::place_of<T>(at, numbers_); }
+    Vector<T> pin(std::size_t index, const LoopPose<T>& pose) const {
+        const linkage::Point& point = s_.pins[index].points[0];
+        return pose.at(point.link, place(point.at));
+    }
+    /// The displacement of a slide.
+    T displacement(std::size_t slide, const LoopPose<T>& pose) const {
+        const linkage::Slide& one = s_.slides[slide];
+        return dot(direction(one.line, pose), pose.origins[one.link] - pose.at(one.line.on, place(one.line.through)));
+    }
+    Vector<T> direction(const linkage::Line& line, const LoopPose<T>& pose) const {
+        using std::cos, std::sin;
+        return turned(linkage::direction_of<T>(line, numbers_),
+                      Vector<T>{cos(pose.turns[line.on]), sin(pose.turns[line.on])});
+    }
+    const std::vector<T>& numbers() const { return numbers_; }
+
+private:
+    void grow(const Vector<T>& at) {
+        const T length = hypotenuse(at.x, at.y);
+        if (length > size_) size_ = length;
+    }
+    T farthest(const LoopPose<T>& pose) const {
+        T greatest(0);
+        for (const Vector<T>& origin : pose.origins) {
+            const T length = hypotenuse(origin.x, origin.y);
+            if (length > greatest) greatest = length;
+        }
+        return greatest;
+    }
+    linkage::Instant<T> instant(const LoopPose<T>& pose) const {
+        linkage::Instant<T> at;
+        at.origins = pose.origins;
+        for (std::size_t i = 0; i < s_.pins.size(); ++i)
+            at.pins.push_back(pin(i, pose));
+        for (const linkage::Slide& slide : s_.slides)
+            at.slides.push_back(direction(slide.line, pose));
+        for (const linkage::Slot& slot : s_.slots)
+            at.slots.push_back(direction(slot.line, pose));
+        for (const linkage::Gear& gear : s_.gears)
+            at.ratios.push_back(numbers_[gear.ratio]);
+        for (const linkage::Rack& rack : s_.racks)
+            at.radii.push_back(numbers_[rack.radius]);
+        return at;
+    }
+    /// An angle without its whole turns, of which directions know nothing.
+    static T folded(const T& angle) {
+        using std::floor;
+        const T turn = T(2) * pi<T>();
+        return angle - turn * floor(T(angle / turn + T(0.5)));
+    }
+    /// By how much each equation is missed, in the order of the velocity equations.
+    std::vector<T> residuals(std::span<const T> inputs, const LoopPose<T>& pose) const {
+        std::vector<T> missed;
+        for (const linkage::Pin& pin : s_.pins)
+            for (std::size_t k = 1; k < pin.points.size(); ++k) {
+                const Vector<T> apart = pose.at(pin.points[0].link, place(pin.points[0].at)) -
+                                        pose.at(pin.points[k].link, place(pin.points[k].at));
+                missed.push_back(apart.x);
+                missed.push_back(apart.y);
+            }
+        for (const linkage::Slide& slide : s_.slides) {
+            missed.push_back(folded(pose.turns[slide.link] - pose.turns[slide.line.on] - numbers_[slide.angle]));
+            const Vector<T> from_line = pose.origins[slide.link] - pose.at(slide.line.on, place(slide.line.through));
+            missed.push_back(dot(left_of(direction(slide.line, pose)), from_line) - numbers_[slide.offset]);
+        }
+        for (const linkage::Slot& slot : s_.slots)
+            missed.push_back(dot(left_of(direction(slot.line, pose)),
+                                 pin(slot.pin, pose) - pose.at(slot.line.on, place(slot.line.through))));
+        for (const linkage::Gear& gear : s_.gears) {
+            const T& carrier = pose.turns[gear.carrier];
+            missed.push_back(pose.turns[gear.second] - carrier -
+                             numbers_[gear.ratio] * (pose.turns[gear.first] - carrier) - numbers_[gear.phase]);
+        }
+        for (const linkage::Rack& rack : s_.racks)
+            missed.push_back(displacement(rack.slide, pose) -
+                             numbers_[rack.radius] * (pose.turns[rack.wheel] - pose.turns[rack.carrier]) -
+                             numbers_[rack.phase]);
+        for (std::size_t i = 0; i < s_.drives.size(); ++i) {
+            const linkage::Drive& drive = s_.drives[i];
+            missed.push_back(drive.of_slide ? T(displacement(drive.slide, pose) - inputs[i])
+                                            : folded(pose.turns[drive.link] - pose.turns[drive.on] - inputs[i]));
+        }
+        return missed;
+    }
+    /// Subtracts a step; how far it moves the farthest place, over the size, or turns.
+    T move(LoopPose<T>& pose, const std::vector<T>& step) const {
+        using std::abs;
+        T greatest(0);
+        for (std::size_t i = 1; i < s_.links; ++i) {
+            const T &x = step[3 * i - 3], &y = step[3 * i - 2], &turn = step[3 * i - 1];
+            pose.origins[i].x -= x;
+            pose.origins[i].y -= y;
+            pose.turns[i] -= turn;
+            for (const T& moved : {T(abs(x) / size()), T(abs(y) / size()), T(abs(turn))})
+                if (!(moved <= greatest)) greatest = moved;
+        }
+        return greatest;
+    }
+
+    const linkage::Structure& s_;
+    std::vector<T> numbers_;
+    T size_{0};
+};
+
+}  // namespace mechwright

@@ -1,0 +1,180 @@
+#include "synthesis/mechanism/linkage/mechanism.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "analysis/linkage/travel.h"
+#include "synthesis/mechanism/linkage/again.h"
+#include "synthesis/mechanism/linkage/drawing.h"
+#include "synthesis/mechanism/linkage/quantities.h"
+#include "synthesis/mechanism/linkage/table.h"
+
+namespace mechwright {
+
+namespace {
+
+enum Families : std::size_t { full_turn, over_a_range };
+
+/// The travel that holds an input, by whole turns of cyclic inputs.
+bool holds(const linkage::Travel& travel, double at, double period) {
+    const double shifted = period > 0 ? at + period * std::ceil((travel.from - at) / period) : at;
+    return shifted >= travel.from && shifted <= travel.to;
+}
+
+/// The one that the file speaks of, else the widest, the first of these.
+const linkage::Travel* chosen(const LinkageModel& model, const std::vector<linkage::Travel>& all, double period) {
+    if (model.at)
+        for (const linkage::Travel& travel : all)
+            if (holds(travel, *model.at, period)) return &travel;
+    const auto widest = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        constexpr double as_wide = 1e-9;
+        return (a.to - a.from) * (1 + as_wide) < b.to - b.from;
+    });
+    return widest == all.end() ? nullptr : &*widest;
+}
+
+std::string plural(std::size_t n, std::string_view noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
+
+/// What there is of links and joints, the frame included.
+std::string describe(Form form, std::span<const double>) {
+    const linkage::Structure& s = linkage_of(form.model).structure;
+    std::size_t pins = 0;
+    for (const linkage::Pin& pin : s.pins)
+        pins += pin.points.empty() ? 0 : pin.points.size() - 1;
+    std::string text = fmt::format("{} and {}", plural(s.links, "link"), plural(pins, "pin"));
+    const auto add = [&](std::size_t n, std::string_view noun) {
+        if (n > 0) text += ", " + plural(n, noun);
+    };
+    add(s.slides.size(), "slide");
+    add(s.slots.size(), "slot");
+    add(s.gears.size(), "gear or belt");
+    add(s.racks.size(), "rack");
+    return text;
+}
+
+double size_of_linkage(Form form, std::span<const double> dimensions) {
+    const LinkageModel& model = linkage_of(form.model);
+    const double size = size_of(driven(model, dimensions, form.assembly)) * model.scale.at(dimensions);
+    return size > 0 ? size : 1;
+}
+
+/// The unit of what is made of a signal.
+Unit unit_of(const LinkageModel& model, const LinkageMeasure& measure) {
+    const Unit unit = model.signal_names[measure.asked.signal].unit;
+    if (measure.kind == LinkageMeasure::Kind::time_ratio) return Unit::none;
+    return unit == Unit::angle && measure.asked.derivative > 0 ? Unit::none : unit;
+}
+
+std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimensions,
+                                    std::span<const NamedMeasure> asked) {
+    using Kind = LinkageMeasure::Kind;
+    std::vector<Quantity> all;
+    const auto add = [&](std::string name, Unit unit, std::string meaning, LinkageMeasure measure) {
+        if (std::any_of(all.begin(), all.end(), [&](const Quantity& q) { return q.name == name; })) return;
+        all.push_back(linkage_quantity(std::move(name), unit, std::move(meaning), std::move(measure), dimensions));
+        all.back().measure_again = measure_linkage_again;
+    };
+    if (model.order.margins > 0)
+        add("transmission-angle-worst", Unit::angle, "least transmission angle of all dyads, folded at a right angle",
+            {Kind::transmission_angle_worst});
+    add("total-length", Unit::length, "sum of the distances of links' origins to their pins", {Kind::total_length});
+    add("link-ratio", Unit::none, "longest of these distances over the shortest", {Kind::link_ratio});
+    if (model.order.margins > 0)
+        add("full-turn-margin", Unit::length, "least length by which a dyad closes over a full turn of the drive",
+            {Kind::full_turn_margin});
+    add("joint-distance-least", Unit::length, "least distance of pins that have no link in common",
+        {Kind::joint_distance_least});
+    for (std::size_t i = 0; i < model.signals.size(); ++i)
+        for (const auto& [word, kind] :
+             {std::pair("least", Kind::least), {"greatest", Kind::greatest}, {"range", Kind::range}}) {
+            const LinkageMeasure measure{kind, model.signals, {i, 0}};
+            add(model.signal_names[i].name + "." + word, unit_of(model, measure),
+                fmt::format("{} of the signal over the motion",
+                            kind == Kind::range ? "greatest less least value" : std::string(word) + " value"),
+                measure);
+        }
+    for (const auto& [name, value] : asked) {
+        LinkageMeasure measure = value;
+        measure.signals = model.signals;
+        if (!measure.signals.empty()) add(name, unit_of(model, measure), "of the signal, as its name says", measure);
+    }
+    return all;
+}
+
+/// What keeps the dyads closed over the motion.
+Quantity assembly_margin(std::size_t dimensions) {
+    return linkage_quantity("assembly margin", Unit::length, "the linkage assembles",
+                            {LinkageMeasure::Kind::assembly_margin}, dimensions);
+}
+
+std::vector<Family> families_of(const LinkageModel& model, std::size_t dimensions) {
+    return {{"the drive turns fully", true, {}, assembly_margin(dimensions), std::max(model.turns, 1)},
+            {"the drive moves over a range", false, {}, assembly_margin(dimensions)}};
+}
+
+}  // namespace
+
+Motion motion_of_linkage(Form form, std::span<const double> dimensions, const double* crank_range) {
+    const LinkageModel& model = linkage_of(form.model);
+    Motion motion;
+    motion.assembly = form.assembly;
+    motion.family = over_a_range;
+    motion.full_turn = false;
+    if (crank_range != nullptr) {
+        motion.from = crank_range[0];
+        motion.to = crank_range[1];
+        return motion;
+    }
+    if (model.turns == 0) {
+        motion.from = 1;
+        return motion;
+    }
+    const linkage::Driven<double> moving = driven(model, dimensions, form.assembly);
+    const double period = model.driven_by_slide() ? 0 : 2 * std::numbers::pi * model.turns;
+    const linkage::Inputs inputs = model.driven_by_slide()
+                                       ? linkage::Inputs{-4 * size_of(moving), 4 * size_of(moving), false}
+                                       : linkage::Inputs{0, period, true};
+    const auto travels = linkage::travels(moving, inputs);
+    const linkage::Travel* travel = chosen(model, travels, period);
+    if (travel == nullptr) {
+        motion.from = 1;
+        return motion;
+    }
+    motion.full_turn = travel->whole;
+    if (travel->whole) motion.family = full_turn;
+    motion.from = travel->from;
+    motion.to = travel->to;
+    return motion;
+}
+
+linkage::Driven<double> driven(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly) {
+    const std::vector<double> numbers = numbers_of(model, dimensions);
+    std::vector<linkage::DriveLaw> laws;
+    for (const LinkageDrive& drive : model.drives)
+        laws.push_back({drive.ratio, drive.phase});
+    laws.front() = {};
+    return {model.structure, model.order, std::span<const double>(numbers), model.sides[assembly], laws};
+}
+
+Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimensions,
+                            std::span<const NamedMeasure> quantities) {
+    Mechanism made;
+    made.name = "linkage";
+    made.meaning = "links and joints as a file describes them";
+    made.dimensions = std::move(dimensions);
+    made.quantities = quantities_of(model, made.dimensions.size(), quantities);
+    made.families = families_of(model, made.dimensions.size());
+    made.table = linkage_table(model);
+    made.model = Model(std::move(model));
+    made.size = size_of_linkage;
+    made.motion = motion_of_linkage;
+    made.motion_again = linkage_motion_again;
+    made.describe = describe;
+    made.check_motion = check_linkage_motion;
+    made.drawing = linkage_drawing();
+    return made;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,384 @@
+#include "synthesis/problem/linkage/mechanism.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "analysis/linkage/travel.h"
+#include "synthesis/mechanism/linkage/mechanism.h"
+#include "synthesis/problem/linkage/closing.h"
+#include "synthesis/problem/linkage/reading.h"
+#include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/sections/sections.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/problem/toml/made_table.h"
+#include "synthesis/problem/units.h"
+
+namespace mechwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_open_sides = 6;
+constexpr double fastest_link = 1e4;  ///< turns of a link for one of the drive: it is followed in small steps
+
+/// Numbers of a file in the program's units, as sums of the mechanism's dimensions.
+class Conversion {
+public:
+    explicit Conversion(const Linkage& linkage) : linkage_(linkage), index_of_(linkage.dimensions.size(), 0) {
+        for (std::size_t i = 0; i < linkage.dimensions.size(); ++i)
+            if (!linkage.dimensions[i].tied) index_of_[i] = count_++;
+    }
+    double value(double in_file, Measure measure) const {
+        return measure == Measure::angle && linkage_.units.degrees ? in_file * std::numbers::pi / 180 : in_file;
+    }
+    Affine sum(const Affine& in_file, Measure measure) const {
+        Affine made{value(in_file.constant, measure), {}};
+        for (const auto& [dimension, factor] : in_file.terms)
+            made.terms.emplace_back(index_of_[dimension], factor);
+        return made;
+    }
+    DimensionRange range(const LinkageDimension& d) const {
+        DimensionRange range{value(d.min, d.measure), value(d.max, d.measure), {}, true, {}};
+        if (d.start) range.start = value(*d.start, d.measure);
+        return range;
+    }
+    std::size_t count() const { return count_; }
+
+private:
+    const Linkage& linkage_;
+    std::vector<std::size_t> index_of_;
+    std::size_t count_ = 0;
+};
+
+/// The margin of the dyad that is closed at a pin.
+std::size_t margin_at(const Linkage& linkage, std::size_t pin) {
+    for (const linkage::Group& group : linkage.order.groups)
+        if (group.pin == pin) return linkage::margin_of(linkage.order, group);
+    return linkage::none;
+}
+
+DimensionKind kind_of(Measure measure) {
+    return measure == Measure::angle   ? DimensionKind::angle
+           : measure == Measure::ratio ? DimensionKind::number
+                                       : DimensionKind::coordinate;
+}
+
+/// What can only be positive is a length.
+DimensionKind kind_of(const LinkageDimension& d) {
+    const bool positive = d.min >= 0 && d.max > 0;
+    return d.measure == Measure::length && positive ? DimensionKind::length : kind_of(d.measure);
+}
+
+constexpr std::array<Measure, 4> anchored{Measure::length, Measure::length, Measure::angle, Measure::ratio};
+constexpr std::array<std::string_view, 4> meanings{"frame's origin in the drawing", "frame's origin in the drawing",
+                                                   "direction of the frame's x axis in the drawing",
+                                                   "by which every length is multiplied"};
+
+/// Whether a number of the placement is a dimension of its own.
+bool is_own(const Linkage& linkage, std::size_t anchor) {
+    return !linkage.placement[anchor].sum && (anchor < 3 || linkage.scaled);
+}
+
+std::vector<Dimension> dimensions_of(const Linkage& linkage) {
+    std::vector<Dimension> dimensions;
+    for (const LinkageDimension& d : linkage.dimensions)
+        if (!d.tied)
+            dimensions.push_back(
+                {d.name, kind_of(d), true, fmt::format("{} of the links", name_of(d.measure).substr(2))});
+    for (std::size_t i = 0; i < linkage.placement.size(); ++i)
+        if (is_own(linkage, i))
+            dimensions.push_back(
+                {linkage.placement[i].range.name, kind_of(anchored[i]), i == 3, std::string(meanings[i])});
+    return dimensions;
+}
+
+/// The ranges of those dimensions.
+std::vector<DimensionRange> ranges_of(const Linkage& linkage) {
+    const Conversion convert(linkage);
+    std::vector<DimensionRange> ranges;
+    for (const LinkageDimension& d : linkage.dimensions)
+        if (!d.tied) ranges.push_back(convert.range(d));
+    for (std::size_t i = 0; i < linkage.placement.size(); ++i) {
+        if (!is_own(linkage, i)) continue;
+        LinkageDimension own = linkage.placement[i].range;
+        own.measure = anchored[i];
+        ranges.push_back(convert.range(own));
+        ranges.back().named = i == 3 || own.min != 0 || own.max != 0;
+    }
+    return ranges;
+}
+
+/// A dyad as [assembly] names it.
+const std::string& key_of(const Linkage& linkage, const linkage::Group& group) {
+    const bool named = group.by_slide && group.joint < linkage.slides.size() && !linkage.slides[group.joint].empty();
+    return named ? linkage.slides[group.joint] : linkage.pins[group.pin];
+}
+
+struct Assemblies {
+    std::vector<std::vector<std::int8_t>> sides{};
+    std::vector<std::string> names{};
+    std::vector<std::string> documents{};
+};
+
+void add_assembly(const Linkage& linkage, const std::vector<std::int8_t>& sides, Assemblies& all) {
+    std::string name;
+    Json document = Json::object();
+    for (const linkage::Group& group : linkage.order.groups) {
+        if (group.choice == linkage::none) continue;
+        const bool first = sides[group.choice] > 0, turned = group.kind == linkage::Group::Kind::rrr;
+        const char* side = turned ? (first ? "left" : "right") : first ? "ahead" : "behind";
+        const std::string& key = key_of(linkage, group);
+        name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, side);
+        Json one{{"side", side}};
+        if (turned) {
+            one["from"] = linkage.pins[group.outer[0]];
+            one["to"] = linkage.pins[group.outer[1]];
+        }
+        document[key] = std::move(one);
+    }
+    all.sides.push_back(sides);
+    if (sides.empty()) return;
+    all.names.push_back(std::move(name));
+    all.documents.push_back(document.dump());
+}
+
+Assemblies assemblies_of(const Linkage& linkage) {
+    Assemblies all;
+    for_each_assembly(linkage.sides, most_open_sides,
+                      [&](const std::vector<std::int8_t>& sides) { add_assembly(linkage, sides, all); });
+    return all;
+}
+
+LinkageModel model_of(const Linkage& linkage) {
+    const Conversion convert(linkage);
+    LinkageModel model;
+    model.links = linkage.links;
+    model.pins = linkage.pins;
+    model.slides = linkage.slides;
+    model.structure = linkage.structure;
+    model.order = linkage.order;
+    for (const LinkageNumber& number : linkage.numbers)
+        model.numbers.push_back(convert.sum(number.value, number.measure));
+    model.drives = linkage.drives;
+    model.at = linkage.at;
+    for (const LinkageSignal& signal : linkage.signals) {
+        model.signal_names.push_back({signal.name, signal.unit});
+        model.signals.push_back(signal.value);
+        if (signal.value.kind == linkage::Signal::Kind::transmission_angle)
+            model.signals.back().of = margin_at(linkage, signal.value.of);
+    }
+    std::size_t own = convert.count();
+    const auto anchor = [&](std::size_t i) {
+        if (is_own(linkage, i)) return Affine{0, {{own++, 1}}};
+        const LinkageAnchor& one = linkage.placement[i];
+        return one.sum ? convert.sum(*one.sum, anchored[i]) : Affine{one.range.min, {}};
+    };
+    for (std::size_t i = 0; i < 3; ++i)
+        model.placement[i] = anchor(i);
+    model.scale = anchor(3);
+    return model;
+}
+
+std::vector<double> usual(std::span<const DimensionRange> ranges) {
+    std::vector<double> dimensions;
+    for (const DimensionRange& range : ranges)
+        dimensions.push_back(range.start.value_or(range.min + (range.max - range.min) / 2));
+    return dimensions;
+}
+
+/// How many times as fast as the drive the fastest link turns, as far as drives and gears say it.
+double greatest_turn(const LinkageModel& model, std::span<const double> dimensions) {
+    double greatest = 0;
+    for (const double turns :
+         linkage::detail::turns_of_links(driven(model, dimensions, 0), model.structure).value_or(std::vector<double>{}))
+        greatest = std::max(greatest, std::isfinite(turns) ? std::abs(turns) : std::numeric_limits<double>::max());
+    return greatest;
+}
+
+/// After how many turns of the drive it closes, by the usual dimensions; 0 where it never does.
+int turns_of_cycle(const LinkageModel& model, std::span<const double> dimensions) {
+    if (greatest_turn(model, dimensions) > fastest_link) return 0;
+    return linkage::turns_of_cycle(model.structure, driven(model, dimensions, 0)).value_or(0);
+}
+
+}  // namespace
+
+std::string why_no_mechanism(const Linkage& linkage) {
+    if (!linkage.order.closed()) {
+        std::string names;
+        for (const linkage::Group& group : linkage.order.groups)
+            if (group.kind == linkage::Group::Kind::larger)
+                for (const std::size_t link : group.links)
+                    names += (names.empty() ? "'" : ", '") + linkage.links[link] + "'";
+        return fmt::format("{} are placed together and form no dyad; such groups are not placed by this version",
+                           names);
+    }
+    for (const LinkageSignal& signal : linkage.signals)
+        if (signal.value.kind == linkage::Signal::Kind::transmission_angle &&
+            margin_at(linkage, signal.value.of) == linkage::none)
+            return fmt::format("the signal '{}' is the transmission angle of a dyad, and none is closed at '{}'",
+                               signal.name, linkage.pins[signal.value.of]);
+    if (linkage.structure.drives.front().of_slide)
+        return "its drive is a slide; linkages are measured and drawn by the angle of a driven link in this version";
+    const auto open = static_cast<std::size_t>(std::count(linkage.sides.begin(), linkage.sides.end(), 0));
+    if (open > most_open_sides)
+        return fmt::format("{} dyads are closed on 'either' side: say the sides of all but {}", open, most_open_sides);
+    const std::size_t count = dimensions_of(linkage).size();
+    if (count > Reads::most)
+        return fmt::format("it has {} dimensions with those of its placement: {} at most can be", count, Reads::most);
+    return {};
+}
+
+std::shared_ptr<const Mechanism> mechanism_of(const Linkage& linkage, std::string sections,
+                                              std::span<const std::string> quantities) {
+    Assemblies assemblies = assemblies_of(linkage);
+    LinkageModel model = model_of(linkage);
+    model.sides = std::move(assemblies.sides);
+    model.turns = turns_of_cycle(model, usual(ranges_of(linkage)));
+    std::vector<NamedMeasure> asked;
+    std::string fault;
+    for (const std::string& name : quantities)
+        if (const auto quantity = to_linkage_quantity(linkage, name, fault)) asked.push_back({name, *quantity});
+    Mechanism made = linkage_mechanism(std::move(model), dimensions_of(linkage), asked);
+    made.assemblies = std::move(assemblies.names);
+    made.assembly_documents = std::move(assemblies.documents);
+    made.made_from = std::move(sections);
+    return std::make_shared<const Mechanism>(std::move(made));
+}
+
+namespace {
+
+/// What tables of a problem cannot hold, or hold too deep.
+bool is_plain(const Json& json, int depth = 0) {
+    constexpr int deepest = 8;
+    if (json.is_null() || json.is_binary() || json.is_discarded() || depth > deepest) return false;
+    return !json.is_structured() ||
+           std::all_of(json.begin(), json.end(), [&](const Json& below) { return is_plain(below, depth + 1); });
+}
+
+}  // namespace
+
+MadeAgain mechanism_of_sections(const Json& sections, std::span<const std::string> quantities) {
+    if (!sections.is_object() || !is_plain(sections)) return {{}, "is no object of sections"};
+    Json file{{"schema", 1}, {"mechanism", "linkage"}};
+    file.update(sections);
+    const reading::MadeTable made = reading::made_table(file);
+    reading::Messages messages{.file = {}, .nodes = &made.nodes};
+    Linkage linkage;
+    reading::read_linkage_table(made.table, linkage, messages);
+    if (messages.failed) {
+        for (const Message& message : reading::sorted(std::move(messages)))
+            if (!message.warning) return {{}, "describes none: " + to_string(message)};
+    }
+    if (std::string why = why_no_mechanism(linkage); !why.empty()) return {{}, std::move(why)};
+    return {mechanism_of(linkage, sections.dump(), quantities), {}};
+}
+
+namespace reading {
+
+namespace {
+
+constexpr std::array<std::string_view, 13> describing{"units",  "dimensions", "links",  "slide", "slot",
+                                                      "gear",   "belt",       "rack",   "drive", "assembly",
+                                                      "sketch", "placement",  "signals"};
+
+Json json_of(const toml::node& node) {
+    if (const toml::table* table = node.as_table()) {
+        Json object = Json::object();
+        for (const auto& [key, value] : in_order(*table))
+            object[std::string(key)] = json_of(*value);
+        return object;
+    }
+    if (const toml::array* array = node.as_array()) {
+        Json list = Json::array();
+        for (const toml::node& value : *array)
+            list.push_back(json_of(value));
+        return list;
+    }
+    if (const auto text = node.value_exact<std::string>()) return *text;
+    if (const auto flag = node.value_exact<bool>()) return *flag;
+    if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
+    return node.value<double>().value_or(0);
+}
+
+void add_quantities(const toml::node* node, std::vector<std::string>& names) {
+    if (node == nullptr) return;
+    if (const auto name = node->value_exact<std::string>()) names.push_back(*name);
+    if (const toml::array* list = node->as_array())
+        for (const toml::node& entry : *list)
+            add_quantities(&entry, names);
+}
+
+/// The quantities that a file names, in the order of the sections that can.
+std::vector<std::string> quantities_in(const toml::table& table) {
+    std::vector<std::string> names;
+    const auto add = [&](const toml::node& section) {
+        const toml::table* one = section.as_table();
+        if (one == nullptr) return;
+        for (const char* key : {"quantity", "minimize", "maximize", "report"})
+            add_quantities(one->get(key), names);
+    };
+    for (const char* section : {"require", "objective", "study"}) {
+        const toml::node* node = table.get(section);
+        if (node == nullptr) continue;
+        add(*node);
+        if (const toml::array* list = node->as_array())
+            for (const toml::node& entry : *list)
+                add(entry);
+    }
+    return names;
+}
+
+}  // namespace
+
+bool names_linkage(const toml::table& table) { return table["mechanism"].value_exact<std::string>() == "linkage"; }
+
+Json sections_of_linkage(const toml::table& table) {
+    Json sections = Json::object();
+    for (const std::string_view name : describing)
+        if (const toml::node* node = table.get(name)) sections[std::string(name)] = json_of(*node);
+    if (const auto at = table["motion"]["at"].value<double>()) sections["motion"] = {{"at", *at}};
+    return sections;
+}
+
+void read_linkage_problem(const toml::table& table, Problem& problem, Messages& messages) {
+    Linkage linkage;
+    read_linkage_table(table, linkage, messages);
+    if (messages.failed) return;
+    if (const std::string why = why_no_mechanism(linkage); !why.empty())
+        return add_error(messages, place_of(*table.get("mechanism")),
+                         why + "; 'mechwright structure' shows how the linkage is made up");
+    problem.title = linkage.title;
+    problem.units = linkage.units;
+    problem.mechanism = mechanism_of(linkage, sections_of_linkage(table).dump(), quantities_in(table));
+    const LinkageModel& model = linkage_of(problem.mechanism->model.data());
+    if (greatest_turn(model, usual(ranges_of(linkage))) > fastest_link)
+        return add_error(messages, place_of(*table.get("drive")),
+                         "a link of it turns more than ten thousand times as fast as its drive: give lesser ratios");
+    if (model.turns == 0 && !linkage.crank_range)
+        return add_error(messages, place_of(*table.get("drive")),
+                         fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "
+                                     "give the motion an end, [motion] crank_range = [0, 360]",
+                                     linkage::most_turns));
+    problem.dimensions = ranges_of(linkage);
+    problem.crank_range = linkage.crank_range;
+    problem.assemblies.resize(std::max<std::size_t>(problem.mechanism->assemblies.size(), 1));
+    std::iota(problem.assemblies.begin(), problem.assemblies.end(), std::size_t{0});
+    Section file{&table, "", {1, 1}, keys::of_file()};
+    Messages once_more{.file = messages.file, .nodes = messages.nodes};  // these were reported
+    read_solver(file, problem, once_more);
+    read_objective(file, problem, messages);
+    read_requirements(file, problem, messages);
+    read_study(file, problem, messages);
+}
+
+}  // namespace reading
+
+}  // namespace mechwright

@@ -1,0 +1,168 @@
+// Files of linkages as problems: analysed, solved, verified from their documents alone, against the built-in kinds that
+// they describe anew.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "synthesis/document/document.h"
+#include "synthesis/problem/reader.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/solve/solve.h"
+#include "synthesis/verify/verify.h"
+
+namespace mechwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+ReadProblem linkage_of_text(const std::string& text) {
+    ReadProblem read = parse_problem(text, "linkage.toml");
+    for (const Message& message : read.messages)
+        ADD_FAILURE() << to_string(message);
+    return read;
+}
+
+Json analysed(const std::string& text) {
+    const ReadProblem read = linkage_of_text(text);
+    return read.ok() ? analysis_document(read.problem, evaluate_given(read.problem)) : Json();
+}
+
+void expect_verified(const Json& document) {
+    for (const Check& check : verify(document))
+        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
+}
+
+bool is_refused(const Json& document) {
+    const std::vector<Check> checks = verify(document);
+    return std::any_of(checks.begin(), checks.end(), [](const Check& check) { return !check.passed; });
+}
+
+/// A crank-rocker of lengths 100, 40, 110, 80 with its coupler above the frame.
+const std::string four_bar = R"(
+schema = 1
+mechanism = "linkage"
+[dimensions]
+ground = 100
+crank = 40
+coupler = 110
+rocker = 80
+[links]
+frame = { A = [0, 0], D = ["ground", 0] }
+crank = { A = [0, 0], B = ["crank", 0] }
+coupler = { B = [0, 0], C = ["coupler", 0], P = [50, 30] }
+rocker = { D = [0, 0], C = ["rocker", 0] }
+[drive]
+link = "crank"
+[assembly]
+C = "left"
+[signals]
+swing = { angle = "rocker" }
+height = { y = "P" }
+pull = { transmission-angle = "C" }
+)";
+
+const std::string four_bar_built_in = R"(
+schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 100
+crank = 40
+coupler = 110
+rocker = 80
+)";
+
+TEST(LinkageProblems, AFourBarHasTheQuantitiesOfTheBuiltInKind) {
+    const Json own = analysed(four_bar)["quantities"], built_in = analysed(four_bar_built_in)["quantities"];
+    const auto expect_same = [&](const char* name, const char* built_in_name) {
+        const double expected = built_in[built_in_name];
+        EXPECT_NEAR(own[name].get<double>(), expected, 1e-12 * std::abs(expected)) << name;
+    };
+    expect_same("swing.range", "swing");
+    expect_same("pull.least", "transmission-angle-min");
+    expect_same("pull.greatest", "transmission-angle-max");
+    expect_same("transmission-angle-worst", "transmission-angle-worst");
+    expect_same("total-length", "total-length");
+    expect_same("link-ratio", "link-ratio");
+}
+
+TEST(LinkageProblems, AnAnalysisIsVerifiedFromItsDocumentAlone) {
+    const Json document = analysed(four_bar);
+    expect_verified(document);
+    Json changed = document;
+    changed["quantities"]["swing.range"] = document["quantities"]["swing.range"].get<double>() * (1 + 1e-7);
+    EXPECT_TRUE(is_refused(changed));
+    changed = document;
+    changed["design"]["rocker"] = 80.00001;
+    EXPECT_TRUE(is_refused(changed));
+    changed = document;
+    changed["design"]["assembly"]["C"]["side"] = "right";
+    EXPECT_TRUE(is_refused(changed));
+    changed = document;
+    changed["linkage"]["links"]["coupler"]["P"][1] = 30.0001;
+    EXPECT_TRUE(is_refused(changed));
+}
+
+TEST(LinkageProblems, ALimitedMotionEndsWhereItsJointsDo) {
+    std::string limited = four_bar;
+    limited.replace(limited.find("crank = 40"), 10, "crank = 140");
+    const Json document = analysed(limited);
+    std::string built_in = four_bar_built_in;
+    built_in.replace(built_in.find("crank = 40"), 10, "crank = 140");
+    const Json expected = analysed(built_in)["quantities"];
+    EXPECT_NEAR(document["quantities"]["pull.least"].get<double>(), expected["transmission-angle-min"].get<double>(),
+                1e-9);
+    EXPECT_EQ(document["quantities"]["pull.greatest"], expected["transmission-angle-max"]);
+    expect_verified(document);
+}
+
+TEST(LinkageProblems, ARequirementIsMetAndTheDesignVerified) {
+    std::string free = four_bar;
+    free.replace(free.find("rocker = 80\n"), 12, "rocker = { min = 60, max = 200 }\n");
+    free.replace(free.find("crank = 40\n"), 11, "crank = { min = 10, max = 60 }\n");
+    free +=
+        "[[require]]\nquantity = \"swing.range\"\nequal = 50\n"
+        "[objective]\nmaximize = \"transmission-angle-worst\"\n[solver]\nstarts = 8\n";
+    const ReadProblem read = linkage_of_text(free);
+    ASSERT_TRUE(read.ok());
+    const Result result = solve(read.problem, {});
+    ASSERT_EQ(result.status, Status::solved) << result.note;
+    EXPECT_TRUE(result.verified());
+    // The same asked of the built-in kind.
+    std::string built_in = four_bar_built_in;
+    built_in.replace(built_in.find("rocker = 80\n"), 12, "rocker = { min = 60, max = 200 }\n");
+    built_in.replace(built_in.find("crank = 40\n"), 11, "crank = { min = 10, max = 60 }\n");
+    built_in +=
+        "[[require]]\nquantity = \"swing\"\nequal = 50\n"
+        "[objective]\nmaximize = \"transmission-angle-worst\"\n";
+    const ReadProblem same = linkage_of_text(built_in);
+    const Result expected = solve(same.problem, {});
+    ASSERT_EQ(expected.status, Status::solved);
+    EXPECT_NEAR(result.best->objective, expected.best->objective, 1e-7);
+}
+
+TEST(LinkageProblems, AnUnknownGroupIsNamedWithTheCommandThatShowsIt) {
+    const ReadProblem read = parse_problem(R"(schema = 1
+mechanism = "linkage"
+[links]
+frame = { A = [0, 0], D = [4, 0], G = [2, 5] }
+crank = { G = [0, 0], H = [1, 0] }
+one = { A = [0, 0], P = [3, 0] }
+two = { D = [0, 0], Q = [3, 0] }
+three = { H = [0, 0], R = [3, 0] }
+plate = { P = [0, 0], Q = [2, 0], R = [1, 1] }
+[drive]
+link = "crank"
+)",
+                                           "triad.toml");
+    ASSERT_FALSE(read.ok());
+    EXPECT_NE(to_string(read.messages.front()).find("structure"), std::string::npos)
+        << to_string(read.messages.front());
+}
+
+}  // namespace
+
+}  // namespace mechwright
