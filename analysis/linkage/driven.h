@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "analysis/linkage/order.h"
 #include "analysis/linkage/place.h"
+#include "analysis/linkage/steps.h"
 
 namespace mechwright::linkage {
 
@@ -19,6 +19,13 @@ struct DriveLaw {
     double ratio = 1;
     double phase = 0;
 };
+
+/// The inputs of all drives for one of the master.
+template <class T>
+void set_inputs(std::span<const DriveLaw> laws, const T& master, std::span<T> inputs) {
+    for (std::size_t i = 0; i < laws.size(); ++i)
+        inputs[i] = T(laws[i].ratio) * master + T(laws[i].phase);
+}
 
 template <class T>
 class Driven {
@@ -55,8 +62,7 @@ public:
 
     /// Places all links into `pose`; as linkage::place. `near` as of Input.
     bool place(const T& master, std::span<const double> near = {}) {
-        for (std::size_t i = 0; i < laws.size(); ++i)
-            inputs_[i] = T(laws[i].ratio) * master + T(laws[i].phase);
+        set_inputs<T>(laws, master, inputs_);
         return linkage::place<T>(order, sizes, {inputs_, sides, near, shortfall}, pose);
     }
 

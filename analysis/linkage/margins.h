@@ -19,15 +19,6 @@ struct MarginPlace {
 
 namespace detail {
 
-/// Whether a margin is that of two lines: no length, and parted otherwise (travel.h).
-inline bool is_of_lines(const Order& order, std::size_t margin) {
-    for (const Step& step : order.steps)
-        if (step.margin == margin)
-            return step.kind == Step::Kind::tied ||
-                   (step.kind == Step::Kind::dyad && step.first.kind != Locus::Kind::circle);
-    return true;
-}
-
 /// Where the distance of a dyad's outer pins passes 0, far beyond its limit, its margin has a cusp and no derivative:
 /// the least of samples, and golden section about it.
 template <class Function>
@@ -97,7 +88,7 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
     for (std::size_t margin = 0; margin < driven.order.margins && !now.empty(); ++margin) {
         std::vector<Travel> next;
         for (const Travel& travel : now) {
-            if (!detail::is_of_lines(driven.order, margin)) {
+            if (!is_of_lines(driven.order, margin)) {
                 Driven<double> moving = driven;
                 moving.shortfall = std::numeric_limits<double>::infinity();
                 const Turns turns(moving, travel.from, travel.to + (travel.whole ? 0.125 : 0));
@@ -128,7 +119,7 @@ Limit limit_at(Measured<T, K>& measured, double master, std::span<const double> 
     Limit nearest;
     double least = rounding * size_of(measured.driven());
     for (std::size_t i = 0; i < measured.driven().order.margins; ++i) {
-        if (detail::is_of_lines(measured.driven().order, i)) continue;
+        if (is_of_lines(measured.driven().order, i)) continue;
         for (const bool inner : {false, true}) {
             const double margin = std::abs(number_as<double>(value_of(measured.margin({i, inner}, master, near).c[0])));
             if (!(margin <= least)) continue;

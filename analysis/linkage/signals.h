@@ -61,19 +61,6 @@ inline std::size_t order_of(std::span<const Signal> signals, std::size_t signal)
     }
 }
 
-/// The margin that a group has, none if it has none.
-inline std::size_t margin_of(const Order& order, const Group& group) {
-    for (const Step& step : order.steps) {
-        if (step.margin == none) continue;
-        const bool by_pin = group.pin != none && group.choice == step.choice &&
-                            (step.kind == Step::Kind::dyad ? step.pin : step.far_pin) == group.pin;
-        const bool by_link = group.pin == none && step.kind == Step::Kind::tied &&
-                             std::find(group.links.begin(), group.links.end(), step.link) != group.links.end();
-        if (by_pin || by_link) return step.margin;
-    }
-    return none;
-}
-
 /// How a linkage stands in the drawing: its frame's origin there, the angle of its x axis, the size of its unit.
 template <class T>
 struct Placing {

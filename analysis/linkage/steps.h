@@ -3,6 +3,7 @@
 /// A linkage as one flat list of plain steps, each of which places what the steps before it allow: what place.h runs
 /// through at every crank angle. order.h makes the list.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -64,6 +65,9 @@ struct Step {
     std::size_t margin = none;   ///< which of the margins it has
     Locus first{}, second{};  ///< of a dyad: a circle before a line; of a gear its two links (`other` is its carrier);
                               ///< of `wheeled` slide and line, of `racked` wheel and carrier
+
+    /// Whether it places something where two lines meet: its margin is the sine of the angle between them, no length.
+    bool is_of_lines() const { return kind == Kind::tied || (kind == Kind::dyad && first.kind != Locus::Kind::circle); }
 };
 
 /// How some links are placed together.
@@ -104,5 +108,23 @@ struct Order {
         return true;
     }
 };
+
+/// The margin that a group has, none if it has none.
+inline std::size_t margin_of(const Order& order, const Group& group) {
+    for (const Step& step : order.steps) {
+        if (step.margin == none) continue;
+        const bool by_pin = group.pin != none && group.choice == step.choice &&
+                            (step.kind == Step::Kind::dyad ? step.pin : step.far_pin) == group.pin;
+        const bool by_link = group.pin == none && step.kind == Step::Kind::tied &&
+                             std::find(group.links.begin(), group.links.end(), step.link) != group.links.end();
+        if (by_pin || by_link) return step.margin;
+    }
+    return none;
+}
+
+inline bool is_of_lines(const Order& order, std::size_t margin) {
+    return std::any_of(order.steps.begin(), order.steps.end(),
+                       [margin](const Step& step) { return step.margin == margin && step.is_of_lines(); });
+}
 
 }  // namespace mechwright::linkage

@@ -4,6 +4,7 @@
 /// of points, offsets, ratios) are in a list of their own, of which the structure holds positions, so that one
 /// structure serves every design and every number type. Link 0 is the frame. Angles are radians.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -124,9 +125,34 @@ inline const Coordinates& coordinates_on(const Pin& pin, std::size_t link) {
     return pin.points.front().at;
 }
 
+/// The greatest distance of a point from its link's origin: what is small against it is nothing.
+inline double farthest_point(const Structure& s, std::span<const double> numbers) {
+    double greatest = 0;
+    for (const Pin& pin : s.pins)
+        for (const Point& point : pin.points) {
+            const Vector<double> at = place_of(point.at, numbers);
+            greatest = std::max(greatest, std::hypot(at.x, at.y));
+        }
+    return greatest;
+}
+
 inline bool is_on(const Pin& pin, std::size_t link) {
     for (const Point& point : pin.points)
         if (point.link == link) return true;
+    return false;
+}
+
+inline bool share_link(const Pin& a, const Pin& b) {
+    for (const Point& point : a.points)
+        if (is_on(b, point.link)) return true;
+    return false;
+}
+
+/// Whether a pin joins links, or is in a slot; else it is a point of a link.
+inline bool is_joint(const Structure& s, std::size_t pin) {
+    if (s.pins[pin].points.size() > 1) return true;
+    for (const Slot& slot : s.slots)
+        if (slot.pin == pin) return true;
     return false;
 }
 

@@ -53,9 +53,7 @@ public:
                                        [&](const Step& each) { return each.margin == margin; });
         head_.steps.erase(step + 1, head_.steps.end());
         driven_.shortfall = std::numeric_limits<double>::infinity();
-        const Step& last = head_.steps.back();
-        lines_ =
-            last.kind == Step::Kind::tied || (last.kind == Step::Kind::dyad && last.first.kind != Locus::Kind::circle);
+        lines_ = head_.steps.back().is_of_lines();
         for (const Step& each : head_.steps)
             unwinds_ = unwinds_ || each.kind == Step::Kind::unwound;
     }

@@ -47,7 +47,7 @@ inline FinishedDesign design_of(LinkageModel model) {
     mechanism->name = "linkage";
     mechanism->table = linkage_table(model);
     mechanism->drawing = linkage_drawing();
-    PlacedLinkage placed(model, {}, 0);
+    linkage::Driven<double> placed = driven(model, {}, 0);
     Motion motion;
     const double span = model.driven_by_slide() ? 20 : turn;
     const auto closes = [&](int degree) { return placed.place(span * degree / 720); };

@@ -14,20 +14,25 @@ const LinkageModel& model_of(const MovingDesign& design) { return linkage_of(des
 
 /// Calls `take` with poses of the linkage spread over its motion.
 template <class Take>
-void over_motion(PlacedLinkage& linkage, const MovingDesign& design, const Take& take) {
+void over_motion(const MovingDesign& design, const Take& take) {
     const LinkageModel& model = model_of(design);
+    linkage::Driven<double> linkage = driven(model, design.dimensions, design.motion.assembly);
     const Motion& motion = design.motion;
     const int samples = 360 * (motion.full_turn ? std::max(1, model.turns) : 1);
     for (int i = 0; i <= samples; ++i)
-        if (place_within(linkage, motion, motion.from + (motion.to - motion.from) * i / samples)) take(linkage.pose());
+        if (place_within(linkage, motion, motion.from + (motion.to - motion.from) * i / samples)) take(linkage.pose);
 }
 
-/// The shape of a design, with all that its slides and pins in slots pass.
-LinkageShape shape_of(const MovingDesign& design, PlacedLinkage& linkage) {
+std::vector<double> numbers_of(const MovingDesign& design) {
+    return numbers_of(model_of(design), std::span<const double>(design.dimensions));
+}
+
+/// The shape of a design of these numbers, with all that its slides and pins in slots pass.
+LinkageShape shape_of(const MovingDesign& design, std::span<const double> numbers) {
     const LinkageModel& model = model_of(design);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     LinkageShape shape{.structure = model.structure,
-                       .numbers = linkage.numbers(),
+                       .numbers = numbers,
                        .links = model.links,
                        .pins = model.pins,
                        .scale = placement_of(model, design.dimensions).scale,
@@ -38,7 +43,7 @@ LinkageShape shape_of(const MovingDesign& design, PlacedLinkage& linkage) {
     const auto widen = [](Extent& stretch, double at) {
         stretch = {std::min(stretch.from, at), std::max(stretch.to, at)};
     };
-    over_motion(linkage, design, [&](const linkage::Pose<double>& pose) {
+    over_motion(design, [&](const linkage::Pose<double>& pose) {
         for (std::size_t i = 0; i < shape.slides.size(); ++i)
             widen(shape.slides[i], slide_displacement(shape, i, pose));
         for (std::size_t i = 0; i < shape.slots.size(); ++i)
@@ -51,8 +56,8 @@ LinkageShape shape_of(const MovingDesign& design, PlacedLinkage& linkage) {
 }
 
 std::vector<Body> bodies(const MovingDesign& design, double symbol, double) {
-    PlacedLinkage linkage(model_of(design), design.dimensions, design.motion.assembly);
-    const LinkageShape shape = shape_of(design, linkage);
+    const std::vector<double> numbers = numbers_of(design);
+    const LinkageShape shape = shape_of(design, numbers);
     std::vector<Body> made(shape.links.size() - 1);
     for (std::size_t link = 1; link < shape.links.size(); ++link)
         made[body_of(shape.first_body, link)] = link_body(shape, link, symbol);
@@ -68,10 +73,9 @@ std::vector<Body> bodies(const MovingDesign& design, double symbol, double) {
 
 /// The frame, in the drawing.
 Body ground(const MovingDesign& design, double symbol) {
-    const LinkageModel& model = model_of(design);
-    PlacedLinkage linkage(model, design.dimensions, design.motion.assembly);
-    Body body = link_body(shape_of(design, linkage), 0, symbol);
-    const BodyPlace frame = placement_of(model, design.dimensions).frame;
+    const std::vector<double> numbers = numbers_of(design);
+    Body body = link_body(shape_of(design, numbers), 0, symbol);
+    const BodyPlace frame = placement_of(model_of(design), design.dimensions).frame;
     const auto put = [&frame](Vector<double>& at) { at = in_drawing(frame, at); };
     for (Outline& outline : body.outlines)
         for (ArcVertex& vertex : outline.vertices)
@@ -87,12 +91,12 @@ Body ground(const MovingDesign& design, double symbol) {
 
 bool place(const MovingDesign& design, double crank_angle, std::size_t assembly, std::span<BodyPlace> places) {
     const LinkageModel& model = model_of(design);
-    PlacedLinkage linkage(model, design.dimensions, assembly);
+    linkage::Driven<double> linkage = driven(model, design.dimensions, assembly);
     const bool closes = place_within(linkage, design.motion, crank_angle);
     const LinkagePlacement placement = placement_of(model, design.dimensions);
     const std::size_t first = driven_link(model);
     for (std::size_t link = 1; link < model.links.size(); ++link) {
-        const linkage::LinkPlace<double>& at = linkage.pose().links[link];
+        const linkage::LinkPlace<double>& at = linkage.pose.links[link];
         places[body_of(first, link)] = {placement.in_drawing(at.origin), turned(at.along, placement.frame.turn)};
     }
     return closes;
@@ -114,7 +118,7 @@ std::size_t driven_link(const LinkageModel& model) {
     return slide.link != 0 ? slide.link : slide.line.on;
 }
 
-bool place_within(PlacedLinkage& linkage, const Motion& motion, double master) {
+bool place_within(linkage::Driven<double>& linkage, const Motion& motion, double master) {
     if (linkage.place(master)) return true;
     if (motion.full_turn) return false;
     const double span = motion.to - motion.from, inwards = master < 0.5 * (motion.from + motion.to) ? 1 : -1;

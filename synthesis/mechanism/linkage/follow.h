@@ -19,14 +19,17 @@ template <class T>
 class Follower {
 public:
     Follower(const LinkageModel& model, std::vector<T> numbers)
-        : model_(model), loop(model.structure, std::move(numbers)), inputs_(model.drives.size()), speeds_(inputs_) {
-        for (std::size_t i = 0; i < speeds_.size(); ++i)
-            speeds_[i] = T(i == 0 ? 1 : model.drives[i].ratio);
+        : model_(model),
+          loop(model.structure, std::move(numbers)),
+          laws_(laws_of(model.drives)),
+          inputs_(laws_.size()) {
+        for (const linkage::DriveLaw& law : laws_)
+            speeds_.push_back(T(law.ratio));
     }
 
     /// Takes a pose that is nearly one at this input; false where none is next to it.
     bool start(const T& input, LoopPose<T> near) {
-        set_inputs(model_, input, std::span(inputs_));
+        linkage::set_inputs<T>(laws_, input, inputs_);
         if (!loop.solve(inputs_, near)) return false;
         at = input;
         pose = std::move(near);
@@ -44,7 +47,7 @@ public:
             next.turns[i] += (to - at) * speed.turns[i];
         }
         const LoopPose<T> predicted = next;
-        set_inputs(model_, to, std::span(inputs_));
+        linkage::set_inputs<T>(laws_, to, inputs_);
         if (!loop.solve(inputs_, next) || distance(predicted, next) > astray) return false;
         at = to;
         pose = std::move(next);
@@ -96,6 +99,7 @@ public:
     T at{0};
 
 private:
+    std::vector<linkage::DriveLaw> laws_;
     std::vector<T> inputs_, speeds_;
 };
 

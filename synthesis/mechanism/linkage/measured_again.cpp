@@ -284,26 +284,6 @@ private:
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// Whether a pin joins links, or is in a slot; else it is a point of a link.
-bool joins(const linkage::Structure& s, std::size_t pin) {
-    return s.pins[pin].points.size() > 1 ||
-           std::any_of(s.slots.begin(), s.slots.end(), [pin](const linkage::Slot& slot) { return slot.pin == pin; });
-}
-
-bool share_link(const linkage::Pin& a, const linkage::Pin& b) {
-    return std::any_of(a.points.begin(), a.points.end(),
-                       [&](const linkage::Point& point) { return linkage::is_on(b, point.link); });
-}
-
-/// Whether a margin is that of two lines, the sine of an angle and no length.
-bool is_of_lines(const linkage::Order& order, std::size_t margin) {
-    return std::any_of(order.steps.begin(), order.steps.end(), [margin](const linkage::Step& step) {
-        return step.margin == margin &&
-               (step.kind == linkage::Step::Kind::tied ||
-                (step.kind == linkage::Step::Kind::dyad && step.first.kind != linkage::Locus::Kind::circle));
-    });
-}
-
 /// A quantity's stretch as parts of the motion: one, or two where it runs through the end of a full turn; none where it
 /// is not in the motion.
 std::vector<Vector<double>> parts_of(const Scan& scan, const std::optional<std::array<double, 2>>& stretch) {
@@ -499,7 +479,8 @@ Digits50 least_joint_distance(const Scan& scan) {
     Digits50 least = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < pins.size(); ++a)
         for (std::size_t b = 0; b < a; ++b) {
-            if (!joins(scan.model.structure, a) || !joins(scan.model.structure, b) || share_link(pins[a], pins[b]))
+            if (!linkage::is_joint(scan.model.structure, a) || !linkage::is_joint(scan.model.structure, b) ||
+                linkage::share_link(pins[a], pins[b]))
                 continue;
             least = std::min(least, least_of_poses(scan, [&]<class T>(SignalsAgain<T>& s, const LoopPose<T>& pose) {
                                  return s.distance(a, b, pose);
@@ -517,7 +498,7 @@ std::vector<Digits50> lengths_of(const LinkageModel& model, std::span<const Digi
         for (const linkage::Point& point : model.structure.pins[i].points) {
             const Vector<Digits50> at = linkage::place_of<Digits50>(point.at, numbers);
             const Digits50 length = scale * sqrt(dot(at, at));
-            if (joins(model.structure, i) && length > 0) lengths.push_back(length);
+            if (linkage::is_joint(model.structure, i) && length > 0) lengths.push_back(length);
         }
     return lengths;
 }
@@ -526,12 +507,8 @@ std::vector<Digits50> lengths_of(const LinkageModel& model, std::span<const Digi
 /// not close: there is no pose. A dyad counts where all before it close.
 Digits50 full_turn_margin(const LinkageModel& model, std::size_t assembly, std::span<const Digits50> dimensions) {
     const std::vector<Digits50> numbers = numbers_of(model, dimensions);
-    std::vector<linkage::DriveLaw> laws;
-    for (const LinkageDrive& drive : model.drives)
-        laws.push_back({drive.ratio, drive.phase});
-    laws.front() = {};
     linkage::Driven<Digits50> precise(model.structure, model.order, std::span<const Digits50>(numbers),
-                                      model.sides[assembly], laws);
+                                      model.sides[assembly], laws_of(model.drives));
     std::vector<double> rounded;
     for (const Digits50& d : dimensions)
         rounded.push_back(d.convert_to<double>());
@@ -541,7 +518,7 @@ Digits50 full_turn_margin(const LinkageModel& model, std::size_t assembly, std::
         const bool whole = moving.place(at);
         for (std::size_t i = 0; i < model.order.margins; ++i) {
             const T one = std::min(moving.pose.margins[i].outer, moving.pose.margins[i].inner);
-            if (!is_of_lines(model.order, i)) least = std::min<T>(least, one);
+            if (!linkage::is_of_lines(model.order, i)) least = std::min<T>(least, one);
             if (!whole && !(one >= T(0))) break;
         }
         return least;

@@ -149,15 +149,6 @@ Motion motion_of_linkage(Form form, std::span<const double> dimensions, const do
     return motion;
 }
 
-linkage::Driven<double> driven(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly) {
-    const std::vector<double> numbers = numbers_of(model, dimensions);
-    std::vector<linkage::DriveLaw> laws;
-    for (const LinkageDrive& drive : model.drives)
-        laws.push_back({drive.ratio, drive.phase});
-    laws.front() = {};
-    return {model.structure, model.order, std::span<const double>(numbers), model.sides[assembly], laws};
-}
-
 Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimensions,
                             std::span<const NamedMeasure> quantities) {
     Mechanism made;

@@ -6,15 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/linkage/driven.h"
 #include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/mechanism.h"
 
 namespace mechwright {
-
-/// The linkage of some dimensions in one assembly, driven by its master.
-linkage::Driven<double> driven(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly);
 
 /// As Mechanism::motion. Of several motions the one that holds LinkageModel::at, else the widest, the first of these.
 Motion motion_of_linkage(Form form, std::span<const double> dimensions, const double* crank_range);

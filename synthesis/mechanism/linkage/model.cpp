@@ -4,17 +4,17 @@
 
 namespace mechwright {
 
-PlacedLinkage::PlacedLinkage(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly)
-    : model_(model),
-      numbers_(numbers_of(model, dimensions)),
-      sizes_(linkage::sizes_of(model.structure, model.order, std::span<const double>(numbers_))),
-      sides_(model.sides[assembly]),
-      inputs_(model.drives.size()),
-      pose_(linkage::empty_pose<double>(model.structure, model.order)) {}
+std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives) {
+    std::vector<linkage::DriveLaw> laws;
+    for (const LinkageDrive& drive : drives)
+        laws.push_back(laws.empty() ? linkage::DriveLaw{} : linkage::DriveLaw{drive.ratio, drive.phase});
+    return laws;
+}
 
-bool PlacedLinkage::place(double master) {
-    set_inputs(model_, master, std::span(inputs_));
-    return linkage::place<double>(model_.order, sizes_, {inputs_, sides_}, pose_);
+linkage::Driven<double> driven(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly) {
+    const std::vector<double> numbers = numbers_of(model, dimensions);
+    return {model.structure, model.order, std::span<const double>(numbers), model.sides[assembly],
+            laws_of(model.drives)};
 }
 
 LinkagePlacement placement_of(const LinkageModel& model, std::span<const double> dimensions) {

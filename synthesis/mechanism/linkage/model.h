@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/linkage/place.h"
+#include "analysis/linkage/driven.h"
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/steps.h"
 #include "analysis/linkage/structure.h"
@@ -66,33 +66,11 @@ std::vector<T> numbers_of(const LinkageModel& model, std::span<const T> dimensio
     return numbers;
 }
 
-/// The inputs of all drives for one of the master, into `inputs`.
-template <class T>
-void set_inputs(const LinkageModel& model, const T& master, std::span<T> inputs) {
-    inputs[0] = master;
-    for (std::size_t i = 1; i < model.drives.size(); ++i)
-        inputs[i] = T(model.drives[i].ratio) * master + T(model.drives[i].phase);
-}
+/// By which inputs follow the master's; its own is the master itself.
+std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives);
 
-/// A linkage of given dimensions in one assembly, to be placed at any input of its master. Lengths are before `scale`.
-class PlacedLinkage {
-public:
-    PlacedLinkage(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly);
-
-    /// Whether it closes; the pose then is that of this input.
-    bool place(double master);
-    const linkage::Pose<double>& pose() const { return pose_; }
-    const std::vector<double>& numbers() const { return numbers_; }
-    std::span<const linkage::Sized<double>> sizes() const { return sizes_; }
-
-private:
-    const LinkageModel& model_;
-    std::vector<double> numbers_;
-    std::vector<linkage::Sized<double>> sizes_;
-    std::span<const std::int8_t> sides_;
-    std::vector<double> inputs_;
-    linkage::Pose<double> pose_;
-};
+/// The linkage of some dimensions in one assembly, driven by its master. Lengths are before `scale`.
+linkage::Driven<double> driven(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly);
 
 /// The frame in the drawing, and how many times its lengths are as long there.
 struct LinkagePlacement {

@@ -29,17 +29,17 @@ struct Over {
     const LinkageModel& model;
     const LinkageMeasure& measure;
     const Motion& motion;
-    std::vector<linkage::DriveLaw> laws;
+    std::vector<linkage::DriveLaw> laws = laws_of(model.drives);
     double rate = 1;
 
     explicit Over(const Motion& over)
         : model(linkage_of(over.model)), measure(*static_cast<const LinkageMeasure*>(over.of)), motion(over) {
-        for (const LinkageDrive& drive : model.drives)
-            laws.push_back({drive.ratio, drive.phase});
-        if (!laws.empty()) laws.front() = {};
         if (!model.driven_by_slide() && model.drives.front().speed) rate = *model.drives.front().speed * turn / 60;
     }
     const std::vector<std::int8_t>& sides() const { return model.sides[motion.assembly]; }
+    linkage::Driven<double> driven(std::span<const double> dimensions) const {
+        return mechwright::driven(model, dimensions, motion.assembly);
+    }
     double period() const { return turn * model.turns; }
     linkage::Travel travel() const {
         return {motion.from, motion.full_turn ? motion.from + period() : motion.to, motion.full_turn};
@@ -54,16 +54,10 @@ std::vector<Signal> own_signals(const LinkageModel& model, Kind kind) {
         for (std::size_t margin = 0; margin < model.order.margins; ++margin)
             signals.push_back({Signal::Kind::transmission_angle, margin});
     if (kind != Kind::joint_distance_least) return signals;
-    const auto is_joint = [&](std::size_t pin) {
-        return s.pins[pin].points.size() > 1 ||
-               std::any_of(s.slots.begin(), s.slots.end(), [&](const auto& slot) { return slot.pin == pin; });
-    };
     for (std::size_t a = 0; a < s.pins.size(); ++a)
-        for (std::size_t b = a + 1; b < s.pins.size(); ++b) {
-            const bool together = std::any_of(s.pins[a].points.begin(), s.pins[a].points.end(),
-                                              [&](const auto& point) { return linkage::is_on(s.pins[b], point.link); });
-            if (is_joint(a) && is_joint(b) && !together) signals.push_back({Signal::Kind::distance, a, b});
-        }
+        for (std::size_t b = a + 1; b < s.pins.size(); ++b)
+            if (linkage::is_joint(s, a) && linkage::is_joint(s, b) && !linkage::share_link(s.pins[a], s.pins[b]))
+                signals.push_back({Signal::Kind::distance, a, b});
     return signals;
 }
 
@@ -115,9 +109,8 @@ Course course_of(const Over& over, std::span<const double> dimensions, linkage::
                  std::span<const Signal> signals) {
     Course course{over.travel()};
     if (needs_turns(over, signals)) {
-        const linkage::Driven<double> driven(over.model.structure, over.model.order, numbers_of(over.model, dimensions),
-                                             over.sides(), over.laws);
-        course = linkage::course_along(driven, course.travel, over.measure.stretch || over.measure.kind == Kind::at);
+        course = linkage::course_along(over.driven(dimensions), course.travel,
+                                       over.measure.stretch || over.measure.kind == Kind::at);
         if (course.turns.empty()) return course;
     }
     if (!course.travel.whole) {
@@ -132,8 +125,7 @@ bool closes_at_samples(const Over& over, std::span<const double> dimensions) {
     constexpr int samples = 36;
     const linkage::Travel travel = over.travel();
     if (travel.from > travel.to) return false;
-    linkage::Driven<double> driven(over.model.structure, over.model.order, numbers_of(over.model, dimensions),
-                                   over.sides(), over.laws);
+    linkage::Driven<double> driven = over.driven(dimensions);
     for (int i = 0; i < samples; ++i)
         if (!driven.place(travel.from + (travel.to - travel.from) * (i + 0.5) / samples)) return false;
     return true;
@@ -264,10 +256,7 @@ std::vector<T> link_lengths(const LinkageModel& model, std::span<const T> dimens
     const T scale = model.scale.at(dimensions);
     std::vector<T> lengths;
     for (std::size_t pin = 0; pin < s.pins.size(); ++pin) {
-        const bool joint =
-            s.pins[pin].points.size() > 1 ||
-            std::any_of(s.slots.begin(), s.slots.end(), [&](const auto& slot) { return slot.pin == pin; });
-        if (!joint) continue;
+        if (!linkage::is_joint(s, pin)) continue;
         for (const linkage::Point& point : s.pins[pin].points) {
             const Vector<T> at = linkage::place_of(point.at, std::span<const T>(numbers));
             const T length = hypotenuse(at.x, at.y);
@@ -405,8 +394,7 @@ bool measure_by_series(const Over& over, std::span<const double> dimensions, con
     Found found;
     std::array<double, 2> stretch{course.travel.from, course.travel.to};
     if (of_margins) {
-        const linkage::Driven<double> driven(over.model.structure, over.model.order, numbers_of(over.model, dimensions),
-                                             over.sides(), over.laws);
+        const linkage::Driven<double> driven = over.driven(dimensions);
         const linkage::Travel all = kind == Kind::full_turn_margin && !over.model.driven_by_slide()
                                         ? linkage::Travel{0, over.period(), true}
                                         : course.travel;

@@ -31,10 +31,10 @@ bool has_column(const LinkageModel& model, std::size_t link) {
 
 bool row(const Motion& motion, std::span<const double> dimensions, double crank_angle, std::span<double> out) {
     const LinkageModel& model = linkage_of(motion.model);
-    PlacedLinkage linkage(model, dimensions, motion.assembly);
+    linkage::Driven<double> linkage = driven(model, dimensions, motion.assembly);
     if (!place_within(linkage, motion, crank_angle)) return false;
     const LinkagePlacement placement = placement_of(model, dimensions);
-    const linkage::Pose<double>& pose = linkage.pose();
+    const linkage::Pose<double>& pose = linkage.pose;
     auto next = out.begin();
     *next++ = crank_angle;
     for (std::size_t link = 1; link < model.links.size(); ++link)
@@ -45,7 +45,8 @@ bool row(const Motion& motion, std::span<const double> dimensions, double crank_
         *next++ = at.x;
         *next++ = at.y;
     }
-    const LinkageShape shape{model.structure, linkage.numbers(), model.links, model.pins, placement.scale};
+    const std::vector<double> numbers = numbers_of(model, dimensions);
+    const LinkageShape shape{model.structure, numbers, model.links, model.pins, placement.scale};
     for (std::size_t i = 0; i < model.structure.slides.size(); ++i)
         *next++ = slide_displacement(shape, i, pose);
     return true;

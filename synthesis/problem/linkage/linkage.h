@@ -89,11 +89,11 @@ struct Linkage {
 /// radians.
 std::vector<double> numbers_of(const Linkage& linkage, const std::vector<double>& dimensions);
 
+/// Whether a link is left out of the order: its side follows from the others.
+bool is_redundant(const Linkage& linkage, std::size_t link);
+
 /// The dimensions of a linkage where they are given; of a range its start, else its middle.
 std::vector<double> usual_dimensions(const Linkage& linkage);
-
-/// The inputs of all drives for one of the master.
-std::vector<double> inputs_of(const Linkage& linkage, double master);
 
 inline constexpr std::array<std::string_view, 5> ready_made_quantities{
     "transmission-angle-worst", "total-length", "link-ratio", "full-turn-margin", "joint-distance-least"};

@@ -11,8 +11,8 @@
 
 #include "analysis/linkage/travel.h"
 #include "synthesis/mechanism/linkage/mechanism.h"
-#include "synthesis/problem/linkage/closing.h"
 #include "synthesis/problem/linkage/reading.h"
+#include "synthesis/problem/linkage/sides.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
@@ -132,16 +132,10 @@ void add_assembly(const Linkage& linkage, const std::vector<std::int8_t>& sides,
     Json document = Json::object();
     for (const linkage::Group& group : linkage.order.groups) {
         if (group.choice == linkage::none) continue;
-        const bool first = sides[group.choice] > 0, turned = group.kind == linkage::Group::Kind::rrr;
-        const char* side = turned ? (first ? "left" : "right") : first ? "ahead" : "behind";
         const std::string& key = key_of(linkage, group);
-        name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, side);
-        Json one{{"side", side}};
-        if (turned) {
-            one["from"] = linkage.pins[group.outer[0]];
-            one["to"] = linkage.pins[group.outer[1]];
-        }
-        document[key] = std::move(one);
+        const int side = sides[group.choice];
+        name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, word_of(group, side));
+        document[key] = side_document(linkage, group, side);
     }
     all.sides.push_back(sides);
     if (sides.empty()) return;

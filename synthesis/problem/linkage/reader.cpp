@@ -33,18 +33,15 @@ std::vector<double> numbers_of(const Linkage& linkage, const std::vector<double>
     return numbers;
 }
 
+bool is_redundant(const Linkage& linkage, std::size_t link) {
+    return std::find(linkage.redundant.begin(), linkage.redundant.end(), link) != linkage.redundant.end();
+}
+
 std::vector<double> usual_dimensions(const Linkage& linkage) {
     std::vector<double> dimensions;
     for (const LinkageDimension& d : linkage.dimensions)
         dimensions.push_back(d.start.value_or(d.min + (d.max - d.min) / 2));
     return dimensions;
-}
-
-std::vector<double> inputs_of(const Linkage& linkage, double master) {
-    std::vector<double> inputs;
-    for (const LinkageDrive& drive : linkage.drives)
-        inputs.push_back(inputs.empty() ? master : drive.ratio * master + drive.phase);
-    return inputs;
 }
 
 bool ReadLinkage::ok() const {

@@ -9,6 +9,7 @@
 
 #include "synthesis/problem/linkage/closing.h"
 #include "synthesis/problem/linkage/reading.h"
+#include "synthesis/problem/linkage/sides.h"
 #include "synthesis/problem/text.h"
 
 namespace mechwright::reading {
@@ -321,9 +322,7 @@ std::vector<std::string_view> keys_of_dyads(const Linkage& made) {
 /// 1, -1 or 0 for the word of a side; absent if it is none of them.
 std::optional<std::int8_t> side_of(LinkageReading& reading, const toml::node& node, const linkage::Group& group,
                                    const std::string& what) {
-    static constexpr std::array<std::string_view, 3> turned{"left", "right", "either"};
-    static constexpr std::array<std::string_view, 3> along{"ahead", "behind", "either"};
-    const auto word = to_choice(node, what, "side", group.kind == Kind::rrr ? turned : along, reading.messages);
+    const auto word = to_choice(node, what, "side", side_words(group), reading.messages);
     if (!word) return {};
     return static_cast<std::int8_t>(*word == 0 ? 1 : *word == 1 ? -1 : 0);
 }

@@ -136,11 +136,11 @@ struct SegmentReader {
     std::size_t read_named_end(std::string_view key, const toml::node& node) {
         constexpr std::array<std::string_view, 3> names{"velocity", "acceleration", "jerk"};
         if (node.is_string()) {
-            constexpr auto kinds = keys::ends_of_polynomials;
-            const auto kind = to_choice(node, name_of(section, key), "kind of end", kinds, messages);
+            constexpr auto known = keys::ends_of_polynomials;
+            const auto kind = to_choice(node, name_of(section, key), "kind of end", known, messages);
             if (kind && *kind > 0)
                 add_error(messages, place_of(node),
-                          fmt::format("an end of kind {} needs its {}: write {} = {{ {}{}{} }}", kinds[*kind],
+                          fmt::format("an end of kind {} needs its {}: write {} = {{ {}{}{} }}", known[*kind],
                                       *kind == 1   ? "velocity"
                                       : *kind == 2 ? "acceleration"
                                                    : "velocity and acceleration",

@@ -9,6 +9,7 @@
 
 #include "synthesis/mechanism/drawing/outlines.h"
 #include "synthesis/mechanism/linkage/link_bodies.h"
+#include "synthesis/problem/linkage/sides.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/text/table.h"
@@ -80,14 +81,8 @@ struct Reach {
     }
 };
 
-/// The greatest distance of a point from its link's origin.
 double size_of(const LinkageShape& shape) {
-    double size = 0;
-    for (const linkage::Pin& pin : shape.structure.pins)
-        for (const linkage::Point& point : pin.points) {
-            const Vector<double> at = shape.at(point.at);
-            size = std::max(size, std::hypot(at.x, at.y));
-        }
+    const double size = shape.scale * linkage::farthest_point(shape.structure, shape.numbers);
     return size > 0 ? size : 1;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "synthesis/problem/linkage/sides.h"
 #include "synthesis/report/structure/assemblies.h"
 #include "synthesis/report/text/table.h"
 
@@ -158,7 +159,7 @@ std::vector<std::string> dimensions_read(const Linkage& l, std::size_t group) {
 /// A side as a file says it whatever the order of its links.
 Json side_of(const Linkage& l, const Group& group, int side) {
     if (group.kind != Kind::rrr) return word_of(group, side);
-    return {{"side", word_of(group, side)}, {"from", l.pins[group.outer[0]]}, {"to", l.pins[group.outer[1]]}};
+    return side_document(l, group, side);
 }
 
 Json groups_of(const Linkage& l) {

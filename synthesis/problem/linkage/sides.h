@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// The sides of dyads: their words, and how files and documents say them.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "synthesis/problem/linkage/linkage.h"
+
+namespace mechwright {
+
+/// The words for 1, -1 and 0 of a dyad with two assemblies: "left" and "right", or "ahead" and "behind"; "either".
+const std::array<std::string_view, 3>& side_words(const linkage::Group& group);
+
+/// The word of a side: 1, -1 or 0.
+std::string_view word_of(const linkage::Group& group, int side);
+
+/// A side whatever the order of the links: { side, from, to } of a dyad of two links, else { side }.
+nlohmann::ordered_json side_document(const Linkage& linkage, const linkage::Group& group, int side);
+
+/// A line of [assembly]: `C = { side = "left", from = "B", to = "D" }`, whatever the order of the links, or
+/// `C = "ahead"`.
+std::string assembly_line(const Linkage& linkage, const linkage::Group& group, int side);
+
+/// Calls `use` with every assembly that the sides allow (0: either); of more than `most` open sides the last are left
+/// at 1, so that it ends.
+void for_each_assembly(const std::vector<std::int8_t>& sides, std::size_t most,
+                       const std::function<void(const std::vector<std::int8_t>&)>& use);
+
+}  // namespace mechwright
