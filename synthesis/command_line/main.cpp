@@ -2,6 +2,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -21,10 +22,15 @@ namespace {
     ::_exit(mechwright::exit_code::internal_error);
 }
 
-/// What no handler can catch: the JSON library needs memory to give memory back, in destructors.
+/// What no handler can catch: the JSON library needs memory to give memory back, in destructors. Without an exception
+/// the runtime had no room for one, and none for looking at it where it comes here a second time.
 [[noreturn]] void on_terminate() {
+    static std::atomic_flag looked = ATOMIC_FLAG_INIT;
+    const bool again = looked.test_and_set();
     try {
-        if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+        const auto thrown = std::current_exception();
+        if (!thrown || again) end_without_memory();
+        std::rethrow_exception(thrown);
     } catch (const std::bad_alloc&) {
         end_without_memory();
     } catch (...) {

@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// What remains of a cost of size one after projection, or of a multiplier, below this is rounding.
-constexpr double zero_within = 1e-11;
+constexpr double zero_pivot = 1e-11;
 constexpr int most_steps = 400;
 /// After so many steps the constraint that is let go is the first and not the worst, which ends circles.
 constexpr int steps_before_caution = 200;
@@ -33,7 +33,7 @@ struct ActiveSet {
         for (Index k = 0; k < count; ++k)
             normals.col(k) = program.rows.row(rows[static_cast<std::size_t>(k)]).normalized();
         Eigen::ColPivHouseholderQR<MatrixXd> qr(normals);
-        qr.setThreshold(zero_within);
+        qr.setThreshold(zero_pivot);
         multipliers = qr.solve(-program.cost);
         VectorXd along = qr.householderQ().transpose() * -program.cost;
         along.head(qr.rank()).setZero();
@@ -44,7 +44,7 @@ struct ActiveSet {
     bool release(bool cautious) {
         Index worst = -1;
         for (Index k = 0; k < multipliers.size(); ++k) {
-            if (multipliers[k] >= -zero_within) continue;
+            if (multipliers[k] >= -zero_pivot) continue;
             if (worst < 0 || multipliers[k] < multipliers[worst]) worst = k;
             if (cautious) break;
         }
@@ -67,7 +67,7 @@ Block first_block(const ActiveSet& active, const VectorXd& z, const VectorXd& wa
     Block block;
     for (Index i = 0; i < p.rows.rows(); ++i) {
         const double slope = p.rows.row(i).dot(way);
-        if (slope <= zero_within * p.rows.row(i).norm() * way.norm() || active.holds(i)) continue;
+        if (slope <= zero_pivot * p.rows.row(i).norm() * way.norm() || active.holds(i)) continue;
         const double length = std::max(0.0, p.limit[i] - p.rows.row(i).dot(z)) / slope;
         if (length < block.length) block = {length, i};
     }
@@ -81,7 +81,7 @@ VectorXd solution_of(const LinearProgram& program, VectorXd z) {
     const double size = program.cost.norm();
     for (int step = 0; step < most_steps; ++step) {
         const VectorXd way = active.way_down();
-        if (way.norm() <= zero_within * size || active.rows.size() >= static_cast<std::size_t>(z.size())) {
+        if (way.norm() <= zero_pivot * size || active.rows.size() >= static_cast<std::size_t>(z.size())) {
             if (active.rows.empty() || !active.release(step >= steps_before_caution)) break;
             continue;
         }

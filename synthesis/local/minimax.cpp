@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 constexpr double least_length = 0.01;  ///< what a variable counts as that is nearly zero
 constexpr double first_reach = 1e-2, greatest_reach = 0.5, least_reach = 1e-13;
 /// Below this part of the greatest error a promised gain is rounding.
-constexpr double least_gain = 1e-13;
+constexpr double least_descent = 1e-13;
 /// So many steps have to gain this part; where they do not, the optimum lies where the worst are curved and not level,
 /// which Newton's method is for.
 constexpr int steps_that_pay = 40;
@@ -252,7 +252,7 @@ LocalOutcome minimax(const Program& program, const VectorXd& start, const LocalL
         }
         Step step = method.step(here.x, here.at, here.at, reach);
         const double cost = method.cost(here.at), promised = cost - step.cost;
-        if (!(promised > least_gain * std::abs(cost))) break;
+        if (!(promised > least_descent * std::abs(cost))) break;
         const bool assembled = method.settle(method.moved(here.x, step.change), there);
         // Again with what the step has shown of curvature: along a curved valley this is what allows long steps.
         for (int c = 0; assembled && c < most_corrections; ++c) {

@@ -13,10 +13,10 @@ namespace mechwright {
 
 namespace {
 
-constexpr double without_limit = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 double margin_at_targets(const Problem& problem, const Design& design) {
-    double least = without_limit;
+    double least = endless;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
         PathMiss miss{};
         miss_of_point(*problem.mechanism, design.assembly, design.dimensions, design.path_angles[i],
@@ -31,9 +31,9 @@ bool has_order(const Problem& problem, const Design& design) {
 }
 
 /// The least turn of the crank from a point to the next, in the direction from the first to the last.
-double least_step(const std::vector<double>& angles) {
+double least_advance(const std::vector<double>& angles) {
     const double direction = angles.back() > angles.front() ? 1 : -1;
-    double least = without_limit;
+    double least = endless;
     for (std::size_t i = 1; i < angles.size(); ++i)
         least = std::min(least, direction * (angles[i] - angles[i - 1]));
     return least;
@@ -46,20 +46,20 @@ void add_margin_of_full_turn(const Problem& problem, const Design& design, std::
     if (!family.full_turn || !family.assembly_margin) return;
     const double relative = least_component(*family.assembly_margin, motion, design.dimensions) /
                             longest_length(*problem.mechanism, design.dimensions);
-    all.push_back({family.assembly_margin->meaning, std::isnan(relative) ? -without_limit : relative, true});
+    all.push_back({family.assembly_margin->meaning, std::isnan(relative) ? -endless : relative, true});
 }
 
 void add_margins_of_path(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {
     const Motion whole = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     if (problem.path->closed)
-        all.push_back({"the crank goes round the closed path", whole.full_turn ? 0 : -without_limit, false});
+        all.push_back({"the crank goes round the closed path", whole.full_turn ? 0 : -endless, false});
     all.push_back({"it assembles at every target", margin_at_targets(problem, design), false});
     if (needs_stretch(problem, problem.mechanism->families[whole.family]))
         all.push_back(
             {"it stays assembled from the first target to the last", least_margin_along(problem, design), false});
     if (!has_order(problem, design)) return;
     const std::vector<double>& angles = design.path_angles;
-    all.push_back({"the targets are met in their order", least_step(angles), true});
+    all.push_back({"the targets are met in their order", least_advance(angles), true});
     all.push_back({"the targets are met within one turn of the crank",
                    2 * std::numbers::pi - std::abs(angles.back() - angles.front()), true});
 }
@@ -69,8 +69,8 @@ void add_margins_of_path(const Problem& problem, const Design& design, std::vect
 std::vector<ValidityMargin> validity_margins(const Problem& problem, const Design& design) {
     std::vector<ValidityMargin> all;
     add_margin_of_full_turn(problem, design, all);
-    all.push_back({"it assembles over the range of crank angles",
-                   assembles_over_range(problem, design) ? 0 : -without_limit, false});
+    all.push_back(
+        {"it assembles over the range of crank angles", assembles_over_range(problem, design) ? 0 : -endless, false});
     if (problem.path) add_margins_of_path(problem, design, all);
     return all;
 }

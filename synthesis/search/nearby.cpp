@@ -19,7 +19,7 @@ constexpr double far_off_from = 1e-3;
 constexpr std::array<double, 4> away{0, 1e-3, 1e-4, 1e-2};
 constexpr int most_rounds = 24;  ///< in flat valleys each gains a little
 /// A round that gains less than this part is the last.
-constexpr double gains_from = 1e-9;
+constexpr double goes_on_from = 1e-9;
 
 Eigen::VectorXd start_near(const Program& program, Eigen::VectorXd x, double part, std::uint64_t seed) {
     for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -85,7 +85,7 @@ NearbyOptimum settled(const Problem& problem, const Design& from, const LocalLim
         double before = unlimited;
         bool balanced = unbalanced_part(program, here.x) <= balanced_within;
         for (int round = 0; round < most_rounds && !balanced; ++round) {
-            if (!(here.objective < before - gains_from * std::abs(here.objective))) break;
+            if (!(here.objective < before - goes_on_from * std::abs(here.objective))) break;
             before = here.objective;
             here = round_from(program, here, round, near);
             balanced = unbalanced_part(program, here.x) <= balanced_within;

@@ -13,7 +13,7 @@ namespace {
 /// places along it.
 constexpr double same_within = 1e-3;
 /// Objectives that agree to this (or to this part of the problem's scale) are equally good.
-constexpr double same_objective_within = 1e-7;
+constexpr double same_optimum_within = 1e-7;
 
 /// Expected share of starts that lead to optima not yet seen, from the number of searches and of distinct optima
 /// (Boender and Rinnooy Kan 1987).
@@ -53,7 +53,7 @@ std::vector<Solution> distinct_optima(const Problem& problem, std::vector<const 
                                        [&](const Solution& o) { return same_optimum(problem, o.design, s->design); });
         if (!known) optima.push_back(*s);
         const bool as_good = s->feasible && std::abs(s->objective - optima.front().objective) <=
-                                                same_objective_within * std::abs(optima.front().objective);
+                                                same_optimum_within * std::abs(optima.front().objective);
         if (as_good) ++report.hits;
     }
     report.local_optima =

@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Lengths are sampled evenly in their logarithm over at most this part of their greatest value.
-constexpr double widest_ratio = 1e-3;
+constexpr double least_part_of_limit = 1e-3;
 
 DimensionKind kind_of(const Program& program, std::size_t dimension) {
     return program.problem->mechanism->dimensions[dimension].kind;
@@ -28,7 +28,7 @@ DimensionKind kind_of(const Program& program, std::size_t dimension) {
 /// A value of variable v at the fraction u of its range.
 double sampled(const Variable& v, DimensionKind kind, double u) {
     if (kind != DimensionKind::length) return v.lower + u * (v.upper - v.lower);
-    const double low = std::max(v.lower, widest_ratio * v.upper);
+    const double low = std::max(v.lower, least_part_of_limit * v.upper);
     return low * std::pow(v.upper / low, u);
 }
 

@@ -166,7 +166,7 @@ Found automatic(const Problem& problem, const RunOptions& options, Clock::time_p
     return better(problem, std::move(found), with_slsqp(problem, options, deadline));
 }
 
-constexpr std::array<Method, 7> all{{
+constexpr std::array<Method, 7> every_method{{
     {"auto", "a closed form where one covers the problem, least-squares for a path, else slsqp", why_no_search,
      automatic},
     {"closed-form",
@@ -195,11 +195,12 @@ constexpr std::array<Method, 7> all{{
 
 }  // namespace
 
-std::span<const Method> methods() { return all; }
+std::span<const Method> methods() { return every_method; }
 
 const Method* find_method(std::string_view name) {
-    const auto at = std::find_if(all.begin(), all.end(), [&](const Method& m) { return m.name == name; });
-    return at == all.end() ? nullptr : &*at;
+    const auto at =
+        std::find_if(every_method.begin(), every_method.end(), [&](const Method& m) { return m.name == name; });
+    return at == every_method.end() ? nullptr : &*at;
 }
 
 bool is_search(const Method& method) {
@@ -228,7 +229,7 @@ bool leaves_none_out(const SearchReport& report) {
 
 std::vector<MethodDescription> all_methods() {
     std::vector<MethodDescription> descriptions;
-    for (const Method& m : all)
+    for (const Method& m : every_method)
         descriptions.push_back({m.name, m.meaning});
     return descriptions;
 }

@@ -139,14 +139,14 @@ TEST(Replay, EveryTruncationOfAValidProblemKeepsTheInvariants) {
 TEST(Replay, FlippedBitsKeepTheInvariants) {
     const std::vector<Sample> samples = small_samples();
     std::mt19937_64 random(1);
-    for (int i = 0; i < 6000; ++i)
+    for (int i = 0; i < 4000; ++i)
         run(with_flipped_bits(samples[below(random, samples.size())].bytes, random));
 }
 
 TEST(Replay, SplicesKeepTheInvariants) {
     const std::vector<Sample> samples = small_samples();
     std::mt19937_64 random(2);
-    for (int i = 0; i < 6000; ++i)
+    for (int i = 0; i < 4000; ++i)
         run(spliced(samples[below(random, samples.size())].bytes, samples[below(random, samples.size())].bytes,
                     random));
 }
@@ -154,7 +154,7 @@ TEST(Replay, SplicesKeepTheInvariants) {
 TEST(Replay, StrayTokensKeepTheInvariants) {
     const std::vector<Sample> samples = small_samples();
     std::mt19937_64 random(3);
-    for (int i = 0; i < 8000; ++i) {
+    for (int i = 0; i < 4000; ++i) {
         std::string bytes = samples[below(random, samples.size())].bytes;
         for (std::size_t changes = 1 + below(random, 3); changes > 0 && !bytes.empty(); --changes)
             bytes = with_token(std::move(bytes), random);

@@ -39,11 +39,11 @@ TEST(Pinned, CaseTwoIsFoundByIpoptToo) {
 
 TEST(Pinned, CaseOneWithTheBestTransmissionIsFoundFromEverySeed) {
     for (const std::uint64_t seed : {1, 5}) {
-        const std::string few = shipped("case-1-transmission.toml", "path") + "\n[solver]\nstarts = 16\n";
+        const std::string few = shipped("case-1-transmission.toml", "path") + "\n[solver]\nstarts = 8\n";
         const Solved s = solved(few, "auto", seed);
         EXPECT_EQ(s.result.status, Status::solved);
         EXPECT_NEAR(s.result.best->objective, 67.903602671, 1e-8) << "seed " << seed;
-        EXPECT_GE(s.result.search.hits, 5) << "seed " << seed;
+        EXPECT_GE(s.result.search.hits, 2) << "seed " << seed;
     }
 }
 

@@ -11,8 +11,7 @@ namespace mechwright {
 namespace {
 
 /// Samples of the curve; a coupler curve is of degree six and has few local minima of distance, far apart.
-constexpr int steps = 360;
-constexpr std::size_t most_arguments = PointGuidance::most_reads + 1;
+constexpr int curve_samples = 360;
 
 struct Sample {
     double angle;
@@ -22,8 +21,8 @@ struct Sample {
 /// A point of the curve and, if asked for, its derivative by the crank angle.
 bool point_at(const Problem& problem, const Design& design, double angle, Vector<double>& point,
               Vector<double>* slope) {
-    std::array<double, most_arguments> x{};
-    std::array<double, most_arguments> y{};
+    std::array<double, PointGuidance::most_reads + 1> x{};
+    std::array<double, PointGuidance::most_reads + 1> y{};
     PathMiss miss{};
     if (slope) {
         miss.gradient_x = x;
@@ -40,8 +39,8 @@ std::vector<Sample> sampled_curve(const Problem& problem, const Design& design) 
     const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     std::vector<Sample> curve;
     if (!(motion.from <= motion.to)) return curve;
-    for (int i = 0; i <= steps; ++i) {
-        Sample s{motion.from + i * (motion.to - motion.from) / steps, {}};
+    for (int i = 0; i <= curve_samples; ++i) {
+        Sample s{motion.from + i * (motion.to - motion.from) / curve_samples, {}};
         if (point_at(problem, design, s.angle, s.point, nullptr)) curve.push_back(s);
     }
     return curve;
@@ -79,7 +78,7 @@ void meet_nearest_points(const Problem& problem, Design& design) {
             const std::size_t after = k < last ? k + 1 : motion.full_turn ? 1 : last;
             const double here = square(curve[k].point);
             if (here > square(curve[before].point) || here > square(curve[after].point)) continue;
-            const double step = (motion.to - motion.from) / steps;
+            const double step = (motion.to - motion.from) / curve_samples;
             const bool at_end = !motion.full_turn && (k == 0 || k == last);
             const double angle =
                 at_end ? curve[k].angle
