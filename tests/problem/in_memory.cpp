@@ -35,6 +35,27 @@ TEST(ProblemInMemory, IsThatOfItsText) {
     EXPECT_EQ(read.problem.requirements[0].min, taken.problem.requirements[0].min);
 }
 
+/// Where a dyad is closed on a side that nobody named depends on which link comes first.
+TEST(ProblemInMemory, KeepsTheOrderOfALinkage) {
+    const Json tables = {{"schema", 1},
+                         {"mechanism", "linkage"},
+                         {"dimensions", {{"rocker", 70}, {"a-b", 40}, {"coupler", 93.5}}},
+                         {"links",
+                          {{"frame", {{"D", {100, 0}}, {"A", {0, 0}}}},
+                           {"rocker", {{"D", {0, 0}}, {"C", {"rocker", 0}}}},
+                           {"crank", {{"A", {0, 0}}, {"B", {"a-b", 0}}}},
+                           {"coupler", {{"C", {0, 0}}, {"B", {"coupler", 0}}}}}},
+                         {"drive", {{{"link", "crank"}}}},
+                         {"assembly", {{"C", "left"}}}};
+    const ReadProblem taken = take_problem(tables, "<values>");
+    ASSERT_TRUE(taken.ok()) << messages_of(tables);
+    const ReadProblem read = parse_problem(taken.problem.text, "<values>");
+    ASSERT_TRUE(read.ok()) << taken.problem.text;
+    EXPECT_EQ(read.problem.mechanism->made_from, taken.problem.mechanism->made_from) << taken.problem.text;
+    EXPECT_NE(taken.problem.text.find("[links]\nframe = { D = [100, 0], A = [0, 0] }\nrocker = "), std::string::npos)
+        << taken.problem.text;
+}
+
 TEST(ProblemInMemory, MessagesNameValuesInTheOrderInWhichTheyWereGiven) {
     Json tables = crank_rocker();
     tables["zone"] = 1;

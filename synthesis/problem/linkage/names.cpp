@@ -32,24 +32,6 @@ std::optional<std::size_t> find_in(LinkageReading& reading, const std::vector<st
 
 }  // namespace
 
-std::vector<std::pair<std::string_view, const toml::node*>> in_order(const toml::table& table) {
-    struct KeyAt {
-        FilePlace place;
-        std::string_view key;
-        const toml::node* node;
-    };
-    std::vector<KeyAt> entries;
-    for (const auto& [key, node] : table)
-        entries.push_back({{static_cast<int>(key.source().begin.line), static_cast<int>(key.source().begin.column)},
-                           key.str(),
-                           &node});
-    std::stable_sort(entries.begin(), entries.end(), [](const KeyAt& a, const KeyAt& b) { return a.place < b.place; });
-    std::vector<std::pair<std::string_view, const toml::node*>> ordered;
-    for (const KeyAt& entry : entries)
-        ordered.emplace_back(entry.key, entry.node);
-    return ordered;
-}
-
 bool is_name(LinkageReading& reading, std::string_view name, FilePlace place, std::string_view what) {
     const bool good = !name.empty() && is_letter(name.front()) && std::all_of(name.begin(), name.end(), [](char c) {
         return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';

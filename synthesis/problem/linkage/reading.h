@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "synthesis/problem/linkage/linkage.h"
+#include "synthesis/problem/toml/in_order.h"
 #include "synthesis/problem/toml/section.h"
 
 namespace mechwright::reading {
@@ -28,9 +28,6 @@ struct LinkageReading {
     /// Limits on what one file describes, far above any mechanism: hostile files end at once.
     static constexpr std::size_t most_links = 100, most_points = 400, most_joints = 100;
 };
-
-/// The keys of a table in the order of the text.
-std::vector<std::pair<std::string_view, const toml::node*>> in_order(const toml::table& table);
 
 /// Whether a name is one; reports it where it is not.
 bool is_name(LinkageReading& reading, std::string_view name, FilePlace place, std::string_view what);

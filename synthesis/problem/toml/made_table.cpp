@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "synthesis/problem/text.h"
+#include "synthesis/problem/toml/in_order.h"
 
 namespace mechwright::reading {
 
@@ -55,6 +56,43 @@ void fill(toml::node& node, const Json& json, const std::string& name, NodeNames
         }
 }
 
+/// Numbers, texts and dates as TOML.
+std::string scalar_text(const toml::node& node) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << toml::toml_formatter(node, toml::format_flags::allow_unicode_strings);
+    return text.str();
+}
+
+std::string key_text(std::string_view key) {
+    const bool bare = !key.empty() && key.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789_-") == std::string_view::npos;
+    return bare ? std::string(key) : scalar_text(toml::value<std::string>(key));
+}
+
+/// A value on one line, the keys of a table in their order.
+std::string value_text(const toml::node& node) {
+    std::string text;
+    if (const toml::table* table = node.as_table()) {
+        for (const auto& [key, value] : in_order(*table))
+            text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key_text(key), value_text(*value));
+        return text.empty() ? "{}" : fmt::format("{{ {} }}", text);
+    }
+    const toml::array* list = node.as_array();
+    if (!list) return scalar_text(node);
+    for (const toml::node& value : *list)
+        text += (text.empty() ? "" : ", ") + value_text(value);
+    return fmt::format("[{}]", text);
+}
+
+std::string lines_of(const toml::table& table) {
+    std::string text;
+    for (const auto& [key, value] : in_order(table))
+        text += fmt::format("{} = {}\n", key_text(key), value_text(*value));
+    return text;
+}
+
 }  // namespace
 
 std::string name_in(const std::string& name, std::string_view key) {
@@ -72,12 +110,18 @@ MadeTable made_table(const Json& object) {
 }
 
 std::string text_of(const toml::table& table) {
-    using Flags = toml::format_flags;
-    constexpr Flags indented = Flags::indent_array_elements | Flags::allow_unicode_strings;
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << toml::toml_formatter(table, indented) << '\n';
-    return text.str();
+    std::string heads, sections;
+    for (const auto& [key, node] : in_order(table)) {
+        const toml::array* list = node->as_array();
+        if (const toml::table* section = node->as_table())
+            sections += fmt::format("\n[{}]\n{}", key_text(key), lines_of(*section));
+        else if (list && list->is_array_of_tables())
+            for (const toml::node& one : *list)
+                sections += fmt::format("\n[[{}]]\n{}", key_text(key), lines_of(*one.as_table()));
+        else
+            heads += fmt::format("{} = {}\n", key_text(key), value_text(*node));
+    }
+    return heads + sections;
 }
 
 }  // namespace mechwright::reading
