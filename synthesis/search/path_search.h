@@ -10,14 +10,6 @@ namespace mechwright {
 /// Why a problem is not one for this search; empty if it is.
 std::string why_no_path_search(const Problem& problem);
 
-/// Whether the sum of squared distances from the path is all that a problem with a path minimises; what it requires
-/// besides goes along.
-bool least_squares_suffice(const Problem& problem);
-
-/// Whether the greatest distance from the path is all that it minimises: its best designs lie near those of least
-/// squares.
-bool least_squares_lead_on(const Problem& problem);
-
 /// Searches in rounds, each by itself, until the points are met exactly, or the best design has been hit often enough,
 /// or the rounds are used up; there are more of them the more starts the problem asks for. The result is the same for
 /// any number of jobs.

@@ -12,6 +12,7 @@
 #include "synthesis/proof/prove.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/search/nearby.h"
+#include "synthesis/search/path_objective.h"
 #include "synthesis/search/path_search.h"
 #include "synthesis/solve/solve.h"
 

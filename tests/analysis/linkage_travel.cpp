@@ -131,9 +131,7 @@ TEST(LinkageTravel, IsWhatABruteScanFinds) {
     int limited = 0, several = 0, ends = 0;
     for (std::uint64_t seed = 0; seed < 160; ++seed) {
         RandomLinkage random(seed);
-        random.add_crank();
-        for (std::size_t k = 1 + random.below(3); k > 0; --k)
-            random.add_dyad();
+        random.add_crank_and_dyads(3);
         std::vector<std::int8_t> sides;
         for (int k = 0; k < 8; ++k)
             sides.push_back(random.below(2) == 0 ? 1 : -1);

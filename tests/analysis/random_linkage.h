@@ -39,6 +39,12 @@ struct RandomLinkage {
         const std::string pivot = point(0);
         made.drive(made.link({{pivot.c_str(), 0, 0}, {"crank pin", number(0.5, 1.5), 0}}));
     }
+    /// A crank with one dyad or more, `most` at most.
+    void add_crank_and_dyads(std::size_t most) {
+        add_crank();
+        for (std::size_t k = 1 + below(most); k > 0; --k)
+            add_dyad();
+    }
     void add_dyad() {
         const std::string a = point(any_link()), b = point(any_link()), c = name();
         switch (below(8)) {

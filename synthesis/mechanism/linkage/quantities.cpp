@@ -3,221 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
-#include "analysis/linkage/margins.h"
-#include "synthesis/mechanism/linkage/model.h"
+#include "synthesis/mechanism/linkage/found_places.h"
 
 namespace mechwright {
 
+namespace measuring {
+
 namespace {
 
-using Kind = LinkageMeasure::Kind;
-using linkage::Asked;
-using linkage::Course;
-using linkage::Extreme;
-using linkage::Signal;
-
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_extremes = 6;  ///< components of a least or greatest value
-constexpr std::size_t most_of_range = 3;  ///< extremes of either sort in a range
-
-/// The linkage and the motion that a quantity is measured over.
-struct Over {
-    const LinkageModel& model;
-    const LinkageMeasure& measure;
-    const Motion& motion;
-    std::vector<linkage::DriveLaw> laws = laws_of(model.drives);
-    double rate = 1;
-
-    explicit Over(const Motion& over)
-        : model(linkage_of(over.model)), measure(*static_cast<const LinkageMeasure*>(over.of)), motion(over) {
-        if (!model.driven_by_slide() && model.drives.front().speed) rate = *model.drives.front().speed * turn / 60;
-    }
-    const std::vector<std::int8_t>& sides() const { return model.sides[motion.assembly]; }
-    linkage::Driven<double> driven(std::span<const double> dimensions) const {
-        return mechwright::driven(model, dimensions, motion.assembly);
-    }
-    double period() const { return turn * model.turns; }
-    linkage::Travel travel() const {
-        return {motion.from, motion.full_turn ? motion.from + period() : motion.to, motion.full_turn};
-    }
-};
-
-/// The signals that a ready-made quantity is of.
-std::vector<Signal> own_signals(const LinkageModel& model, Kind kind) {
-    const linkage::Structure& s = model.structure;
-    std::vector<Signal> signals;
-    if (kind == Kind::transmission_angle_worst)
-        for (std::size_t margin = 0; margin < model.order.margins; ++margin)
-            signals.push_back({Signal::Kind::transmission_angle, margin});
-    if (kind != Kind::joint_distance_least) return signals;
-    for (std::size_t a = 0; a < s.pins.size(); ++a)
-        for (std::size_t b = a + 1; b < s.pins.size(); ++b)
-            if (linkage::is_joint(s, a) && linkage::is_joint(s, b) && !linkage::share_link(s.pins[a], s.pins[b]))
-                signals.push_back({Signal::Kind::distance, a, b});
-    return signals;
-}
-
-template <class T, std::size_t K>
-linkage::Measured<T, K> measured(const Over& over, std::span<const T> dimensions, std::span<const Signal> signals) {
-    const LinkageModel& m = over.model;
-    return {m.structure,
-            m.order,
-            numbers_of(m, dimensions),
-            over.sides(),
-            over.laws,
-            signals,
-            {{m.placement[0].at(dimensions), m.placement[1].at(dimensions)},
-             m.placement[2].at(dimensions),
-             m.scale.at(dimensions)},
-            over.rate};
-}
-
-/// One smooth part of a component: what is asked at an extreme, times a factor, plus a constant.
-struct Term {
-    Asked asked{};
-    Extreme place{};
-    double factor = 1;
-    double constant = 0;
-
-    double value() const { return constant + factor * place.value; }
-};
-
-/// What the components of a quantity are of, found for one design.
-struct Found {
-    std::vector<Term> plus{};
-    std::vector<Term> minus{};  ///< of a range: those that are taken away
-    std::vector<linkage::MarginPlace> margins{};
-    bool possible = true;
-};
-
-/// The least first; not a number before all.
-bool is_less(double a, double b) { return std::isnan(a) ? !std::isnan(b) : a < b; }
-
-bool needs_turns(const Over& over, std::span<const Signal> signals) {
-    return std::any_of(signals.begin(), signals.end(), [](const Signal& s) { return s.kind == Signal::Kind::angle; }) ||
-           std::any_of(over.model.order.steps.begin(), over.model.order.steps.end(),
-                       [](const auto& step) { return step.kind == linkage::Step::Kind::unwound; });
-}
-
-/// The motion with its limits, and the turns of links where they are needed.
-template <std::size_t K>
-Course course_of(const Over& over, std::span<const double> dimensions, linkage::Measured<double, K>& plain,
-                 std::span<const Signal> signals) {
-    Course course{over.travel()};
-    if (needs_turns(over, signals)) {
-        course = linkage::course_along(over.driven(dimensions), course.travel,
-                                       over.measure.stretch || over.measure.kind == Kind::at);
-        if (course.turns.empty()) return course;
-    }
-    if (!course.travel.whole) {
-        course.travel.first = limit_at(plain, course.travel.from, course.turns.near(course.travel.from));
-        course.travel.last = limit_at(plain, course.travel.to, course.turns.near(course.travel.to));
-    }
-    return course;
-}
-
-/// Whether it closes here and there over the motion: what does not at all is not looked at closely.
-bool closes_at_samples(const Over& over, std::span<const double> dimensions) {
-    constexpr int samples = 36;
-    const linkage::Travel travel = over.travel();
-    if (travel.from > travel.to) return false;
-    linkage::Driven<double> driven = over.driven(dimensions);
-    for (int i = 0; i < samples; ++i)
-        if (!driven.place(travel.from + (travel.to - travel.from) * (i + 0.5) / samples)) return false;
-    return true;
-}
-
-/// A stretch of the motion as inputs that lie in it, or in its second cycle; absent where it does not.
-std::optional<std::array<double, 2>> stretch_in(const Over& over, std::array<double, 2> stretch) {
-    constexpr double rounding = 1e-12;
-    const linkage::Travel travel = over.travel();
-    if (!over.model.driven_by_slide()) {
-        if (stretch[1] < stretch[0]) stretch[1] += turn;
-        const double shift = turn * std::ceil((travel.from - stretch[0]) / turn - rounding);
-        for (double& end : stretch)
-            end += shift;
-    }
-    const double last = travel.whole ? travel.to + over.period() : travel.to;
-    if (stretch[1] < stretch[0] || stretch[0] < travel.from - rounding || stretch[1] > last + rounding) return {};
-    return std::array{std::max(stretch[0], travel.from), std::min(stretch[1], last)};
-}
-
-void add_extremes(Found& found, const std::vector<Extreme>& places, const Asked& asked, double factor,
-                  double constant) {
-    for (const Extreme& place : places)
-        found.plus.push_back({asked, place, factor, constant});
-}
-
-bool closes(const std::vector<Extreme>& places) {
-    return !places.empty() &&
-           std::none_of(places.begin(), places.end(), [](const Extreme& p) { return std::isnan(p.value); });
-}
-
-void keep_least(std::vector<Term>& terms, std::size_t count) {
-    std::stable_sort(terms.begin(), terms.end(),
-                     [](const Term& a, const Term& b) { return is_less(a.value(), b.value()); });
-    if (terms.size() > count) terms.resize(count);
-}
-
-void keep_greatest(std::vector<Term>& terms, std::size_t count) {
-    std::stable_sort(terms.begin(), terms.end(),
-                     [](const Term& a, const Term& b) { return is_less(b.value(), a.value()); });
-    if (terms.size() > count) terms.resize(count);
-}
-
-template <std::size_t K>
-Found found_of_all(const Over& over, linkage::Measured<double, K>& plain, const Course& course) {
-    Found found;
-    const bool folded = over.measure.kind == Kind::transmission_angle_worst;
-    for (std::size_t i = 0; i < plain.signals().size(); ++i) {
-        const auto places = linkage::extremes(plain, {i, 0}, course, course.travel.from, course.travel.to);
-        // A constant has no extremes on a whole motion.
-        const std::vector<Extreme> start{
-            {course.travel.from, plain.value(i, course.travel.from, course.turns.near(course.travel.from)).c[0],
-             false}};
-        add_extremes(found, places.empty() ? start : places, {i, 0}, 1, 0);
-        if (folded) add_extremes(found, places.empty() ? start : places, {i, 0}, -1, std::numbers::pi);
-        found.possible = found.possible && closes(places.empty() ? start : places);
-    }
-    found.possible = found.possible && !found.plus.empty();
-    keep_least(found.plus, most_extremes);
-    return found;
-}
-
-template <std::size_t K>
-Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, const Course& course, double from,
-                      double to) {
-    const LinkageMeasure& m = over.measure;
-    Found found;
-    if (m.kind == Kind::mean || m.kind == Kind::rms) return found;
-    if (m.kind == Kind::at) {
-        const double value = plain.value(m.asked.signal, from, course.turns.near(from)).derivative(m.asked.derivative);
-        found.plus.push_back({m.asked, {from, value, false}});
-        found.possible = !std::isnan(value);
-        return found;
-    }
-    std::vector<Extreme> places = linkage::extremes(plain, m.asked, course, from, to);
-    if (places.empty())
-        places.push_back(
-            {from, plain.value(m.asked.signal, from, course.turns.near(from)).derivative(m.asked.derivative), false});
-    found.possible = closes(places);
-    add_extremes(found, places, m.asked, 1, 0);
-    if (m.kind == Kind::least) {
-        keep_least(found.plus, most_extremes);
-    } else if (m.kind == Kind::greatest) {
-        keep_greatest(found.plus, most_extremes);
-    } else {
-        found.minus = found.plus;
-        const std::size_t count = m.kind == Kind::time_ratio ? 1 : most_of_range;
-        keep_greatest(found.plus, count);
-        keep_least(found.minus, count);
-    }
-    return found;
-}
 
 std::size_t component_count(Kind kind) {
     switch (kind) {
@@ -246,24 +42,6 @@ Reduce reduce_of(Kind kind) {
         case Kind::link_ratio: return Reduce::greatest;
         default: return Reduce::least;
     }
-}
-
-/// Distances of links' origins to their pins, but those that are 0, in the drawing.
-template <class T>
-std::vector<T> link_lengths(const LinkageModel& model, std::span<const T> dimensions) {
-    const linkage::Structure& s = model.structure;
-    const std::vector<T> numbers = numbers_of(model, dimensions);
-    const T scale = model.scale.at(dimensions);
-    std::vector<T> lengths;
-    for (std::size_t pin = 0; pin < s.pins.size(); ++pin) {
-        if (!linkage::is_joint(s, pin)) continue;
-        for (const linkage::Point& point : s.pins[pin].points) {
-            const Vector<T> at = linkage::place_of(point.at, std::span<const T>(numbers));
-            const T length = hypotenuse(at.x, at.y);
-            if (length > T(0)) lengths.push_back(scale * length);
-        }
-    }
-    return lengths;
 }
 
 /// The components, the worst first, as many as there are, as functions of the dimensions.
@@ -507,17 +285,19 @@ void measure(const Motion& motion, std::span<const double> dimensions, const Mea
 
 }  // namespace
 
+}  // namespace measuring
+
 Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, LinkageMeasure of, std::size_t dimensions) {
     Quantity quantity;
     quantity.name = std::move(name);
     quantity.unit = unit;
     quantity.meaning = std::move(meaning);
-    quantity.reduce = reduce_of(of.kind);
+    quantity.reduce = measuring::reduce_of(of.kind);
     quantity.reads = Reads(dimensions);
-    quantity.defined = is_defined;
-    quantity.components = components;
-    quantity.measure = measure;
-    quantity.worst_first = component_count(of.kind) > 1;
+    quantity.defined = measuring::is_defined;
+    quantity.components = measuring::components;
+    quantity.measure = measuring::measure;
+    quantity.worst_first = measuring::component_count(of.kind) > 1;
     quantity.of = Model(std::move(of));
     return quantity;
 }

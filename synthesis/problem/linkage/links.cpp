@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
@@ -95,18 +94,6 @@ std::optional<linkage::Line> read_line(LinkageReading& reading, Section& section
     return line;
 }
 
-/// Displacements, or turns of a drive, between which a joint stays: they are numbers, the one not above the other.
-void check_stops(LinkageReading& reading, Section& section, Measure measure) {
-    std::optional<LinkageNumber> stops[2];
-    for (const auto& [key, stop] : {std::pair("min", &stops[0]), std::pair("max", &stops[1])})
-        if (const toml::node* node = find(section, key))
-            *stop = to_linkage_number(reading, *node, name_of(section, key), measure);
-    const auto given = [](const auto& stop) { return stop && stop->value.terms.empty(); };
-    if (given(stops[0]) && given(stops[1]) && stops[0]->value.constant > stops[1]->value.constant)
-        add_error(reading.messages, place_of(section, "min"),
-                  fmt::format("'min' is greater than 'max' in {}", section.title));
-}
-
 void read_points(LinkageReading& reading, const toml::table& table, std::size_t link) {
     for (const auto& [name, node] : in_order(table)) {
         const Section section{&table, "", {}};
@@ -163,6 +150,17 @@ std::optional<std::size_t> read_pin(LinkageReading& reading, Section& section, s
 }
 
 }  // namespace
+
+void check_stops(LinkageReading& reading, Section& section, Measure measure) {
+    std::optional<LinkageNumber> stops[2];
+    for (const auto& [key, stop] : {std::pair("min", &stops[0]), std::pair("max", &stops[1])})
+        if (const toml::node* node = find(section, key))
+            *stop = to_linkage_number(reading, *node, name_of(section, key), measure);
+    const auto given = [](const auto& stop) { return stop && stop->value.terms.empty(); };
+    if (given(stops[0]) && given(stops[1]) && stops[0]->value.constant > stops[1]->value.constant)
+        add_error(reading.messages, place_of(section, "min"),
+                  fmt::format("'min' is greater than 'max' in {}", section.title));
+}
 
 void read_links(LinkageReading& reading) {
     Linkage& made = reading.made;
@@ -266,191 +264,6 @@ void read_slots(LinkageReading& reading) {
         check_stops(reading, section, Measure::length);
         if (!line) continue;
         made.structure.slots.push_back({*pin, *line});
-    }
-}
-
-namespace {
-
-/// Turn of the second over that of the first by their teeth; absent if there are none that make sense.
-std::optional<double> by_teeth(LinkageReading& reading, Section& section) {
-    const auto teeth = read_numbers(section, "teeth", reading.messages);
-    if (!teeth) return {};
-    if (teeth->size() == 2 && (*teeth)[0] > 0 && (*teeth)[1] > 0) return (*teeth)[0] / (*teeth)[1];
-    add_error(reading.messages, place_of(section, "teeth"),
-              fmt::format("{} must be two numbers greater than 0, like [40, 80]", name_of(section, "teeth")));
-    return {};
-}
-
-void read_gear(LinkageReading& reading, Section& section, bool belt) {
-    Linkage& made = reading.made;
-    linkage::Gear gear;
-    bool whole = true;
-    const toml::node* links = find(section, "links");
-    const toml::array* list = links == nullptr ? nullptr : links->as_array();
-    if (list == nullptr || list->size() != 2 || !list->get(0)->is_string() || !list->get(1)->is_string()) {
-        add_error(reading.messages, place_of(section, "links"),
-                  fmt::format("{} must be the names of two links", name_of(section, "links")));
-        whole = false;
-    } else {
-        for (std::size_t i = 0; i < 2; ++i) {
-            const auto link = find_link(reading, *list->get(i)->value<std::string>(), place_of(*list->get(i)),
-                                        name_of(section, "links"));
-            (i == 0 ? gear.first : gear.second) = link.value_or(0);
-            whole = whole && link;
-        }
-    }
-    const auto carrier = read_link(reading, section, "carrier", false);
-    gear.carrier = carrier.value_or(0);
-    const auto teeth = by_teeth(reading, section);
-    const char* sense = belt ? "crossed" : "internal";
-    const bool flag = read_bool(section, sense, reading.messages).value_or(false);
-    if (has(section, "teeth") == has(section, "ratio"))
-        add_error(reading.messages, section.place, fmt::format("{} needs either 'ratio' or 'teeth'", section.title));
-    if (!belt && has(section, "internal") && !has(section, "teeth"))
-        add_error(reading.messages, place_of(section, "internal"),
-                  "'internal' belongs to 'teeth': a ratio has its own sign");
-    if (teeth) {
-        gear.ratio = add_constant(reading, flag != belt ? *teeth : -*teeth, Measure::ratio);
-        find(section, "ratio");
-    } else {
-        gear.ratio = read_structure_number(reading, section, "ratio", Measure::ratio, 1);
-        LinkageNumber& ratio = made.numbers[gear.ratio];
-        if (ratio.value.terms.empty() && (belt ? !(ratio.value.constant > 0) : ratio.value.constant == 0) &&
-            has(section, "ratio"))
-            add_error(reading.messages, place_of(section, "ratio"),
-                      belt ? "the ratio of a belt must be greater than 0: 'crossed' makes it turn the other way"
-                           : "the ratio of a gear must be other than 0");
-        if (belt && flag) {
-            Affine turned;
-            add(turned, ratio.value, -1);
-            ratio.value = turned;
-        }
-    }
-    gear.belt = belt;
-    gear.phase = read_structure_number(reading, section, "phase", Measure::angle);
-    report_unknown_keys(section, reading.messages);
-    if (!whole || !carrier) return;
-    if (gear.first == gear.second || gear.first == gear.carrier || gear.second == gear.carrier)
-        return add_error(reading.messages, section.place,
-                         fmt::format("{} needs two links that differ from each other and from their carrier '{}'",
-                                     section.title, made.links[gear.carrier]));
-    made.structure.gears.push_back(gear);
-}
-
-}  // namespace
-
-void read_gears(LinkageReading& reading) {
-    for (Section& section : sections_in(reading, "gear", keys::gear))
-        read_gear(reading, section, false);
-    for (Section& section : sections_in(reading, "belt", keys::belt))
-        read_gear(reading, section, true);
-}
-
-void read_racks(LinkageReading& reading) {
-    Linkage& made = reading.made;
-    for (Section& section : sections_in(reading, "rack", keys::rack)) {
-        const auto link = read_link(reading, section, "link", true), wheel = read_link(reading, section, "wheel", true);
-        const auto carrier = read_link(reading, section, "carrier", false);
-        if (!has(section, "radius"))
-            add_error(reading.messages, section.place, fmt::format("{} is missing", name_of(section, "radius")));
-        linkage::Rack rack;
-        rack.radius = read_structure_number(reading, section, "radius", Measure::length, 1);
-        rack.phase = read_structure_number(reading, section, "phase", Measure::length);
-        report_unknown_keys(section, reading.messages);
-        if (const LinkageNumber& radius = made.numbers[rack.radius];
-            radius.value.terms.empty() && radius.value.constant == 0)
-            add_error(reading.messages, place_of(section, "radius"), "the radius of a rack's wheel must not be 0");
-        if (!link || !wheel || !carrier) continue;
-        const auto& slides = made.structure.slides;
-        const auto slide = std::find_if(slides.begin(), slides.end(), [&](const auto& s) { return s.link == *link; });
-        if (slide == slides.end()) {
-            add_error(
-                reading.messages, place_of(section, "link"),
-                fmt::format("'{0}' does not slide: a rack needs a [[slide]] with link = \"{0}\"", made.links[*link]));
-            continue;
-        }
-        if (*wheel == *carrier || *wheel == *link) {
-            add_error(reading.messages, place_of(section, "wheel"),
-                      fmt::format("the wheel of {} must be another link than its carrier and its rack", section.title));
-            continue;
-        }
-        rack.slide = static_cast<std::size_t>(slide - slides.begin());
-        rack.wheel = *wheel;
-        rack.carrier = *carrier;
-        made.structure.racks.push_back(rack);
-    }
-}
-
-namespace {
-
-/// A length where a slide is driven, else an angle in radians.
-double in_program_units(const Linkage& made, double value, bool of_slide) {
-    return of_slide || !made.units.degrees ? value : value * std::numbers::pi / 180;
-}
-
-void read_drive(LinkageReading& reading, Section& section, bool master) {
-    Linkage& made = reading.made;
-    linkage::Drive drive;
-    drive.of_slide = has(section, "slide");
-    bool whole = true;
-    if (const toml::node* node = find(section, "slide")) {
-        const auto slide = find_slide(reading, *node, name_of(section, "slide"));
-        drive.slide = slide.value_or(0);
-        whole = slide.has_value();
-        for (const char* key : {"link", "on"})
-            if (find(section, key) != nullptr)
-                add_error(reading.messages, place_of(section, key),
-                          fmt::format("{} drives a slide: leave '{}' out", section.title, key));
-    } else {
-        const auto link = read_link(reading, section, "link", true), on = read_link(reading, section, "on", false);
-        whole = link && on;
-        drive.link = link.value_or(0);
-        drive.on = on.value_or(0);
-        if (whole && drive.link == drive.on) {
-            add_error(
-                reading.messages, place_of(section, "link"),
-                fmt::format("'{}' cannot turn against itself: name the link that the drive turns, and in 'on' the "
-                            "one against which",
-                            made.links[drive.link]));
-            whole = false;
-        }
-    }
-    LinkageDrive more;
-    for (const char* key : {"ratio", "phase"})
-        if (master && find(section, key) != nullptr)
-            add_error(reading.messages, place_of(section, key),
-                      fmt::format("'{}' is of further drives: the first is what they follow", key));
-    more.ratio = read_number(section, "ratio", reading.messages).value_or(1);
-    more.phase = in_program_units(made, read_number(section, "phase", reading.messages).value_or(0), drive.of_slide);
-    more.speed = read_number(section, "speed", reading.messages);
-    check_stops(reading, section, drive.of_slide ? Measure::length : Measure::angle);
-    if (section.table->contains("segment")) {
-        section.reported.push_back("segment");
-        add_error(reading.messages, place_of(section, "segment"),
-                  "drives that follow a motion of segments are not known to this version: write 'ratio' and 'phase'");
-    }
-    report_unknown_keys(section, reading.messages);
-    if (!whole) return;
-    made.structure.drives.push_back(drive);
-    made.drives.push_back(more);
-    reading.drive_places.push_back(section.place);
-}
-
-}  // namespace
-
-void read_drives(LinkageReading& reading) {
-    const toml::node* node = find(reading.file, "drive");
-    if (node == nullptr)
-        return add_error(reading.messages, reading.file.place,
-                         "the section [drive] is missing: it says what moves the linkage, like link = \"crank\"");
-    if (const toml::table* table = node->as_table()) {
-        Section section{table, "[drive]", place_of(*node), keys::drive};
-        return read_drive(reading, section, true);
-    }
-    bool first = true;
-    for (Section& section : sections_in(reading, "drive", keys::drive)) {
-        read_drive(reading, section, first);
-        first = false;
     }
 }
 

@@ -1,0 +1,169 @@
+#pragma once
+/// \file
+/// Where a quantity of a linkage has its least and greatest values, found for one design: what its components are of.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "analysis/linkage/margins.h"
+#include "synthesis/mechanism/linkage/measured_over.h"
+
+namespace mechwright::measuring {
+
+using linkage::Asked;
+using linkage::Course;
+using linkage::Extreme;
+
+inline constexpr std::size_t most_extremes = 6;  ///< components of a least or greatest value
+inline constexpr std::size_t most_of_range = 3;  ///< extremes of either sort in a range
+
+/// One smooth part of a component: what is asked at an extreme, times a factor, plus a constant.
+struct Term {
+    Asked asked{};
+    Extreme place{};
+    double factor = 1;
+    double constant = 0;
+
+    double value() const { return constant + factor * place.value; }
+};
+
+/// What the components of a quantity are of, found for one design.
+struct Found {
+    std::vector<Term> plus{};
+    std::vector<Term> minus{};  ///< of a range: those that are taken away
+    std::vector<linkage::MarginPlace> margins{};
+    bool possible = true;
+};
+
+/// The least first; not a number before all.
+inline bool is_less(double a, double b) { return std::isnan(a) ? !std::isnan(b) : a < b; }
+
+inline bool needs_turns(const Over& over, std::span<const Signal> signals) {
+    return std::any_of(signals.begin(), signals.end(), [](const Signal& s) { return s.kind == Signal::Kind::angle; }) ||
+           std::any_of(over.model.order.steps.begin(), over.model.order.steps.end(),
+                       [](const auto& step) { return step.kind == linkage::Step::Kind::unwound; });
+}
+
+/// The motion with its limits, and the turns of links where they are needed.
+template <std::size_t K>
+Course course_of(const Over& over, std::span<const double> dimensions, linkage::Measured<double, K>& plain,
+                 std::span<const Signal> signals) {
+    Course course{over.travel()};
+    if (needs_turns(over, signals)) {
+        course = linkage::course_along(over.driven(dimensions), course.travel,
+                                       over.measure.stretch || over.measure.kind == Kind::at);
+        if (course.turns.empty()) return course;
+    }
+    if (!course.travel.whole) {
+        course.travel.first = limit_at(plain, course.travel.from, course.turns.near(course.travel.from));
+        course.travel.last = limit_at(plain, course.travel.to, course.turns.near(course.travel.to));
+    }
+    return course;
+}
+
+/// Whether it closes here and there over the motion: what does not at all is not looked at closely.
+inline bool closes_at_samples(const Over& over, std::span<const double> dimensions) {
+    constexpr int samples = 36;
+    const linkage::Travel travel = over.travel();
+    if (travel.from > travel.to) return false;
+    linkage::Driven<double> driven = over.driven(dimensions);
+    for (int i = 0; i < samples; ++i)
+        if (!driven.place(travel.from + (travel.to - travel.from) * (i + 0.5) / samples)) return false;
+    return true;
+}
+
+/// A stretch of the motion as inputs that lie in it, or in its second cycle; absent where it does not.
+inline std::optional<std::array<double, 2>> stretch_in(const Over& over, std::array<double, 2> stretch) {
+    constexpr double rounding = 1e-12;
+    const linkage::Travel travel = over.travel();
+    if (!over.model.driven_by_slide()) {
+        if (stretch[1] < stretch[0]) stretch[1] += turn;
+        const double shift = turn * std::ceil((travel.from - stretch[0]) / turn - rounding);
+        for (double& end : stretch)
+            end += shift;
+    }
+    const double last = travel.whole ? travel.to + over.period() : travel.to;
+    if (stretch[1] < stretch[0] || stretch[0] < travel.from - rounding || stretch[1] > last + rounding) return {};
+    return std::array{std::max(stretch[0], travel.from), std::min(stretch[1], last)};
+}
+
+inline void add_extremes(Found& found, const std::vector<Extreme>& places, const Asked& asked, double factor,
+                         double constant) {
+    for (const Extreme& place : places)
+        found.plus.push_back({asked, place, factor, constant});
+}
+
+inline bool closes(const std::vector<Extreme>& places) {
+    return !places.empty() &&
+           std::none_of(places.begin(), places.end(), [](const Extreme& p) { return std::isnan(p.value); });
+}
+
+inline void keep_least(std::vector<Term>& terms, std::size_t count) {
+    std::stable_sort(terms.begin(), terms.end(),
+                     [](const Term& a, const Term& b) { return is_less(a.value(), b.value()); });
+    if (terms.size() > count) terms.resize(count);
+}
+
+inline void keep_greatest(std::vector<Term>& terms, std::size_t count) {
+    std::stable_sort(terms.begin(), terms.end(),
+                     [](const Term& a, const Term& b) { return is_less(b.value(), a.value()); });
+    if (terms.size() > count) terms.resize(count);
+}
+
+template <std::size_t K>
+Found found_of_all(const Over& over, linkage::Measured<double, K>& plain, const Course& course) {
+    Found found;
+    const bool folded = over.measure.kind == Kind::transmission_angle_worst;
+    for (std::size_t i = 0; i < plain.signals().size(); ++i) {
+        const auto places = linkage::extremes(plain, {i, 0}, course, course.travel.from, course.travel.to);
+        // A constant has no extremes on a whole motion.
+        const std::vector<Extreme> start{
+            {course.travel.from, plain.value(i, course.travel.from, course.turns.near(course.travel.from)).c[0],
+             false}};
+        add_extremes(found, places.empty() ? start : places, {i, 0}, 1, 0);
+        if (folded) add_extremes(found, places.empty() ? start : places, {i, 0}, -1, std::numbers::pi);
+        found.possible = found.possible && closes(places.empty() ? start : places);
+    }
+    found.possible = found.possible && !found.plus.empty();
+    keep_least(found.plus, most_extremes);
+    return found;
+}
+
+template <std::size_t K>
+Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, const Course& course, double from,
+                      double to) {
+    const LinkageMeasure& m = over.measure;
+    Found found;
+    if (m.kind == Kind::mean || m.kind == Kind::rms) return found;
+    if (m.kind == Kind::at) {
+        const double value = plain.value(m.asked.signal, from, course.turns.near(from)).derivative(m.asked.derivative);
+        found.plus.push_back({m.asked, {from, value, false}});
+        found.possible = !std::isnan(value);
+        return found;
+    }
+    std::vector<Extreme> places = linkage::extremes(plain, m.asked, course, from, to);
+    if (places.empty())
+        places.push_back(
+            {from, plain.value(m.asked.signal, from, course.turns.near(from)).derivative(m.asked.derivative), false});
+    found.possible = closes(places);
+    add_extremes(found, places, m.asked, 1, 0);
+    if (m.kind == Kind::least) {
+        keep_least(found.plus, most_extremes);
+    } else if (m.kind == Kind::greatest) {
+        keep_greatest(found.plus, most_extremes);
+    } else {
+        found.minus = found.plus;
+        const std::size_t count = m.kind == Kind::time_ratio ? 1 : most_of_range;
+        keep_greatest(found.plus, count);
+        keep_least(found.minus, count);
+    }
+    return found;
+}
+
+}  // namespace mechwright::measuring

@@ -1,0 +1,95 @@
+#pragma once
+/// \file
+/// The motion of a linkage for verification, sampled in doubles by following it from one pose (follow.h).
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "synthesis/mechanism/linkage/signals_again.h"
+
+namespace mechwright {
+
+/// A motion as it is sampled: inputs and poses in doubles.
+class Scan {
+public:
+    Scan(const Motion& motion, std::span<const Digits50> dimensions)
+        : model(linkage_of(motion.model)), motion_(motion), dimensions_(dimensions.begin(), dimensions.end()) {
+        for (const Digits50& d : dimensions)
+            rounded_.push_back(d.convert_to<double>());
+        follow();
+    }
+
+    bool empty() const { return at.empty(); }
+    SignalsAgain<double> plain(std::size_t sample) const {
+        SignalsAgain<double> signals(model, std::span<const double>(rounded_), poses.front().turns);
+        signals.follower.start(at[sample], poses[sample]);
+        return signals;
+    }
+    SignalsAgain<Digits50> precise(std::size_t sample) const {
+        SignalsAgain<Digits50> signals(model, std::span<const Digits50>(dimensions_), poses.front().turns);
+        signals.follower.start(at[sample], pose_as<Digits50>(poses[sample]));
+        return signals;
+    }
+    std::size_t nearest(double input) const {
+        const auto next = static_cast<std::size_t>(std::lower_bound(at.begin(), at.end(), input) - at.begin());
+        if (next == 0) return 0;
+        return next == at.size() || input - at[next - 1] < at[next] - input ? next - 1 : next;
+    }
+
+    const LinkageModel& model;
+    std::vector<double> at;
+    std::vector<LoopPose<double>> poses;
+
+    /// The pose at an end of the motion, or where it ends by itself before it or a little after it.
+    SignalsAgain<Digits50> at_end(bool last) const {
+        SignalsAgain<Digits50> signals = precise(last ? at.size() - 1 : 0);
+        Follower<Digits50>& follower = signals.follower;
+        const double unit = model.driven_by_slide() ? follower.loop.size().convert_to<double>() : 1;
+        const Digits50 end = last ? motion_.to : motion_.from, way = last ? 1 : -1, little = 1e-9 * unit;
+        Follower<Digits50> beyond = follower;
+        if (follower.at == end || (beyond.step(end) && follower.step(end) && beyond.step(end + way * little)))
+            return signals;
+        for (Digits50 step = 2 * little + abs(end - follower.at); step > 1e-42 * unit; step /= 2)
+            follower.step(follower.at + way * step);
+        return signals;
+    }
+    double from() const { return motion_.from; }
+    double to() const { return motion_.to; }
+    bool full_turn() const { return motion_.full_turn; }
+
+private:
+    /// From some input in both senses to the ends of the motion, as far as doubles come.
+    void follow() {
+        linkage::Driven<double> moving = driven(model, rounded_, motion_.assembly);
+        Follower<double> follower(model, numbers_of(model, std::span<const double>(rounded_)));
+        constexpr double golden = 0.38196601125010515, least = 1e-9;
+        std::optional<LoopPose<double>> start;
+        double input = 0;
+        for (int i = 1; i <= 64 && !start; ++i) {
+            input = motion_.from + (motion_.to - motion_.from) * std::fmod(i * golden, 1.0);
+            start = pose_of_dyads(moving, input);
+        }
+        if (!start || !follower.start(input, *start)) return;
+        const LoopPose<double> here = follower.pose;
+        const auto keep = [&](const Follower<double>& f) {
+            at.push_back(f.at);
+            poses.push_back(f.pose);
+        };
+        follower.follow(motion_.from, least, keep);
+        std::reverse(at.begin(), at.end());
+        std::reverse(poses.begin(), poses.end());
+        follower.start(input, here);
+        keep(follower);
+        follower.follow(motion_.to, least, keep);
+    }
+
+    Motion motion_;
+    std::vector<Digits50> dimensions_;
+    std::vector<double> rounded_;
+};
+
+}  // namespace mechwright
