@@ -5,6 +5,7 @@
 
 #include "tests/command_line/program.h"
 #include "tests/report/temporary_folder.h"
+#include "tests/triad.h"
 
 namespace mechwright::testing {
 namespace {
@@ -88,18 +89,7 @@ TEST(Structure, SaysWhatIsWrong) {
 
 TEST(Structure, IsWhatOtherCommandsNameForALinkageThatTheyCannotPlace) {
     const TemporaryFolder folder;
-    const std::string file = folder.write("triad.toml", R"(schema = 1
-mechanism = "linkage"
-[links]
-frame = { A = [0, 0], D = [4, 0], G = [2, 5] }
-crank = { G = [0, 0], H = [1, 0] }
-one = { A = [0, 0], P = [3, 0] }
-two = { D = [0, 0], Q = [3, 0] }
-three = { H = [0, 0], R = [3, 0] }
-plate = { P = [0, 0], Q = [2, 0], R = [1, 1] }
-[drive]
-link = "crank"
-)");
+    const std::string file = folder.write("triad.toml", testing::triad_text);
     EXPECT_EQ(run({"structure", file}).exit_code, 0);
     for (const char* command : {"check", "analyse", "solve", "draw", "methods"}) {
         const Outcome outcome = run({command, file});

@@ -12,6 +12,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/solve/solve.h"
 #include "synthesis/verify/verify.h"
+#include "tests/triad.h"
 
 namespace mechwright {
 
@@ -106,13 +107,19 @@ TEST(LinkageProblems, AnAnalysisIsVerifiedFromItsDocumentAlone) {
     EXPECT_TRUE(is_refused(changed));
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+/// With a rocker and a crank to be found.
+std::string freed(const std::string& text) {
+    return replaced(replaced(text, "rocker = 80\n", "rocker = { min = 60, max = 200 }\n"), "crank = 40\n",
+                    "crank = { min = 10, max = 60 }\n");
+}
+
 TEST(LinkageProblems, ALimitedMotionEndsWhereItsJointsDo) {
-    std::string limited = four_bar;
-    limited.replace(limited.find("crank = 40"), 10, "crank = 140");
-    const Json document = analysed(limited);
-    std::string built_in = four_bar_built_in;
-    built_in.replace(built_in.find("crank = 40"), 10, "crank = 140");
-    const Json expected = analysed(built_in)["quantities"];
+    const Json document = analysed(replaced(four_bar, "crank = 40", "crank = 140"));
+    const Json expected = analysed(replaced(four_bar_built_in, "crank = 40", "crank = 140"))["quantities"];
     EXPECT_NEAR(document["quantities"]["pull.least"].get<double>(), expected["transmission-angle-min"].get<double>(),
                 1e-9);
     EXPECT_EQ(document["quantities"]["pull.greatest"], expected["transmission-angle-max"]);
@@ -120,44 +127,25 @@ TEST(LinkageProblems, ALimitedMotionEndsWhereItsJointsDo) {
 }
 
 TEST(LinkageProblems, ARequirementIsMetAndTheDesignVerified) {
-    std::string free = four_bar;
-    free.replace(free.find("rocker = 80\n"), 12, "rocker = { min = 60, max = 200 }\n");
-    free.replace(free.find("crank = 40\n"), 11, "crank = { min = 10, max = 60 }\n");
-    free +=
-        "[[require]]\nquantity = \"swing.range\"\nequal = 50\n"
-        "[objective]\nmaximize = \"transmission-angle-worst\"\n[solver]\nstarts = 8\n";
-    const ReadProblem read = linkage_of_text(free);
+    const ReadProblem read =
+        linkage_of_text(freed(four_bar) +
+                        "[[require]]\nquantity = \"swing.range\"\nequal = 50\n"
+                        "[objective]\nmaximize = \"transmission-angle-worst\"\n[solver]\nstarts = 8\n");
     ASSERT_TRUE(read.ok());
     const Result result = solve(read.problem, {});
     ASSERT_EQ(result.status, Status::solved) << result.note;
     EXPECT_TRUE(result.verified());
     // The same asked of the built-in kind.
-    std::string built_in = four_bar_built_in;
-    built_in.replace(built_in.find("rocker = 80\n"), 12, "rocker = { min = 60, max = 200 }\n");
-    built_in.replace(built_in.find("crank = 40\n"), 11, "crank = { min = 10, max = 60 }\n");
-    built_in +=
-        "[[require]]\nquantity = \"swing\"\nequal = 50\n"
-        "[objective]\nmaximize = \"transmission-angle-worst\"\n";
-    const ReadProblem same = linkage_of_text(built_in);
+    const ReadProblem same = linkage_of_text(freed(four_bar_built_in) +
+                                             "[[require]]\nquantity = \"swing\"\nequal = 50\n"
+                                             "[objective]\nmaximize = \"transmission-angle-worst\"\n");
     const Result expected = solve(same.problem, {});
     ASSERT_EQ(expected.status, Status::solved);
     EXPECT_NEAR(result.best->objective, expected.best->objective, 1e-7);
 }
 
 TEST(LinkageProblems, AnUnknownGroupIsNamedWithTheCommandThatShowsIt) {
-    const ReadProblem read = parse_problem(R"(schema = 1
-mechanism = "linkage"
-[links]
-frame = { A = [0, 0], D = [4, 0], G = [2, 5] }
-crank = { G = [0, 0], H = [1, 0] }
-one = { A = [0, 0], P = [3, 0] }
-two = { D = [0, 0], Q = [3, 0] }
-three = { H = [0, 0], R = [3, 0] }
-plate = { P = [0, 0], Q = [2, 0], R = [1, 1] }
-[drive]
-link = "crank"
-)",
-                                           "triad.toml");
+    const ReadProblem read = parse_problem(testing::triad_text, "triad.toml");
     ASSERT_FALSE(read.ok());
     EXPECT_NE(to_string(read.messages.front()).find("structure"), std::string::npos)
         << to_string(read.messages.front());
