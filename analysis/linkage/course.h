@@ -155,6 +155,32 @@ inline std::size_t first_panels(const Stretch& stretch) {
                                    4 * most_turns);
 }
 
+/// Whether another dyad is at its limit, to rounding, where one has just been placed at its own: pins may meet there,
+/// and what hangs on them has no place by itself.
+template <class T, std::size_t K>
+bool others_at_limit(const Measured<T, K>& measured, const Limit& limit) {
+    constexpr double rounding = 1e-14;
+    const double within = rounding * size_of(measured.driven());
+    const auto& margins = measured.driven().pose.margins;
+    for (std::size_t i = 0; i < margins.size(); ++i)
+        for (const auto& margin : {margins[i].outer, margins[i].inner})
+            if (i != limit.margin && number_as<double>(value_of(margin.c[0])) < within) return true;
+    return false;
+}
+
+/// Whether the motion ends where several dyads are at their limits at once: what rounding makes of a place beside such an
+/// end grows like the square of one over the root of the distance.
+template <std::size_t K>
+bool ends_in_several_limits(Measured<double, K>& measured, std::size_t signal, const Course& course) {
+    const Travel& travel = course.travel;
+    const auto at = [&](double end, const Limit& limit) {
+        if (!limit.exists() || limit.parallel) return false;
+        measured.value(signal, end, course.turns.near(end), limit);
+        return others_at_limit(measured, limit);
+    };
+    return at(travel.from, travel.first) || at(travel.to, travel.last);
+}
+
 /// Where the slope of what is asked vanishes, in order; one that is not a number where the linkage does not close over
 /// the whole stretch.
 template <std::size_t K>
@@ -162,8 +188,10 @@ std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked
                                       const Stretch& stretch) {
     const std::size_t order = asked.derivative + 1;
     const double floor = rounding_of(measured, asked, order, course, stretch);
-    // At limits each derivative goes like two powers less of the share: as many of its speed make that finite.
-    const int powers = 2 * static_cast<int>(order + order_of(measured.signals(), asked.signal)) - 1;
+    // At limits each derivative goes like two powers less of the share: as many of its speed make that finite. Where
+    // several dyads are at their limits, two more for each make rounding finite, too.
+    const int derivatives = static_cast<int>(order + order_of(measured.signals(), asked.signal));
+    const int powers = (ends_in_several_limits(measured, asked.signal, course) ? 4 : 2) * derivatives - 1;
     const auto share = [&](double s) { return stretch.speed(s) / stretch.length(); };
     const auto value = [&](double s) {
         const double at = stretch.at(s);
@@ -185,6 +213,24 @@ std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked
     return found;
 }
 
+/// The limit of a signal at an end of the motion, from the places beside it: smooth in the root of the distance, it is
+/// that of the polynomial through its values at Chebyshev nodes (Berrut and Trefethen, Barycentric Lagrange
+/// interpolation, SIAM Review 46 (2004), 501-517). Off by 1e-11 of its size or so.
+template <std::size_t K>
+double from_beside(Measured<double, K>& measured, std::size_t signal, const Course& course, bool last) {
+    const Stretch stretch = stretch_of(course, course.travel.from, course.travel.to);
+    const Panel panel{0, 0.5};
+    double sum = 0, weights = 0;
+    for (std::size_t k = 0; k < Panel::nodes; ++k) {
+        const double s = panel.at(k), at = stretch.at(last ? 1 - s : s);
+        const double root = std::sin((2.0 * static_cast<double>(k) + 1) * std::numbers::pi / (2 * Panel::nodes));
+        const double weight = (k % 2 == 0 ? root : -root) / s;
+        sum += weight * measured.value(signal, at, course.turns.near(at)).c[0];
+        weights += weight;
+    }
+    return sum / weights;
+}
+
 }  // namespace detail
 
 /// What is asked at an end of the motion that is a limit: derivatives are infinite there, unless the signal does not
@@ -196,8 +242,11 @@ double value_at_limit(Measured<double, K>& measured, const Asked& asked, const C
     const Limit& limit = last ? travel.last : travel.first;
     const auto near = course.turns.near(end);
     if (limit.parallel) return std::numeric_limits<double>::infinity();
-    if (asked.derivative + order_of(measured.signals(), asked.signal) == 0)
-        return measured.value(asked.signal, end, near, limit).c[0];
+    if (asked.derivative + order_of(measured.signals(), asked.signal) == 0) {
+        const double value = measured.value(asked.signal, end, near, limit).c[0];
+        return detail::others_at_limit(measured, limit) ? detail::from_beside(measured, asked.signal, course, last)
+                                                        : value;
+    }
     const Stretch stretch = detail::stretch_of(course, travel.from, travel.to);
     const auto beside = [&](double s) {
         const double at = stretch.at(last ? 1 - s : s);
@@ -321,7 +370,9 @@ T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, c
     const T shift = shift_of(measured, asked, course, place);
     const bool exactly = asked.derivative + order_of(measured.signals(), asked.signal) == 0;
     const auto f = measured.value(asked.signal, place.at, near, exactly ? place.limit : Limit{});
-    return detail::after_shift(f, asked.derivative, shift);
+    const T value = detail::after_shift(f, asked.derivative, shift);
+    if (!exactly || !detail::others_at_limit(measured, place.limit)) return value;
+    return value + T(place.value - number_as<double>(value_of(value)));
 }
 
 /// The mean of what is asked over [from, to], or of its square, as a function of the dimensions; ends that are limits

@@ -126,6 +126,35 @@ TEST(LinkageProblems, ALimitedMotionEndsWhereItsJointsDo) {
     expect_verified(document);
 }
 
+/// Peaucellier's inversor over its whole motion: at both ends the pins U and V meet, so that the dyads closed there and
+/// at Q are at their limits at once. Inversion at the pole of power long^2 - short^2 makes Q's line, x = 2.5.
+TEST(LinkageProblems, ALineIsStraightToItsEndsWherePinsMeet) {
+    const Json document = analysed(R"(
+schema = 1
+mechanism = "linkage"
+[links]
+frame   = { O = [0, 0], M = [1, 0] }
+arm     = { M = [0, 0], P = [1, 0] }
+long-u  = { O = [0, 0], U = [3, 0] }
+long-v  = { O = [0, 0], V = [3, 0] }
+inner-u = { P = [0, 0], U = [2, 0] }
+inner-v = { P = [0, 0], V = [2, 0] }
+outer-u = { U = [0, 0], Q = [2, 0] }
+outer-v = { V = [0, 0], Q = [2, 0] }
+[drive]
+link = "arm"
+[assembly]
+U = { side = "left", from = "O", to = "P" }
+V = { side = "right", from = "O", to = "P" }
+Q = { side = "left", from = "U", to = "V" }
+[signals]
+line = { x = "Q" }
+)");
+    EXPECT_NEAR(document["quantities"]["joint-distance-least"].get<double>(), 0, 1e-6);  // they do meet
+    EXPECT_NEAR(document["quantities"]["line.least"].get<double>(), 2.5, 1e-12);
+    EXPECT_NEAR(document["quantities"]["line.greatest"].get<double>(), 2.5, 1e-12);
+}
+
 TEST(LinkageProblems, ARequirementIsMetAndTheDesignVerified) {
     const ReadProblem read =
         linkage_of_text(freed(four_bar) +
