@@ -168,8 +168,8 @@ bool others_at_limit(const Measured<T, K>& measured, const Limit& limit) {
     return false;
 }
 
-/// Whether the motion ends where several dyads are at their limits at once: what rounding makes of a place beside such an
-/// end grows like the square of one over the root of the distance.
+/// Whether the motion ends where several dyads are at their limits at once: what rounding makes of a place beside such
+/// an end grows like the square of one over the root of the distance.
 template <std::size_t K>
 bool ends_in_several_limits(Measured<double, K>& measured, std::size_t signal, const Course& course) {
     const Travel& travel = course.travel;
