@@ -346,25 +346,41 @@ T after_shift(const Series<T, K>& f, std::size_t derivative, const T& shift) {
 
 }  // namespace detail
 
-/// How the time at which a place is passed changes with the dimensions, as derivatives of 0: of a limit, or of a
-/// stationary place of what is asked. K must be `order_for` it, and one more for second derivatives.
+/// By how much the time of the ends of a motion changes with what is seeded, where these are given by it: derivatives
+/// of 0.
+template <class T>
+struct MovingEnds {
+    T from = T(0);
+    T to = T(0);
+
+    /// That of a place which is an end of a motion, and no limit.
+    T at(const Extreme& place, const Travel& travel) const {
+        return place.stationary ? T(0) : place.at == travel.from ? from : place.at == travel.to ? to : T(0);
+    }
+};
+
+/// How the time at which a place is passed changes with the dimensions, as derivatives of 0: of a limit, of a
+/// stationary place of what is asked, or of an end. K must be `order_for` it, and one more for second derivatives.
 template <class T, std::size_t K>
-T shift_of(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place) {
+T shift_of(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place,
+           const MovingEnds<T>& ends = {}) {
     const auto near = course.turns.near(place.at);
     if (place.limit.exists()) return detail::shift_of_zero(measured.margin(place.limit, place.at, near), 0);
-    if (!place.stationary) return T(0);
+    if (!place.stationary) return ends.at(place, course.travel);
     return detail::shift_of_zero(measured.value(asked.signal, place.at, near), asked.derivative + 1);
 }
 
 /// What is asked at one of its extremes as a function of the dimensions: the place moves with them, or is given. K must
 /// be `order_for` it.
 template <class T, std::size_t K>
-T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place) {
+T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place,
+           const MovingEnds<T>& ends = {}) {
     if (!std::isfinite(place.value)) return T(place.value);
     const auto near = course.turns.near(place.at);
     if (!place.limit.exists()) {
         const auto f = measured.value(asked.signal, place.at, near);
-        const T shift = place.stationary ? detail::shift_of_zero(f, asked.derivative + 1) : T(0);
+        const T shift =
+            place.stationary ? detail::shift_of_zero(f, asked.derivative + 1) : ends.at(place, course.travel);
         return detail::after_shift(f, asked.derivative, shift);
     }
     const T shift = shift_of(measured, asked, course, place);
@@ -379,20 +395,21 @@ T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, c
 /// of the motion move with them. To rounding.
 template <class T, std::size_t K, std::size_t L>
 T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& asked, const Course& course, double from,
-          double to, bool squared) {
+          double to, bool squared, const MovingEnds<T>& ends = {}) {
     const Stretch stretch = detail::stretch_of(course, from, to);
     const auto end = [&](bool last) -> Extreme {
         const bool limit = last ? stretch.root_at_to : stretch.root_at_from;
         return {last ? to : from, 0, false, !limit ? Limit{} : last ? course.travel.last : course.travel.first};
     };
-    const T shift_from = shift_of(measured, asked, course, end(false)),
-            shift_to = shift_of(measured, asked, course, end(true));
+    const T shift_from = shift_of(measured, asked, course, end(false), ends),
+            shift_to = shift_of(measured, asked, course, end(true), ends);
     if (asked.derivative > 0 && !squared) {
         // The integral of a derivative is known.
         const Asked integral{asked.signal, asked.derivative - 1};
         const T length = (T(to) + shift_to * T(measured.rate())) - (T(from) + shift_from * T(measured.rate()));
         return T(measured.rate()) *
-               (value_at(measured, integral, course, end(true)) - value_at(measured, integral, course, end(false))) /
+               (value_at(measured, integral, course, end(true), ends) -
+                value_at(measured, integral, course, end(false), ends)) /
                length;
     }
     // The rounding of the input counts as much as that of the value.

@@ -102,12 +102,13 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
     return places;
 }
 
-/// A margin at such a place as a function of the dimensions.
+/// A margin at such a place of a motion as a function of the dimensions.
 template <class T, std::size_t K>
-T margin_at(Measured<T, K>& measured, const MarginPlace& least, std::span<const double> near) {
+T margin_at(Measured<T, K>& measured, const MarginPlace& least, std::span<const double> near, const Travel& travel,
+            const MovingEnds<T>& ends = {}) {
     const auto f = measured.margin(least.margin, least.place.at, near, least.place.limit);
     if (least.place.stationary) return detail::after_shift(f, 0, detail::shift_of_zero(f, 1));
-    if (!least.place.limit.exists()) return f.c[0];
+    if (!least.place.limit.exists()) return detail::after_shift(f, 0, ends.at(least.place, travel));
     const T shift = detail::shift_of_zero(measured.margin(least.place.limit, least.place.at, near), 0);
     return detail::after_shift(f, 0, shift);
 }

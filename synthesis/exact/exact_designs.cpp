@@ -90,7 +90,8 @@ double closure_along_path(const Problem& problem, const Design& design) {
     if (design.path_angles.empty()) return least;
     const auto consider = [&](double crank_angle) {
         PathMiss miss{};
-        miss_of_point(*problem.mechanism, design.assembly, design.dimensions, crank_angle, {0, 0}, miss);
+        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions, crank_angle,
+                      {0, 0}, miss);
         least = std::min(least, miss.margin);
     };
     const auto [from, to] = std::minmax_element(design.path_angles.begin(), design.path_angles.end());

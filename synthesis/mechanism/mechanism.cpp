@@ -163,18 +163,18 @@ Digits50 measure_again(const Quantity& quantity, const Motion& motion, std::span
     return quantity.measure_again(motion_for(quantity, motion), quantity.reads.of(dimensions));
 }
 
-void miss_of_point(const Mechanism& mechanism, std::size_t assembly, std::span<const double> dimensions,
-                   double crank_angle, const Vector<double>& target, PathMiss& out) {
+void miss_of_point(const Mechanism& mechanism, const Form& form, std::span<const double> dimensions, double crank_angle,
+                   const Vector<double>& target, PathMiss& out) {
     std::array<double, Reads::most> room;
     const PointGuidance& point = *mechanism.point;
-    point.miss(mechanism.form(assembly), point.reads.of(dimensions, room), crank_angle, target, out);
+    point.miss(form, point.reads.of(dimensions, room), crank_angle, target, out);
 }
 
-void miss_of_body(const Mechanism& mechanism, std::size_t assembly, std::span<const double> dimensions,
-                  double crank_angle, const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) {
+void miss_of_body(const Mechanism& mechanism, const Form& form, std::span<const double> dimensions, double crank_angle,
+                  const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) {
     std::array<double, Reads::most> room;
     const BodyGuidance& body = *mechanism.body;
-    body.miss(mechanism.form(assembly), body.reads.of(dimensions, room), crank_angle, target, facing, out);
+    body.miss(form, body.reads.of(dimensions, room), crank_angle, target, facing, out);
 }
 
 Vector<Digits50> point_again(const Mechanism& mechanism, std::size_t assembly, std::span<const Digits50> dimensions,

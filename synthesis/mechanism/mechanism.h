@@ -85,7 +85,8 @@ struct PoseMiss {
 inline constexpr std::size_t no_dimension = static_cast<std::size_t>(-1);
 
 /// Which dimensions play which part in a path: the point's coordinates on the guiding link, the placement in the
-/// drawing; and the numbers of the path and the poses themselves, where a problem has them (target/with_targets.h).
+/// drawing (`no_dimension` where they are given or follow from others); and the numbers of the path and the poses
+/// themselves, where a problem has them (target/with_targets.h).
 struct PathRoles {
     std::size_t along;
     std::size_t across;
@@ -112,6 +113,8 @@ struct Check {
 struct PointGuidance {
     Reads reads{};  ///< the dimensions that the point depends on; at most `most_reads`
     PathRoles roles{};
+    /// Problem files say which point it is, and have its numbers in the sections of targets.
+    bool named = false;
     void (*miss)(Form, std::span<const double> arguments, double crank_angle, const Vector<double>& target,
                  PathMiss& out) = nullptr;
     /// The point in fifty digits, by another way.
@@ -131,6 +134,9 @@ struct BodyGuidance {
     std::string angle_from{};  ///< what that angle is counted from, in words
     void (*miss)(Form, std::span<const double> arguments, double crank_angle, const Vector<double>& target,
                  const Vector<double>& facing, PoseMiss& out) = nullptr;
+    /// The direction of the guiding link in fifty digits, by another way, from the arguments of the point; null: where
+    /// a point one length ahead along it lies.
+    Digits50 (*direction)(Form, std::span<const Digits50> arguments, const Digits50& crank_angle) = nullptr;
 };
 
 /// A mechanism whose input can turn over a range with ends among the design variables: for functions, lines and arcs,
@@ -241,6 +247,8 @@ struct Mechanism {
     /// The sections of a problem file that it was made from, a JSON object; empty for a mechanism of the list.
     /// Documents repeat it, so that who reads them can make the mechanism again.
     std::string made_from{};
+    /// Its model with the lengths that are no dimensions over a unit, as programs take dimensions; null: it has none.
+    Model (*model_over)(const Model&, double unit) = nullptr;
     /// What its lengths are measured against; null: the greatest of the dimensions that are lengths.
     double (*size)(Form, std::span<const double> dimensions) = nullptr;
 
@@ -308,10 +316,10 @@ std::shared_ptr<const Mechanism> find_mechanism(std::string_view name);
 
 /// What the guided point, or the guided body, of a mechanism misses of a target at a crank angle. The dimensions are in
 /// mechanism order.
-void miss_of_point(const Mechanism& mechanism, std::size_t assembly, std::span<const double> dimensions,
-                   double crank_angle, const Vector<double>& target, PathMiss& out);
-void miss_of_body(const Mechanism& mechanism, std::size_t assembly, std::span<const double> dimensions,
-                  double crank_angle, const Vector<double>& target, const Vector<double>& facing, PoseMiss& out);
+void miss_of_point(const Mechanism& mechanism, const Form& form, std::span<const double> dimensions, double crank_angle,
+                   const Vector<double>& target, PathMiss& out);
+void miss_of_body(const Mechanism& mechanism, const Form& form, std::span<const double> dimensions, double crank_angle,
+                  const Vector<double>& target, const Vector<double>& facing, PoseMiss& out);
 
 /// The guided point in fifty digits, by another way.
 Vector<Digits50> point_again(const Mechanism& mechanism, std::size_t assembly, std::span<const Digits50> dimensions,

@@ -73,6 +73,9 @@ struct Builder {
         program.problem = &p;
         program.variant = v;
         program.length = length_scale(p);
+        const Mechanism& mechanism = *p.mechanism;
+        program.model = mechanism.model_over ? mechanism.model_over(mechanism.model, program.length) : mechanism.model;
+        motion.model = program.model.data();
     }
 
     void add_dimensions() {

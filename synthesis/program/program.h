@@ -84,6 +84,7 @@ struct Program {
     const Problem* problem = nullptr;
     Variant variant;
     double length = 1;  ///< by which lengths are divided
+    Model model{};      ///< the mechanism's, with its own lengths divided so, too
 
     std::vector<double> dimensions;           ///< scaled; those that are variables are overwritten at evaluation
     std::vector<std::ptrdiff_t> variable_of;  ///< by dimension: its variable, or -1
@@ -103,6 +104,7 @@ struct Program {
     std::vector<Row> rows;
 
     std::size_t size() const { return variables.size(); }
+    Form form() const { return {model.data(), variant.assembly}; }
     bool untimed_path() const { return path && !problem->path->prescribed_timing; }
 };
 

@@ -124,16 +124,16 @@ MissedPoint missed_point(const Problem& problem, const Design& design, std::size
     const PathTarget& target = *problem.path;
     if (!target.guides_body()) {
         PathMiss miss{};
-        miss_of_point(*problem.mechanism, design.assembly, design.dimensions, design.path_angles[i], target.points[i],
-                      miss);
+        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions,
+                      design.path_angles[i], target.points[i], miss);
         return {miss.miss};
     }
     // Where any direction will do, the one that the body has is counted from 0.
     const double asked = target.faces(i) ? target.directions[i] : 0;
     const Vector<double> facing{std::cos(asked), std::sin(asked)};
     PoseMiss miss{};
-    miss_of_body(*problem.mechanism, design.assembly, design.dimensions, design.path_angles[i], target.points[i],
-                 facing, miss);
+    miss_of_body(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions, design.path_angles[i],
+                 target.points[i], facing, miss);
     const Vector<double> faces = facing - miss.turn.miss;
     // The turn is added to the direction asked for, so that both are counted from the same whole turn.
     const double turned = std::atan2(cross(facing, faces), dot(facing, faces));

@@ -54,7 +54,8 @@ void add_points(const Problem& problem, const Design& design, Margins& margins) 
     std::size_t at = 0;
     for (std::size_t i = 0; i < angles.size(); ++i) {
         PathMiss miss{};
-        miss_of_point(*problem.mechanism, design.assembly, design.dimensions, angles[i], problem.path->points[i], miss);
+        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions, angles[i],
+                      problem.path->points[i], miss);
         if (miss.margin >= least) continue;
         least = miss.margin;
         at = i;

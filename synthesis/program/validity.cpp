@@ -19,8 +19,8 @@ double margin_at_targets(const Problem& problem, const Design& design) {
     double least = endless;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
         PathMiss miss{};
-        miss_of_point(*problem.mechanism, design.assembly, design.dimensions, design.path_angles[i],
-                      problem.path->points[i], miss);
+        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions,
+                      design.path_angles[i], problem.path->points[i], miss);
         if (!(miss.margin >= least)) least = miss.margin;
     }
     return least;

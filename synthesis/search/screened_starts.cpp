@@ -29,7 +29,9 @@ constexpr int most_draws = 60;
 /// by few.
 constexpr int candidates_per_variable = 12;
 
-bool is_free(const Program& program, std::size_t dimension) { return program.variable_of[dimension] >= 0; }
+bool is_free(const Program& program, std::size_t dimension) {
+    return dimension != no_dimension && program.variable_of[dimension] >= 0;
+}
 
 }  // namespace
 

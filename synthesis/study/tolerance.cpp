@@ -64,8 +64,8 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, Pa
         if (measure == PathMeasure::greatest) factor = distance == values->greatest ? 1 / distance : 0;
         if (factor == 0) continue;
         PathMiss miss{{}, 0, x, y, {}, {}};
-        miss_of_point(mechanism, design.assembly, design.dimensions, design.path_angles[i], problem.path->points[i],
-                      miss);
+        miss_of_point(mechanism, mechanism.form(design.assembly), design.dimensions, design.path_angles[i],
+                      problem.path->points[i], miss);
         for (std::size_t k = 0; k < n; ++k)
             total[reads[k]] += factor * (miss.miss.x * x[k] + miss.miss.y * y[k]);
         if (problem.path->prescribed_timing)

@@ -36,6 +36,19 @@ std::optional<Vector<Digits50>> range_of(const Claim& claim, std::span<const Dig
     return Vector<Digits50>{std::min(start, end), std::max(start, end)};
 }
 
+/// The direction of the link that guides a point, which is here.
+Digits50 direction_of_link(const Rebuilt& design, const Digits50& crank_angle, const Vector<Digits50>& here) {
+    const Mechanism& mechanism = *design.claim->mechanism;
+    const PointGuidance& point = *mechanism.point;
+    const Form form = mechanism.form(design.claim->assembly);
+    if (mechanism.body->direction)
+        return mechanism.body->direction(form, point.reads.of(design.dimensions), crank_angle);
+    std::vector<Digits50> ahead = design.dimensions;
+    ahead[point.roles.along] += 1;
+    const Vector<Digits50> link = point.point(form, point.reads.of(ahead), crank_angle) - here;
+    return atan2(link.y, link.x);
+}
+
 RebuiltPath rebuilt_path(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     const ClaimedPath& path = *claim.path;
@@ -56,12 +69,8 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
         const Vector<Digits50> miss = target - result.reached.back();
         Digits50 square = dot(miss, miss);
         if (!path.directions.empty()) {
-            // The body faces where a point one length ahead on the guiding link lies, turned by its own angle.
-            const PathRoles& roles = claim.mechanism->point->roles;
-            std::vector<Digits50> ahead = design.dimensions;
-            ahead[roles.along] += 1;
-            const Vector<Digits50> link = point(ahead, result.crank_angles.back()) - result.reached.back();
-            const Digits50 faces = atan2(link.y, link.x) + design.dimensions[roles.body];
+            const Digits50 faces = direction_of_link(design, result.crank_angles.back(), result.reached.back()) +
+                                   design.dimensions[claim.mechanism->point->roles.body];
             if (path.directions[i]) {
                 const Digits50 asked = from_document(*path.directions[i], Unit::angle, claim.units);
                 const Digits50 chord = 2 * path.body_length * sin((faces - asked) / 2);

@@ -11,7 +11,7 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/solve/solve.h"
-#include "synthesis/verify/verify.h"
+#include "tests/checked.h"
 #include "tests/triad.h"
 
 namespace mechwright {
@@ -19,6 +19,8 @@ namespace mechwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using testing::expect_verified;
+using testing::is_refused;
 
 ReadProblem linkage_of_text(const std::string& text) {
     ReadProblem read = parse_problem(text, "linkage.toml");
@@ -30,16 +32,6 @@ ReadProblem linkage_of_text(const std::string& text) {
 Json analysed(const std::string& text) {
     const ReadProblem read = linkage_of_text(text);
     return read.ok() ? analysis_document(read.problem, evaluate_given(read.problem)) : Json();
-}
-
-void expect_verified(const Json& document) {
-    for (const Check& check : verify(document))
-        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
-}
-
-bool is_refused(const Json& document) {
-    const std::vector<Check> checks = verify(document);
-    return std::any_of(checks.begin(), checks.end(), [](const Check& check) { return !check.passed; });
 }
 
 /// A crank-rocker of lengths 100, 40, 110, 80 with its coupler above the frame.
@@ -171,6 +163,26 @@ TEST(LinkageProblems, ARequirementIsMetAndTheDesignVerified) {
     const Result expected = solve(same.problem, {});
     ASSERT_EQ(expected.status, Status::solved);
     EXPECT_NEAR(result.best->objective, expected.best->objective, 1e-7);
+}
+
+/// P's place is no dimension, and is not scaled as these are.
+TEST(LinkageProblems, NumbersThatAreNoDimensionsStayWhatTheyAreInASearch) {
+    const double height = analysed(four_bar)["quantities"]["height.greatest"].get<double>();
+    const ReadProblem read =
+        linkage_of_text(replaced(four_bar, "crank = 40\n", "crank = { min = 10, max = 60 }\n") +
+                        "[[require]]\nquantity = \"height.greatest\"\nequal = " + std::to_string(height) + "\n");
+    ASSERT_TRUE(read.ok());
+    const Json found = document(read.problem, solve(read.problem, {}));
+    EXPECT_EQ(found["status"], "solved");
+    EXPECT_NEAR(found["design"]["crank"].get<double>(), 40, 1e-5);
+    expect_verified(found);
+}
+
+/// A crank-rocker of which crank and ground are only 1e-5 shorter than coupler and rocker: beside the position in which
+/// all lie in one line its other assembly is a hair's breadth away.
+TEST(LinkageProblems, BesideAChangePointTheBranchIsKept) {
+    std::string text = replaced(four_bar, "coupler = 110", "coupler = 80");
+    expect_verified(analysed(replaced(text, "rocker = 80", "rocker = 60.00001")));
 }
 
 TEST(LinkageProblems, AnUnknownGroupIsNamedWithTheCommandThatShowsIt) {

@@ -30,14 +30,16 @@ public:
     /// Takes a pose that is nearly one at this input; false where none is next to it.
     bool start(const T& input, LoopPose<T> near) {
         linkage::set_inputs<T>(laws_, input, inputs_);
-        if (!loop.solve(inputs_, near)) return false;
+        sign_ = loop.solve(inputs_, near);
+        if (sign_ == 0) return false;
         at = input;
         pose = std::move(near);
         return true;
     }
 
-    /// Goes on to an input in one step, if the pose there lies where the velocities lead.
-    bool step(const T& to) {
+    /// Goes on to an input in one step, if the pose there lies where the velocities lead and is on the same branch; or,
+    /// where branches `cross` in between, on either.
+    bool step(const T& to, bool cross = false) {
         constexpr double astray = 0.02;
         LoopPose<T> speed;
         if (!loop.velocities(speeds_, pose, speed)) return false;
@@ -48,18 +50,21 @@ public:
         }
         const LoopPose<T> predicted = next;
         linkage::set_inputs<T>(laws_, to, inputs_);
-        if (!loop.solve(inputs_, next) || distance(predicted, next) > astray) return false;
+        const int sign = loop.solve(inputs_, next);
+        if (sign == 0 || (sign != sign_ && !cross) || distance(predicted, next) > astray) return false;
+        sign_ = sign;
         at = to;
         pose = std::move(next);
         return true;
     }
 
-    /// Goes on in steps of a degree, or shorter where needed, and calls `use(follower)` after each. Returns whether it
-    /// comes to the end; else it stands where it could not go on by `least`.
+    /// Goes on in steps of a degree, or shorter where needed, and calls `use(follower)` after each. Where it cannot go
+    /// on by `least` on its branch it goes over a crossing, such as a parallelogram's change point. Returns whether it
+    /// comes to the end; else it stands where there was no way on.
     template <class Use>
     bool follow(const T& end, double least, const Use& use) {
         using std::abs;
-        constexpr double usual = std::numbers::pi / 180;
+        constexpr double usual = std::numbers::pi / 180, crossing = 1e-3;
         const double unit = model_.driven_by_slide() ? number_as<double>(loop.size()) : 1;
         double length = usual * unit;
         while (at != end) {
@@ -71,7 +76,11 @@ public:
                 length = std::min(usual * unit, 2 * length);
             } else {
                 length = std::min(length, number_as<double>(abs(rest))) / 2;
-                if (length < least * unit) return false;
+                if (length >= least * unit) continue;
+                length = crossing * unit;
+                if (!step(abs(rest) <= T(length) ? end : T(at + (rest > T(0) ? T(length) : T(-length))), true))
+                    return false;
+                use(*this);
             }
         }
         return true;
@@ -101,6 +110,7 @@ public:
 private:
     std::vector<linkage::DriveLaw> laws_;
     std::vector<T> inputs_, speeds_;
+    int sign_ = 0;  ///< of the determinant on the branch that it follows
 };
 
 /// The pose of the dyads on their sides, nearly, at an input; none where they do not close.

@@ -30,11 +30,13 @@ struct LoopPose {
 
 namespace loop_detail {
 
-/// Solves a square system by elimination with row pivots, in place; false where it is singular to rounding.
+/// Solves a square system by elimination with row pivots, in place. Returns the sign of its determinant; 0 where it is
+/// singular to rounding.
 template <class T>
-bool solve_linear(std::vector<T>& a, std::vector<T>& b) {
+int solve_linear(std::vector<T>& a, std::vector<T>& b) {
     using std::abs;
     const std::size_t n = b.size();
+    int sign = 1;
     T greatest(0);
     for (const T& entry : a)
         if (abs(entry) > greatest) greatest = abs(entry);
@@ -43,7 +45,8 @@ bool solve_linear(std::vector<T>& a, std::vector<T>& b) {
         std::size_t pivot = k;
         for (std::size_t i = k + 1; i < n; ++i)
             if (abs(a[i * n + k]) > abs(a[pivot * n + k])) pivot = i;
-        if (!(abs(a[pivot * n + k]) > least)) return false;
+        if (!(abs(a[pivot * n + k]) > least)) return 0;
+        if ((a[pivot * n + k] < T(0)) != (pivot != k)) sign = -sign;
         if (pivot != k) {
             for (std::size_t j = k; j < n; ++j)
                 std::swap(a[k * n + j], a[pivot * n + j]);
@@ -62,7 +65,7 @@ bool solve_linear(std::vector<T>& a, std::vector<T>& b) {
             b[k] -= a[k * n + j] * b[j];
         b[k] /= a[k * n + k];
     }
-    return true;
+    return sign;
 }
 
 }  // namespace loop_detail
@@ -82,23 +85,26 @@ public:
     /// The greatest distance by which it is described; 1 where there is none.
     T size() const { return size_ > T(0) ? size_ : T(1); }
 
-    /// Moves a pose to the one next to it at these inputs of the drives; false where Newton's method finds none.
-    bool solve(std::span<const T> inputs, LoopPose<T>& pose) const {
+    /// Moves a pose to the one next to it at these inputs of the drives. Returns the sign of the equations' determinant
+    /// there, which changes from one assembly of a dyad to the other and nowhere along a branch; 0 where Newton's
+    /// method finds no pose.
+    int solve(std::span<const T> inputs, LoopPose<T>& pose) const {
         constexpr int most_steps = 40;
         const T close = std::numeric_limits<T>::epsilon() * 64, far = T(4) * size() + farthest(pose);
         T last = std::numeric_limits<T>::max();
         for (int step = 0; step < most_steps; ++step) {
             const linkage::VelocityEquations<T> rows = linkage::velocity_equations(s_, instant(pose));
             std::vector<T> a = rows.rows, b = residuals(inputs, pose);
-            if (rows.equations.size() != rows.unknowns || !loop_detail::solve_linear(a, b)) return false;
+            const int sign = rows.equations.size() == rows.unknowns ? loop_detail::solve_linear(a, b) : 0;
+            if (sign == 0) return 0;
             const T moved = move(pose, b);
-            if (!(moved < far)) return false;
+            if (!(moved < far)) return 0;
             // As near as rounding lets it come: the steps become no shorter.
             constexpr double settled = 1e-9;
-            if (moved <= close || (moved < T(settled) && !(moved < last))) return true;
+            if (moved <= close || (moved < T(settled) && !(moved < last))) return sign;
             last = moved;
         }
-        return false;
+        return 0;
     }
 
     /// Velocities of all links for unit speeds of the drives as given: origins and turns.
@@ -107,7 +113,7 @@ public:
         std::vector<T> a = rows.rows, b(rows.equations.size(), T(0));
         for (std::size_t i = 0; i < rows.equations.size(); ++i)
             if (rows.equations[i].by == linkage::Joined::drive) b[i] = speeds[rows.equations[i].index];
-        if (rows.equations.size() != rows.unknowns || !loop_detail::solve_linear(a, b)) return false;
+        if (rows.equations.size() != rows.unknowns || loop_detail::solve_linear(a, b) == 0) return false;
         out = {std::vector<Vector<T>>(s_.links, Vector<T>{T(0), T(0)}), std::vector<T>(s_.links, T(0))};
         for (std::size_t i = 1; i < s_.links; ++i) {
             out.origins[i] = {b[3 * i - 3], b[3 * i - 2]};

@@ -26,10 +26,17 @@ struct Over {
     const Motion& motion;
     std::vector<linkage::DriveLaw> laws = laws_of(model.drives);
     double rate = 1;
+    bool over_input = false;  ///< start and range of the motion are the last arguments
 
-    explicit Over(const Motion& over)
-        : model(linkage_of(over.model)), measure(*static_cast<const LinkageMeasure*>(over.of)), motion(over) {
+    explicit Over(const Motion& over, bool by_arguments = false)
+        : model(linkage_of(over.model)),
+          measure(*static_cast<const LinkageMeasure*>(over.of)),
+          motion(over),
+          over_input(by_arguments) {
         if (!model.driven_by_slide() && model.drives.front().speed) rate = *model.drives.front().speed * turn / 60;
+    }
+    std::span<const double> dimensions_of(std::span<const double> arguments) const {
+        return arguments.first(arguments.size() - (over_input ? 2 : 0));
     }
     const std::vector<std::int8_t>& sides() const { return model.sides[motion.assembly]; }
     linkage::Driven<double> driven(std::span<const double> dimensions) const {

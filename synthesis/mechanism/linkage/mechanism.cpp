@@ -8,6 +8,7 @@
 #include "analysis/linkage/travel.h"
 #include "synthesis/mechanism/linkage/again.h"
 #include "synthesis/mechanism/linkage/drawing.h"
+#include "synthesis/mechanism/linkage/guidance.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/linkage/table.h"
 
@@ -109,9 +110,33 @@ Quantity assembly_margin(std::size_t dimensions) {
                             {LinkageMeasure::Kind::assembly_margin}, dimensions);
 }
 
+/// What keeps them closed between the targets of a path, and the quantities that know that ends of the motion move.
+InputRange input_range(const std::vector<Quantity>& quantities, std::size_t dimensions) {
+    InputRange input{Reads(dimensions), over_input(assembly_margin(dimensions))};
+    for (const Quantity& quantity : quantities)
+        input.quantities.push_back(over_input(quantity));
+    return input;
+}
+
+bool has_own_lengths(const LinkageModel& model) {
+    for (std::size_t i = 0; i < model.numbers.size(); ++i)
+        if (model.lengths[i] && model.numbers[i].constant != 0) return true;
+    return model.placement[0].constant != 0 || model.placement[1].constant != 0;
+}
+
 std::vector<Family> families_of(const LinkageModel& model, std::size_t dimensions) {
     return {{"the drive turns fully", true, {}, assembly_margin(dimensions), std::max(model.turns, 1)},
             {"the drive moves over a range", false, {}, assembly_margin(dimensions)}};
+}
+
+void add_guidance(const LinkageModel& model, Mechanism& made) {
+    const std::size_t count = made.dimensions.size();
+    made.point = linkage_point_guidance(model, count);
+    made.targets = {"path"};
+    made.input = input_range(made.quantities, count);
+    if (!model.guides_body) return;
+    made.body = linkage_body_guidance(model, count);
+    made.targets = {"poses"};
 }
 
 }  // namespace
@@ -158,6 +183,9 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     made.quantities = quantities_of(model, made.dimensions.size(), quantities);
     made.families = families_of(model, made.dimensions.size());
     made.table = linkage_table(model);
+    if (has_own_lengths(model))
+        made.model_over = [](const Model& m, double unit) { return Model(over_unit(*m.as<LinkageModel>(), unit)); };
+    if (model.guided) add_guidance(model, made);
     made.model = Model(std::move(model));
     made.size = size_of_linkage;
     made.motion = motion_of_linkage;

@@ -4,6 +4,14 @@
 
 namespace mechwright {
 
+LinkageModel over_unit(LinkageModel model, double unit) {
+    for (std::size_t i = 0; i < model.numbers.size(); ++i)
+        if (model.lengths[i]) model.numbers[i].constant /= unit;
+    for (std::size_t i = 0; i < 2; ++i)
+        model.placement[i].constant /= unit;
+    return model;
+}
+
 std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives) {
     std::vector<linkage::DriveLaw> laws;
     for (const LinkageDrive& drive : drives)

@@ -35,6 +35,12 @@ struct NamedSignal {
     Unit unit = Unit::none;
 };
 
+/// A point that a target speaks of, and the link on which it is guided.
+struct GuidedPoint {
+    std::size_t pin = 0;
+    std::size_t link = 0;
+};
+
 struct LinkageModel {
     std::vector<std::string> links;   ///< the frame first
     std::vector<std::string> pins;    ///< of points, too, that are on one link only
@@ -42,14 +48,17 @@ struct LinkageModel {
     linkage::Structure structure;
     linkage::Order order;
     std::vector<Affine> numbers;                  ///< of the structure
+    std::vector<bool> lengths;                    ///< which of these are
     std::vector<LinkageDrive> drives;             ///< the master first
     std::vector<std::vector<std::int8_t>> sides;  ///< [assembly][choice of the order], 1 or -1
     std::array<Affine, 3> placement{};            ///< origin-x, origin-y, tilt of the frame in the drawing
     Affine scale{1, {}};                          ///< of all lengths; > 0
     std::vector<linkage::Signal> signals{};
     std::vector<NamedSignal> signal_names{};  ///< one for each
-    std::optional<double> at{};               ///< an input of the master that belongs to the motion
-    int turns = 1;                            ///< of the master, after which everything is where it was; 0: never
+    std::optional<GuidedPoint> guided{};
+    bool guides_body = false;    ///< the link of the guided point is a body that takes poses
+    std::optional<double> at{};  ///< an input of the master that belongs to the motion
+    int turns = 1;               ///< of the master, after which everything is where it was; 0: never
 
     bool driven_by_slide() const { return structure.drives.front().of_slide; }
 };
@@ -65,6 +74,9 @@ std::vector<T> numbers_of(const LinkageModel& model, std::span<const T> dimensio
         numbers.push_back(number.at(dimensions));
     return numbers;
 }
+
+/// The same linkage where lengths that are no dimensions are over a unit, as the dimensions are then to be.
+LinkageModel over_unit(LinkageModel model, double unit);
 
 /// By which inputs follow the master's; its own is the master itself.
 std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "synthesis/mechanism/linkage/found_places.h"
+#include "synthesis/mechanism/linkage/seeded.h"
 
 namespace mechwright {
 
@@ -52,13 +53,14 @@ public:
                linkage::Measured<double, K>& plain, const Course& course, const Found& found,
                std::array<double, 2> stretch)
         : over_(over),
-          seeded_(seeded),
-          measured_(measured<T, K>(over, seeded, signals)),
+          seeded_(seeded.first(seeded.size() - (over.over_input ? 2 : 0))),
+          measured_(measured<T, K>(over, seeded_, signals)),
           plain_(plain),
           course_(course),
           found_(found),
           stretch_(stretch) {
         if (!course.turns.empty()) measured_.start_at(course);
+        if (over.over_input) ends_ = moving_ends(seeded[seeded.size() - 2], seeded[seeded.size() - 1]);
     }
 
     std::vector<T> all() {
@@ -85,8 +87,9 @@ public:
             case Kind::full_turn_margin:
             case Kind::assembly_margin:
                 for (const linkage::MarginPlace& place : found_.margins)
-                    out.push_back(over_.model.scale.at(seeded_) *
-                                  linkage::margin_at(measured_, place, course_.turns.near(place.place.at)));
+                    out.push_back(over_.model.scale.at(seeded_) * linkage::margin_at(measured_, place,
+                                                                                     course_.turns.near(place.place.at),
+                                                                                     course_.travel, ends_));
                 break;
             default:
                 for (const Term& term : found_.plus)
@@ -97,10 +100,19 @@ public:
 
 private:
     T value(const Term& term) {
-        return T(term.constant) + T(term.factor) * linkage::value_at(measured_, term.asked, course_, term.place);
+        return T(term.constant) + T(term.factor) * linkage::value_at(measured_, term.asked, course_, term.place, ends_);
+    }
+    /// By how much the time of both ends changes with start and range of the input.
+    linkage::MovingEnds<T> moving_ends(const T& start, const T& range) const {
+        const T first = start - T(number_as<double>(value_of(start)));
+        const T last = first + (range - T(number_as<double>(value_of(range))));
+        const T per_rate = T(1 / over_.rate);
+        return value_of(range) < 0 ? linkage::MovingEnds<T>{per_rate * last, per_rate * first}
+                                   : linkage::MovingEnds<T>{per_rate * first, per_rate * last};
     }
     T mean(bool squared) {
-        return linkage::mean_of(measured_, plain_, over_.measure.asked, course_, stretch_[0], stretch_[1], squared);
+        return linkage::mean_of(measured_, plain_, over_.measure.asked, course_, stretch_[0], stretch_[1], squared,
+                                ends_);
     }
     void add_differences(double factor, std::vector<T>& out) {
         struct Pair {
@@ -129,7 +141,7 @@ private:
         out.push_back(slow ? T(one / other) : T(other / one));
         out.push_back(slow ? T(other / one) : T(one / other));
     }
-    T shift(const Term& term) { return linkage::shift_of(measured_, term.asked, course_, term.place); }
+    T shift(const Term& term) { return linkage::shift_of(measured_, term.asked, course_, term.place, ends_); }
     void add_link_ratios(std::vector<T>& out) {
         std::vector<T> lengths = link_lengths(over_.model, seeded_);
         std::stable_sort(lengths.begin(), lengths.end(), [](const T& a, const T& b) { return a > b; });
@@ -148,6 +160,7 @@ private:
     const Course& course_;
     const Found& found_;
     std::array<double, 2> stretch_;
+    linkage::MovingEnds<T> ends_{};
 };
 
 /// Calls write(k, component) for as many components as a quantity has: where there are fewer, the last is repeated.
@@ -158,7 +171,8 @@ void write_components(const std::vector<T>& all, std::size_t count, const Write&
 }
 
 template <std::size_t K>
-bool measure_by_series(const Over& over, std::span<const double> dimensions, const Measurement& out) {
+bool measure_by_series(const Over& over, std::span<const double> arguments, const Measurement& out) {
+    const std::span<const double> dimensions = over.dimensions_of(arguments);
     const Kind kind = over.measure.kind;
     const std::vector<Signal> own = own_signals(over.model, kind);
     const std::span<const Signal> signals =
@@ -204,54 +218,28 @@ bool measure_by_series(const Over& over, std::span<const double> dimensions, con
     }
     if (!found.possible) return false;
 
-    const std::size_t n = dimensions.size(), count = component_count(kind);
+    const std::size_t n = arguments.size(), count = component_count(kind), pairs = n * (n + 1) / 2;
     const auto components_of = [&]<class T>(std::span<const T> seeded) {
         return Components<T, K>(over, seeded, signals, plain, course, found, stretch).all();
     };
-    write_components(components_of(dimensions), count, [&](std::size_t k, double value) { out.value[k] = value; });
-    if (out.hessian.empty() && !out.gradient.empty()) {
-        constexpr std::size_t chunk = 8;
-        using First = Dual<double, chunk>;
-        for (std::size_t from = 0; from < n; from += chunk) {
-            std::vector<First> seeded(dimensions.begin(), dimensions.end());
-            for (std::size_t i = from; i < std::min(n, from + chunk); ++i)
-                seeded[i] = First::variable(dimensions[i], i - from);
-            write_components(components_of(std::span<const First>(seeded)), count, [&](std::size_t k, const First& c) {
-                for (std::size_t i = from; i < std::min(n, from + chunk); ++i)
-                    out.gradient[k * n + i] = c.partial[i - from];
+    write_components(components_of(arguments), count, [&](std::size_t k, double value) { out.value[k] = value; });
+    if (out.hessian.empty() && !out.gradient.empty())
+        by_few(arguments, [&](const auto& seeded, std::size_t from, std::size_t carried) {
+            write_components(components_of(seeded), count, [&](std::size_t k, const auto& c) {
+                for (std::size_t i = 0; i < carried; ++i)
+                    out.gradient[k * n + from + i] = c.partial[i];
             });
-        }
-    }
+        });
     if (out.hessian.empty()) return true;
-    // Two blocks of dimensions at a time.
-    constexpr std::size_t half = 4;
-    using Second = SecondDual<double, 2 * half>;
-    const std::size_t blocks = (n + half - 1) / half, pairs = n * (n + 1) / 2;
-    for (std::size_t b = 0; b < blocks; ++b)
-        for (std::size_t a = 0; a <= b; ++a) {
-            if (a == b && blocks > 1) continue;
-            std::vector<Second> seeded(dimensions.begin(), dimensions.end());
-            std::array<std::size_t, 2 * half> variable{};
-            for (std::size_t v = 0; v < 2 * half; ++v) {
-                variable[v] = v < half ? a * half + v : b * half + v - half;
-                const bool again = a == b && v >= half;
-                if (variable[v] >= n || again)
-                    variable[v] = n;
-                else
-                    seeded[variable[v]] = Second::variable(dimensions[variable[v]], v);
-            }
-            write_components(
-                components_of(std::span<const Second>(seeded)), count, [&](std::size_t k, const Second& c) {
-                    for (std::size_t v = 0; v < 2 * half; ++v) {
-                        if (variable[v] == n) continue;
-                        if (!out.gradient.empty()) out.gradient[k * n + variable[v]] = c.first[v];
-                        for (std::size_t w = 0; w <= v; ++w)
-                            if (variable[w] != n)
-                                out.hessian[k * pairs + variable[v] * (variable[v] + 1) / 2 + variable[w]] =
-                                    c.mixed(v, w);
-                    }
-                });
-        }
+    by_pairs(arguments, [&](const auto& seeded, const SeededPair& carried) {
+        write_components(components_of(seeded), count, [&](std::size_t k, const auto& c) {
+            for (std::size_t v = 0; v < seeded_at_once && !out.gradient.empty(); ++v)
+                if (carried[v] < n) out.gradient[k * n + carried[v]] = c.first[v];
+            for_each_pair(carried, n, [&](std::size_t v, std::size_t w, std::size_t entry) {
+                out.hessian[k * pairs + entry] = c.mixed(v, w);
+            });
+        });
+    });
     return true;
 }
 
@@ -260,6 +248,8 @@ bool is_defined(const Motion& motion) {
     const LinkageModel& model = linkage_of(motion.model);
     if (m.kind == Kind::time_ratio) return motion.full_turn;
     if (m.kind == Kind::full_turn_margin) return !model.driven_by_slide();
+    // Not known before the design is.
+    if (m.kind == Kind::assembly_margin) return motion.full_turn || motion.from <= motion.to;
     return true;
 }
 
@@ -267,20 +257,33 @@ std::size_t components(const Motion& motion) {
     return component_count(static_cast<const LinkageMeasure*>(motion.of)->kind);
 }
 
-void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
-    const Over over(motion);
+void measure(const Over& over, std::span<const double> arguments, const Measurement& out) {
     const Kind kind = over.measure.kind;
+    const bool full_turn = over.motion.full_turn;
     std::size_t order = over.measure.signals.empty() ? 2 : linkage::order_for(over.measure.signals, over.measure.asked);
     // A time ratio needs one derivative more for its second ones; what is given where it is, needs none.
     if (kind == Kind::time_ratio) ++order;
-    if (motion.full_turn && (kind == Kind::mean || kind == Kind::rms || kind == Kind::at)) order -= 2;
-    const bool could = order == 0   ? measure_by_series<0>(over, dimensions, out)
-                       : order <= 2 ? measure_by_series<2>(over, dimensions, out)
-                       : order <= 4 ? measure_by_series<4>(over, dimensions, out)
-                                    : measure_by_series<7>(over, dimensions, out);
+    if (full_turn && (kind == Kind::mean || kind == Kind::rms || kind == Kind::at)) order -= 2;
+    const bool could = order == 0   ? measure_by_series<0>(over, arguments, out)
+                       : order <= 2 ? measure_by_series<2>(over, arguments, out)
+                       : order <= 4 ? measure_by_series<4>(over, arguments, out)
+                                    : measure_by_series<7>(over, arguments, out);
     if (could) return;
     for (const std::span<double>& numbers : {out.value, out.gradient, out.hessian})
         std::fill(numbers.begin(), numbers.end(), not_a_number);
+}
+
+void measure_over_motion(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
+    measure(Over(motion), dimensions, out);
+}
+
+void measure_over_input(const Motion& motion, std::span<const double> arguments, const Measurement& out) {
+    const double start = arguments[arguments.size() - 2], end = start + arguments[arguments.size() - 1];
+    Motion over = motion;
+    over.full_turn = false;
+    over.from = std::min(start, end);
+    over.to = std::max(start, end);
+    measure(Over(over, true), arguments, out);
 }
 
 }  // namespace
@@ -296,9 +299,17 @@ Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, Link
     quantity.reads = Reads(dimensions);
     quantity.defined = measuring::is_defined;
     quantity.components = measuring::components;
-    quantity.measure = measuring::measure;
+    quantity.measure = measuring::measure_over_motion;
     quantity.worst_first = measuring::component_count(of.kind) > 1;
     quantity.of = Model(std::move(of));
+    return quantity;
+}
+
+Quantity over_input(Quantity quantity) {
+    quantity.measure = measuring::measure_over_input;
+    quantity.defined = [](const Motion& motion) {
+        return static_cast<const LinkageMeasure*>(motion.of)->kind != LinkageMeasure::Kind::time_ratio;
+    };
     return quantity;
 }
 

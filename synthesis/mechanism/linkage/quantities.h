@@ -50,4 +50,8 @@ struct LinkageMeasure {
 Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, LinkageMeasure measure,
                           std::size_t dimensions);
 
+/// The same over an input range: start and range are its last arguments, after those that it reads
+/// (InputRange::quantities).
+Quantity over_input(Quantity quantity);
+
 }  // namespace mechwright

@@ -18,6 +18,7 @@
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/target/with_targets.h"
 
 namespace mechwright {
 
@@ -158,9 +159,13 @@ LinkageModel model_of(const Linkage& linkage) {
     model.slides = linkage.slides;
     model.structure = linkage.structure;
     model.order = linkage.order;
-    for (const LinkageNumber& number : linkage.numbers)
+    for (const LinkageNumber& number : linkage.numbers) {
         model.numbers.push_back(convert.sum(number.value, number.measure));
+        model.lengths.push_back(number.measure == Measure::length);
+    }
     model.drives = linkage.drives;
+    model.guided = linkage.guided;
+    model.guides_body = linkage.guides_body;
     model.at = linkage.at;
     for (const LinkageSignal& signal : linkage.signals) {
         model.signal_names.push_back({signal.name, signal.unit});
@@ -224,9 +229,17 @@ std::string why_no_mechanism(const Linkage& linkage) {
     const auto open = static_cast<std::size_t>(std::count(linkage.sides.begin(), linkage.sides.end(), 0));
     if (open > most_open_sides)
         return fmt::format("{} dyads are closed on 'either' side: say the sides of all but {}", open, most_open_sides);
-    const std::size_t count = dimensions_of(linkage).size();
-    if (count > Reads::most)
-        return fmt::format("it has {} dimensions with those of its placement: {} at most can be", count, Reads::most);
+    // A guided point has the crank angle, too, and a body its own.
+    const std::size_t count = dimensions_of(linkage).size(),
+                      most = linkage.guided ? PointGuidance::most_reads - 2 : Reads::most;
+    if (count > most)
+        return fmt::format("it has {} dimensions with those of its placement: {} at most can be", count, most);
+    const auto& steps = linkage.order.steps;
+    if (linkage.guided && std::any_of(steps.begin(), steps.end(), [](const linkage::Step& step) {
+            return step.kind == linkage::Step::Kind::unwound;
+        }))
+        return "a gear of it follows a link that a dyad places, whose whole turns are known along a motion alone; such "
+               "a linkage guides no point or body to targets in this version";
     return {};
 }
 
@@ -244,7 +257,7 @@ std::shared_ptr<const Mechanism> mechanism_of(const Linkage& linkage, std::strin
     made.assemblies = std::move(assemblies.names);
     made.assembly_documents = std::move(assemblies.documents);
     made.made_from = std::move(sections);
-    return std::make_shared<const Mechanism>(std::move(made));
+    return with_all_targets(std::make_shared<const Mechanism>(std::move(made)));
 }
 
 namespace {
@@ -339,6 +352,9 @@ Json sections_of_linkage(const toml::table& table) {
     for (const std::string_view name : describing)
         if (const toml::node* node = table.get(name)) sections[std::string(name)] = json_of(*node);
     if (const auto at = table["motion"]["at"].value<double>()) sections["motion"] = {{"at", *at}};
+    for (const char* target : {"path", "poses"})
+        for (const char* key : {"point", "link"})
+            if (const auto name = table[target][key].value_exact<std::string>()) sections[target][key] = *name;
     return sections;
 }
 
@@ -361,13 +377,21 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
                          fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "
                                      "give the motion an end, [motion] crank_range = [0, 360]",
                                      linkage::most_turns));
+    if (model.turns > 1 && linkage.guided)
+        return add_error(messages, place_of(*table.get("drive")),
+                         fmt::format("it is where it was after {} turns of its drive: targets are met within one in "
+                                     "this version",
+                                     model.turns));
     problem.dimensions = ranges_of(linkage);
+    problem.dimensions.resize(problem.mechanism->dimensions.size());
     problem.crank_range = linkage.crank_range;
     problem.assemblies.resize(std::max<std::size_t>(problem.mechanism->assemblies.size(), 1));
     std::iota(problem.assemblies.begin(), problem.assemblies.end(), std::size_t{0});
     Section file{&table, "", {1, 1}, keys::of_file()};
     Messages once_more{.file = messages.file, .nodes = messages.nodes};  // these were reported
     read_solver(file, problem, once_more);
+    read_path(file, problem, messages);
+    read_poses(file, problem, messages);
     read_objective(file, problem, messages);
     read_requirements(file, problem, messages);
     read_study(file, problem, messages);

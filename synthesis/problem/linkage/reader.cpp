@@ -50,20 +50,6 @@ bool ReadLinkage::ok() const {
 
 namespace reading {
 
-namespace {
-
-/// Sections of the contract that nothing looks at yet.
-void pass_over(LinkageReading& reading) {
-    for (const char* name : {"path", "poses", "function", "line", "arc", "instant"}) {
-        if (find(reading.file, name) == nullptr) continue;
-        add_warning(
-            reading.messages, key_place(reading.file, name),
-            std::string("targets of a linkage are not looked at by this version: '") + name + "' is passed over");
-    }
-}
-
-}  // namespace
-
 void read_linkage_table(const toml::table& table, Linkage& made, Messages& messages) {
     Section file{&table, "", {1, 1}, keys::of_file()};
     LinkageReading reading{file, made, messages};
@@ -92,7 +78,7 @@ void read_linkage_table(const toml::table& table, Linkage& made, Messages& messa
     read_sketch(reading);
     read_placement(reading);
     read_signals(reading);
-    pass_over(reading);
+    read_linkage_targets(reading);
     conclude_dimensions(reading);
     if (!messages.failed) settle(reading);
     read_assembly(reading);

@@ -83,6 +83,8 @@ void read_sketch(LinkageReading& reading);
 void read_placement(LinkageReading& reading);
 /// Signals, and the quantities that are required or optimised.
 void read_signals(LinkageReading& reading);
+/// The points that targets name.
+void read_linkage_targets(LinkageReading& reading);
 /// Mobility, order and, where all dimensions are given, whether it closes: only of a structure without errors.
 void settle(LinkageReading& reading);
 /// The sides of dyads; after `settle`.

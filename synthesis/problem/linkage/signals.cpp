@@ -37,7 +37,7 @@ constexpr std::array<SignalKind, 12> kinds{
      {"sum", {"", ""}, "", linkage::Signal::Kind::sum},
      {"ratio", {"", ""}, "", linkage::Signal::Kind::ratio}}};
 
-constexpr std::array<Word, 4> of_targets{"path-rms", "path-max", "pose-rms", "pose-max"};
+constexpr std::array<Word, 5> of_targets{"path-sse", "path-rms", "path-max", "pose-rms", "pose-max"};
 
 struct SignalReading {
     LinkageReading& reading;

@@ -73,7 +73,10 @@ inline constexpr std::array path{
         false, path_timings},
     Key{"closed", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
     Key{"weights", Shape::numbers, "Weight of each point. Preset: 1.", false, {}, {}, positive},
-    Key{"crank_angles", Shape::numbers, "Crank angle at each point, counted from crank-start; all rise or all fall."}};
+    Key{"crank_angles", Shape::numbers, "Crank angle at each point, counted from crank-start; all rise or all fall."},
+    Key{"point", Shape::text, "Of a linkage: the point that is guided."},
+    Key{"link", Shape::text, "Of a linkage: the link on which it is guided. Preset: the first that has it."},
+    Key{"crank-start", Shape::range, "Of a linkage: the crank angle from which crank_angles are counted. Preset: 0."}};
 
 inline constexpr std::array poses{
     Key{"poses", Shape::poses, "Poses of the guided body: [x, y, angle], or [x, y] where any angle will do.", true},
@@ -86,7 +89,12 @@ inline constexpr std::array poses{
         {},
         positive},
     Key{"weights", Shape::numbers, "Weight of each pose. Preset: 1.", false, {}, {}, positive},
-    Key{"crank_angles", Shape::numbers, "Crank angle at each pose, counted from crank-start; all rise or all fall."}};
+    Key{"crank_angles", Shape::numbers, "Crank angle at each pose, counted from crank-start; all rise or all fall."},
+    Key{"point", Shape::text, "Of a linkage: the point of the body that is guided."},
+    Key{"link", Shape::text, "Of a linkage: the link that is the body, or carries it."},
+    Key{"crank-start", Shape::range, "Of a linkage: the crank angle from which crank_angles are counted. Preset: 0."},
+    Key{"body-angle", Shape::range,
+        "Of a linkage: the direction of the body, from the x axis of its link. Preset: 0."}};
 
 inline constexpr std::array objective{
     Key{"minimize", Shape::name, "Quantity to be made least; of a list the greatest counts, with reduce = \"max\"."},

@@ -18,8 +18,7 @@ void fit_followed(const Program& program, Eigen::VectorXd& x) {
         free[k] = program.variable_of[shape.place + k] >= 0;
     std::array<double, Reads::most> room;
     const Mechanism& mechanism = *program.problem->mechanism;
-    shape.fit(mechanism.form(program.variant.assembly),
-              deviation_from(mechanism, shape.name).reads.of(dimensions, room),
+    shape.fit(program.form(), deviation_from(mechanism, shape.name).reads.of(dimensions, room),
               std::span(dimensions).subspan(shape.place, numbers), free);
     for (std::size_t k = 0; k < numbers; ++k) {
         if (!free[k]) continue;

@@ -20,7 +20,9 @@ using Complex = std::complex<double>;
 const PathRoles& roles_of(const Program& program) { return program.problem->mechanism->point->roles; }
 
 /// Beside a path no dimension is tied to another: each has a variable of its own, or none.
-bool is_free(const Program& program, std::size_t dimension) { return program.variable_of[dimension] >= 0; }
+bool is_free(const Program& program, std::size_t dimension) {
+    return dimension != no_dimension && program.variable_of[dimension] >= 0;
+}
 
 const Variable& variable_of(const Program& program, std::size_t dimension) {
     return program.variables[static_cast<std::size_t>(program.variable_of[dimension])];
@@ -44,7 +46,7 @@ struct Fitted {
 Fitted fitted_of(const Program& program, const std::vector<double>& dimensions) {
     const PathRoles& roles = roles_of(program);
     const auto both = [&](std::size_t a, std::size_t b) { return is_free(program, a) && is_free(program, b); };
-    bool size = is_free(program, roles.tilt);
+    bool size = is_free(program, roles.tilt) && !program.problem->mechanism->model_over;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
         if (grows_with_links(program, i)) size = size && (is_free(program, i) || dimensions[i] == 0);
     return {both(roles.origin_x, roles.origin_y), size, both(roles.along, roles.across)};
@@ -57,12 +59,13 @@ struct Placement {
 
 Placement placement_of(const Program& program, const std::vector<double>& dimensions) {
     const PathRoles& roles = roles_of(program);
-    return {{dimensions[roles.along], dimensions[roles.across]},
-            {dimensions[roles.origin_x], dimensions[roles.origin_y]},
-            std::polar(1.0, dimensions[roles.tilt])};
+    const auto at = [&](std::size_t i) { return i == no_dimension ? 0 : dimensions[i]; };
+    return {
+        {at(roles.along), at(roles.across)}, {at(roles.origin_x), at(roles.origin_y)}, std::polar(1.0, at(roles.tilt))};
 }
 
-/// The guiding link at the crank angle of a target, without a placement: its own point and its direction.
+/// The guiding link at the crank angle of a target, without a placement: its own point and its direction. Where the
+/// point has no coordinates of its own it is the guided point, and no direction is known.
 struct GuidingLink {
     Complex point, direction;
 };
@@ -72,12 +75,12 @@ std::optional<GuidingLink> guiding_link(const Program& program, std::vector<doub
     const PathRoles& roles = roles_of(program);
     const Mechanism& mechanism = *program.problem->mechanism;
     for (const std::size_t i : {roles.along, roles.across, roles.origin_x, roles.origin_y, roles.tilt})
-        dimensions[i] = 0;
+        if (i != no_dimension) dimensions[i] = 0;
     double margin = 0;
     const auto guided_point = [&](double along) {
-        dimensions[roles.along] = along;
+        if (roles.along != no_dimension) dimensions[roles.along] = along;
         PathMiss miss{};
-        miss_of_point(mechanism, program.variant.assembly, dimensions, crank_angle, {0, 0}, miss);
+        miss_of_point(mechanism, program.form(), dimensions, crank_angle, {0, 0}, miss);
         margin = miss.margin;
         return -Complex(miss.miss.x, miss.miss.y);
     };
@@ -161,7 +164,9 @@ void fit_placement(const Program& program, VectorXd& x) {
     const std::vector<double> dimensions = dimensions_at(program, x);
     const Fitted fitted = fitted_of(program, dimensions);
     const auto n = static_cast<Index>(program.targets.size());
-    if (fitted.count() == 0 || n < fitted.count()) return;
+    const bool is_placed =
+        roles.origin_x != no_dimension && roles.origin_y != no_dimension && roles.tilt != no_dimension;
+    if (!is_placed || fitted.count() == 0 || n < fitted.count()) return;
     const std::vector<GuidingLink> links = guiding_links(program, dimensions, x);
     if (links.empty()) return;
     const Placement now = placement_of(program, dimensions);
@@ -183,7 +188,8 @@ void fit_placement(const Program& program, VectorXd& x) {
         resize_links(program, fitted, size, x);
         set_angle(program, roles.tilt, std::arg(z), x);
     }
-    if (program.problem->path->guides_body() && is_free(program, roles.body)) turn_body(program, links, turn, x);
+    const bool turns = roles.along != no_dimension && is_free(program, roles.body);
+    if (program.problem->path->guides_body() && turns) turn_body(program, links, turn, x);
     if (fitted.point) {
         const Complex point = solved[column] / turn;
         set_length(program, roles.along, point.real(), x);

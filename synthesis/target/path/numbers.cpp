@@ -4,15 +4,15 @@ namespace mechwright {
 
 void add_crank_start(Mechanism& m) {
     m.point->roles.start = m.dimensions.size();
-    m.dimensions.push_back(
-        {"crank-start", DimensionKind::angle, false, "crank angle from which prescribed crank angles are counted"});
+    m.dimensions.push_back({"crank-start", DimensionKind::angle, false,
+                            "crank angle from which prescribed crank angles are counted", false, m.point->named});
 }
 
 void add_body_angle(Mechanism& m) {
     m.point->roles.body = m.dimensions.size();
     m.body->reads = m.body->reads.and_then(m.dimensions.size(), 1);
-    m.dimensions.push_back(
-        {"body-angle", DimensionKind::angle, false, "direction of a guided body, from " + m.body->angle_from});
+    m.dimensions.push_back({"body-angle", DimensionKind::angle, false,
+                            "direction of a guided body, from " + m.body->angle_from, false, m.point->named});
 }
 
 std::vector<Quantity> path_quantities() {

@@ -95,6 +95,26 @@ void refuse_ties(const Section& section, const Problem& problem, Messages& messa
 
 }  // namespace
 
+namespace {
+
+/// What a target says of its own where the file names its point: the point and its link, which are known already, and
+/// the numbers that else are dimensions of the mechanism.
+void read_named_point(Section& target, Problem& problem, Messages& messages) {
+    if (problem.mechanism == nullptr || !problem.mechanism->point->named) return;
+    find(target, "point");
+    find(target, "link");
+    const auto& dimensions = problem.mechanism->dimensions;
+    for (std::size_t i = 0; i < dimensions.size(); ++i) {
+        if (!dimensions[i].of_target) continue;
+        const toml::node* node = find(target, dimensions[i].name);
+        if (node == nullptr) continue;
+        if (const auto range = to_dimension(*node, dimensions[i], problem.units, messages))
+            problem.dimensions[i] = *range;
+    }
+}
+
+}  // namespace
+
 void read_path(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> path = read_section(file, "path", messages);
     if (!path) return;
@@ -102,6 +122,7 @@ void read_path(Section& file, Problem& problem, Messages& messages) {
         return add_error(messages, path->place,
                          fmt::format("a {} guides no point along a path: leave [path] out", problem.mechanism->name));
     refuse_ties(*path, problem, messages);
+    read_named_point(*path, problem, messages);
     PointList list = read_points(*path, problem, messages);
     PathTarget target;
     const auto timing = read_choice(*path, "timing", "timing", messages);
@@ -196,6 +217,7 @@ void read_poses(Section& file, Problem& problem, Messages& messages) {
         return add_error(messages, poses->place,
                          fmt::format("a {} guides no body through poses: leave [poses] out", problem.mechanism->name));
     if (problem.path) return add_error(messages, poses->place, "a problem has a [path] or [poses], not both");
+    read_named_point(*poses, problem, messages);
     PathTarget target;
     PointList list = read_pose_list(*poses, problem, target, messages);
     target.prescribed_timing = read_choice(*poses, "timing", "timing", messages) == 1u;

@@ -28,7 +28,7 @@ bool point_at(const Problem& problem, const Design& design, double angle, Vector
         miss.gradient_x = x;
         miss.gradient_y = y;
     }
-    miss_of_point(*problem.mechanism, design.assembly, design.dimensions, angle, {0, 0}, miss);
+    miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions, angle, {0, 0}, miss);
     point = -miss.miss;
     const std::size_t last = problem.mechanism->point->reads.size();
     if (slope) *slope = {-x[last], -y[last]};

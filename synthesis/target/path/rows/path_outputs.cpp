@@ -86,7 +86,7 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     PoseMiss miss{into(r[0], r[1], order), into(r[2], r[3], order)};
     if (target.guides_body()) {
         const double direction = target.faces(point) ? target.directions[point] : 0;
-        miss_of_body(mechanism, program.variant.assembly, dimensions, angle.angle, program.targets[point],
+        miss_of_body(mechanism, program.form(), dimensions, angle.angle, program.targets[point],
                      {std::cos(direction), std::sin(direction)}, miss);
         t.count = 4;
         r[2].value = miss.turn.miss.x;
@@ -95,7 +95,7 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
         scale(r[2], length, t.arguments, order);
         scale(r[3], length, t.arguments, order);
     } else {
-        miss_of_point(mechanism, program.variant.assembly, dimensions, angle.angle, program.targets[point], miss.place);
+        miss_of_point(mechanism, program.form(), dimensions, angle.angle, program.targets[point], miss.place);
         t.count = 2;
     }
     r[0].value = miss.place.miss.x;
