@@ -70,9 +70,13 @@ public:
     }
     /// A margin there; another one can be held at its limit.
     Value margin(const Limit& limit, double master, std::span<const double> near, const Limit& held = {}) {
-        place(master, near, held);
-        const Margin<Value>& margin = driven_.pose.margins[limit.margin];
-        return limit.inner ? margin.inner : margin.outer;
+        const Margin<Value>& both = margins(limit.margin, master, near, held);
+        return limit.inner ? both.inner : both.outer;
+    }
+    const Margin<Value>& margins(std::size_t margin, double master, std::span<const double> near,
+                                 const Limit& held = {}) {
+        place(master, near, held, margin);
+        return driven_.pose.margins[margin];
     }
 
     void start_at(const Course& course) { values_.start_at(course.turns.near(course.travel.from)); }
@@ -81,7 +85,7 @@ public:
     double rate() const { return rate_; }
 
 private:
-    bool place(double master, std::span<const double> near, const Limit& limit) {
+    bool place(double master, std::span<const double> near, const Limit& limit, std::size_t last_margin = none) {
         if (held_ != none) driven_.sides[held_] = held_side_;
         held_ = none;
         for (const Step& step : driven_.order.steps)
@@ -90,7 +94,7 @@ private:
             held_side_ = driven_.sides[held_];
             driven_.sides[held_] = 0;
         }
-        return driven_.place(Value::variable(T(master), T(rate_)), near);
+        return driven_.place(Value::variable(T(master), T(rate_)), near, last_margin);
     }
     static std::vector<Value> series(std::span<const T> numbers) { return {numbers.begin(), numbers.end()}; }
 

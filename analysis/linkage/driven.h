@@ -60,10 +60,10 @@ public:
           pose(other.pose),
           inputs_(other.inputs_) {}
 
-    /// Places all links into `pose`; as linkage::place. `near` as of Input.
-    bool place(const T& master, std::span<const double> near = {}) {
+    /// Places all links into `pose`, or as far as to a margin; as linkage::place. `near` as of Input.
+    bool place(const T& master, std::span<const double> near = {}, std::size_t last_margin = none) {
         set_inputs<T>(laws, master, inputs_);
-        return linkage::place<T>(order, sizes, {inputs_, sides, near, shortfall}, pose);
+        return linkage::place<T>(order, sizes, {inputs_, sides, near, shortfall, last_margin}, pose);
     }
 
     std::span<const T> inputs() const { return inputs_; }

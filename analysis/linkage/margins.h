@@ -2,9 +2,11 @@
 /// \file
 /// How near the dyads of a linkage come to their limits along its motion: all least values of their margins.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/linkage/course.h"
@@ -48,28 +50,50 @@ void add_cusp(const Function& margin_at, const Stretch& stretch, std::vector<Mar
     places.push_back({margin, {stretch.at(s), value(s), false, {}}});
 }
 
+/// Both margins of a dyad along a motion. Where they have been asked for they are known: their least places are sought
+/// on the same grids.
 template <std::size_t K>
-void add_margin_places(Measured<double, K>& measured, const Limit& margin, const Travel& travel, const Turns& turns,
-                       std::vector<MarginPlace>& places) {
+struct KnownMargins {
+    Measured<double, K>& measured;
+    const Turns& turns;
+    std::size_t margin;
+    std::unordered_map<double, Margin<Series<double, K>>> known{};
+
+    const Margin<Series<double, K>>& at(double master) {
+        const auto [entry, is_new] = known.try_emplace(master);
+        if (is_new) entry->second = measured.margins(margin, master, turns.near(master));
+        return entry->second;
+    }
+    /// Whether the inner margin was below 0 anywhere.
+    bool passes_limit() const {
+        return std::any_of(known.begin(), known.end(), [](const auto& one) { return one.second.inner.c[0] < 0; });
+    }
+};
+
+template <std::size_t K>
+void add_margin_places(KnownMargins<K>& along, bool inner, const Travel& travel, std::vector<MarginPlace>& places) {
     constexpr double seam_overlap = 0.125, unit = 2e-15;
     const double overlap = travel.whole ? seam_overlap : 0;
     const Stretch stretch{travel.from, travel.to + overlap, travel.first.exists(), travel.last.exists()};
-    const auto at = [&](double x) { return measured.margin(margin, x, turns.near(x)); };
+    Measured<double, K>& measured = along.measured;
+    const Limit margin{along.margin, inner};
+    const auto at = [&](double x) -> const Series<double, K>& { return inner ? along.at(x).inner : along.at(x).outer; };
     const auto slope = [&](double s) { return at(stretch.at(s)).derivative(1) * stretch.speed(s) / stretch.length(); };
     const double floor = unit * size_of(measured.driven());
     const Panels panels(slope, stretch.first(), stretch.last(), {.first = first_panels(stretch), .floor = floor});
     if (panels.greatest() > 4 * floor)
         panels.zeros(slope, [&](double s) {
-            const auto value = at(stretch.at(s));
+            const auto& value = at(stretch.at(s));
             if (value.derivative(2) > 0) places.push_back({margin, {stretch.at(s), value.c[0]}});
         });
     else
         places.push_back({margin, {stretch.at(0.5), at(stretch.at(0.5)).c[0], false, {}}});
-    if (margin.inner) add_cusp(at, stretch, places, margin);
+    // The slope jumps at a cusp: its panels are split until one of their nodes sees what lies about it.
+    if (inner && along.passes_limit()) add_cusp(at, stretch, places, margin);
     if (travel.whole) return;
     const auto add_end = [&](double x, const Limit& limit) {
         if (!limit.parallel)
-            places.push_back({margin, {x, measured.margin(margin, x, turns.near(x), limit).c[0], false, limit}});
+            places.push_back({margin, {x, measured.margin(margin, x, along.turns.near(x), limit).c[0], false, limit}});
     };
     add_end(travel.from, travel.first);
     add_end(travel.to, travel.last);
@@ -92,8 +116,9 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
                 Driven<double> moving = driven;
                 moving.shortfall = std::numeric_limits<double>::infinity();
                 const Turns turns(moving, travel.from, travel.to + (travel.whole ? 0.125 : 0));
+                detail::KnownMargins<K> along{measured, turns, margin};
                 for (const bool inner : {false, true})
-                    detail::add_margin_places(measured, {margin, inner}, travel, turns, places);
+                    detail::add_margin_places(along, inner, travel, places);
             }
             detail::split(driven, margin, size, travel, next);
         }

@@ -196,7 +196,8 @@ struct Input {
     std::span<const T> drives;           ///< angles and displacements, in the order of Structure::drives
     std::span<const std::int8_t> sides;  ///< 1 (left, ahead) or -1 (right, behind) for each choice of the order
     std::span<const double> near{};      ///< turns within half a turn of which those of links are; (-pi, pi] if empty
-    double shortfall = 0;  ///< by how much margins may fall short of 0 and the dyads still count as closed
+    double shortfall = 0;     ///< by how much margins may fall short of 0 and the dyads still count as closed
+    std::size_t last = none;  ///< the margin with whose step placing ends; none: everything is placed
 };
 
 namespace detail {
@@ -443,6 +444,7 @@ bool place(const Order& order, std::span<const Sized<T>> sizes, const Input<T>& 
                                   detail::locus_line(step.second, sizes[i].second, pose), pose.links[step.link].origin);
         if (!(value_of(margin.outer) >= -input.shortfall) || !(value_of(margin.inner) >= -input.shortfall))
             return false;
+        if (step.margin == input.last) return true;
     }
     return true;
 }
