@@ -59,6 +59,7 @@ struct Slide {
 struct Slot {
     std::size_t pin = 0;
     Line line{};
+    bool loose = false;  ///< stands for the second pin of a redundant link, which needs not hold
 };
 
 /// The turn of `second` against `carrier` is `ratio` times that of `first`, plus `phase`: gears, and belts, which
@@ -70,6 +71,7 @@ struct Gear {
     Number ratio = 0;
     Number phase = 0;
     bool belt = false;
+    bool parallel = false;  ///< stands for redundant links that keep the second parallel to the carrier
 };
 
 /// The displacement of a slide is `radius` times the turn of `wheel` against `carrier`, plus `phase` (a length).

@@ -52,6 +52,7 @@ TEST(Structure, ExplainsWhatIsRedundantAndWhatIsNoDyad) {
     EXPECT_EQ(redundant.exit_code, 0);
     expect_has(redundant.out,
                "mobility   1 with these dimensions, 0 for almost all others, 0 by count;\n           redundant: third");
+    expect_has(redundant.out, "coupler  kept parallel to frame by redundant links");
     expect_has(redundant.out, "redundant: it fits between its pins");
 
     const TemporaryFolder folder;

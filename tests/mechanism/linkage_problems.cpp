@@ -185,6 +185,40 @@ TEST(LinkageProblems, BesideAChangePointTheBranchIsKept) {
     expect_verified(analysed(replaced(text, "rocker = 80", "rocker = 60.00001")));
 }
 
+/// A coupler on three equal cranks stays parallel to the frame, also where two of them and the frame lie in one line: C
+/// goes round D as B goes round A, whatever is said of the dyad's side.
+TEST(LinkageProblems, ARedundantCrankKeepsAParallelogramOne) {
+    for (const char* side : {"left", "right", "either"}) {
+        const Json document = analysed(R"(
+schema = 1
+mechanism = "linkage"
+[links]
+frame   = { A = [0, 0], D = [80, 60], G = [50, -20] }
+crank   = { A = [0, 0], B = [40, 0] }
+coupler = { B = [5, 5], C = [105, 5], H = [33, -41] }
+rocker  = { D = [0, 0], C = [40, 0] }
+third   = { G = [0, 0], H = [40, 0] }
+[drive]
+link = "crank"
+[assembly]
+C = ")" + std::string(side) + R"("
+[signals]
+turn = { angle = "coupler" }
+height = { y = "C" }
+way = { x = "H" }
+)");
+        const Json& quantities = document["quantities"];
+        // D at 3:4 in the frame and along the coupler's x axis on it.
+        EXPECT_NEAR(quantities["turn.least"].get<double>(), 36.86989764584402, 1e-12);
+        EXPECT_NEAR(quantities["turn.range"].get<double>(), 0, 1e-12);
+        EXPECT_NEAR(quantities["height.least"].get<double>(), 20, 1e-12);
+        EXPECT_NEAR(quantities["height.greatest"].get<double>(), 100, 1e-12);
+        EXPECT_NEAR(quantities["way.greatest"].get<double>(), 90, 1e-12);
+        EXPECT_NEAR(quantities["way.least"].get<double>(), 10, 1e-12);
+        if (side[0] == 'l') expect_verified(document);
+    }
+}
+
 TEST(LinkageProblems, AnUnknownGroupIsNamedWithTheCommandThatShowsIt) {
     const ReadProblem read = parse_problem(testing::triad_text, "triad.toml");
     ASSERT_FALSE(read.ok());

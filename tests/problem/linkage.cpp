@@ -146,7 +146,9 @@ TEST(LinkageFile, AcceptsRedundantJointsThatClose) {
         "frame = { A = [0, 0], D = [10, 0], G = [5, 3] }\ncrank = { A = [0, 0], B = [\"crank\", 0] }\n"
         "coupler = { B = [0, 0], C = [10, 0], H = [5, 3] }\nrocker = { D = [0, 0], C = [\"crank\", 0] }\n"
         "third = { G = [0, 0], H = [\"crank\", 0] }\n[drive]\nlink = \"crank\"\n";
-    EXPECT_EQ(good(text).redundant, std::vector<std::size_t>{4});
+    // The second crank only points to its pin in the parallelogram that the third keeps one.
+    EXPECT_EQ(good(text).redundant, (std::vector<std::size_t>{4, 3}));
+    EXPECT_EQ(good(text).kept_by_redundant.size(), 1u);
     EXPECT_TRUE(says(told(changed("H = [\"crank\", 0]", "H = [\"crank + 0.001\", 0]", text)), "p.toml:10:1",
                      {"mobility 0", "1 drive", "'third' is redundant", "misses its pin by"}));
     // Fitting in all dimensions but one.

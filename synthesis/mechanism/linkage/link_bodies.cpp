@@ -180,7 +180,7 @@ struct LinkDrawing {
 
     void add_wheels() {
         for (const linkage::Gear& gear : shape.structure.gears)
-            if (const auto wheels = wheels_of(shape, gear)) {
+            if (const auto wheels = gear.parallel ? std::nullopt : wheels_of(shape, gear)) {
                 if (gear.first == link) add_wheel((*wheels)[0]);
                 if (gear.second == link) add_wheel((*wheels)[1]);
                 if (gear.belt && gear.carrier == link) add_belt(gear, *wheels);

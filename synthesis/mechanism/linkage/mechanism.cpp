@@ -44,13 +44,18 @@ std::string describe(Form form, std::span<const double>) {
     std::size_t pins = 0;
     for (const linkage::Pin& pin : s.pins)
         pins += pin.points.empty() ? 0 : pin.points.size() - 1;
+    const auto loose = static_cast<std::size_t>(
+        std::count_if(s.slots.begin(), s.slots.end(), [](const linkage::Slot& slot) { return slot.loose; }));
+    const auto parallel = static_cast<std::size_t>(
+        std::count_if(s.gears.begin(), s.gears.end(), [](const linkage::Gear& gear) { return gear.parallel; }));
+    pins += loose;
     std::string text = fmt::format("{} and {}", plural(s.links, "link"), plural(pins, "pin"));
     const auto add = [&](std::size_t n, std::string_view noun) {
         if (n > 0) text += ", " + plural(n, noun);
     };
     add(s.slides.size(), "slide");
-    add(s.slots.size(), "slot");
-    add(s.gears.size(), "gear or belt");
+    add(s.slots.size() - loose, "slot");
+    add(s.gears.size() - parallel, "gear or belt");
     add(s.racks.size(), "rack");
     return text;
 }

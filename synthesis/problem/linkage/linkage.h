@@ -82,6 +82,7 @@ struct Linkage {
     linkage::Order order;
     std::vector<std::int8_t> sides;      ///< for each choice of the order 1, -1, or 0 for either
     std::vector<std::size_t> redundant;  ///< links that are left out of order: the others place what they join
+    std::vector<std::size_t> kept_by_redundant{};  ///< inner pins of dyads whose side these decide
 
     /// Whether every dimension is a number.
     bool given() const;

@@ -132,14 +132,14 @@ void add_assembly(const Linkage& linkage, const std::vector<std::int8_t>& sides,
     std::string name;
     Json document = Json::object();
     for (const linkage::Group& group : linkage.order.groups) {
-        if (group.choice == linkage::none) continue;
+        if (group.choice == linkage::none || is_redundant(linkage, group.links[0])) continue;
         const std::string& key = key_of(linkage, group);
         const int side = sides[group.choice];
         name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, word_of(group, side));
         document[key] = side_document(linkage, group, side);
     }
     all.sides.push_back(sides);
-    if (sides.empty()) return;
+    if (name.empty()) return;
     all.names.push_back(std::move(name));
     all.documents.push_back(document.dump());
 }

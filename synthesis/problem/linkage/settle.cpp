@@ -129,7 +129,7 @@ std::optional<linkage::Structure> let_go(const linkage::Structure& s, std::size_
     line.through = linkage::coordinates_on(s.pins[pins[0]], link);
     line.towards = linkage::coordinates_on(s.pins[pins[1]], link);
     std::erase_if(less.pins[pins[1]].points, [link](const linkage::Point& p) { return p.link == link; });
-    less.slots.push_back({pins[1], line});
+    less.slots.push_back({pins[1], line, true});
     return less;
 }
 
@@ -229,6 +229,99 @@ void check_redundant(LinkageReading& reading, const linkage::Structure& whole) {
                                                       joined(names), misfit));
 }
 
+/// A pin that two links share, other than one.
+std::optional<std::size_t> pin_between(const linkage::Structure& s, std::size_t a, std::size_t b,
+                                       std::size_t not_this) {
+    for (std::size_t i = 0; i < s.pins.size(); ++i)
+        if (i != not_this && linkage::is_on(s.pins[i], a) && linkage::is_on(s.pins[i], b)) return i;
+    return {};
+}
+
+/// From one pin of a link to another, on that link.
+Vector<double> between(const linkage::Structure& s, std::size_t link, std::size_t from, std::size_t to,
+                       const std::vector<double>& numbers) {
+    return linkage::place_of<double>(linkage::coordinates_on(s.pins[to], link), numbers) -
+           linkage::place_of<double>(linkage::coordinates_on(s.pins[from], link), numbers);
+}
+
+/// Four links in a ring: the links of a dyad closed at C, `kept` from B and `other` from D, and those that hold B and D
+/// and share A.
+struct Ring {
+    std::size_t kept, other, holds_b, holds_d, a, b, c, d;
+};
+
+/// The constant angle of the kept link to the one that is opposite, where the ring is a parallelogram for all of some
+/// designs.
+std::optional<double> angle_in_parallelogram(const Linkage& made, const Ring& ring) {
+    constexpr double same = 1e-12;
+    std::optional<double> angle;
+    for (const std::vector<double>& dimensions : some_dimensions(made)) {
+        const std::vector<double> numbers = numbers_of(made, dimensions);
+        const auto& s = made.structure;
+        const Vector<double> bc = between(s, ring.kept, ring.b, ring.c, numbers),
+                             ad = between(s, ring.holds_d, ring.a, ring.d, numbers),
+                             ab = between(s, ring.holds_b, ring.a, ring.b, numbers),
+                             dc = between(s, ring.other, ring.d, ring.c, numbers);
+        const double size = std::hypot(bc.x, bc.y) + std::hypot(ab.x, ab.y);
+        if (std::abs(std::hypot(bc.x, bc.y) - std::hypot(ad.x, ad.y)) > same * size ||
+            std::abs(std::hypot(ab.x, ab.y) - std::hypot(dc.x, dc.y)) > same * size)
+            return {};
+        const double now = std::atan2(cross(bc, ad), dot(bc, ad));
+        if (angle && std::abs(std::sin((now - *angle) / 2)) > same) return {};
+        angle = now;
+    }
+    return angle;
+}
+
+/// The ring that a dyad closes.
+std::optional<Ring> ring_of(const linkage::Structure& s, std::size_t kept, std::size_t other,
+                            const linkage::Group& group) {
+    for (const auto& [b, d] : {std::pair(group.outer[0], group.outer[1]), {group.outer[1], group.outer[0]}}) {
+        if (!linkage::is_on(s.pins[b], kept) || !linkage::is_on(s.pins[d], other)) continue;
+        for (const linkage::Point& on_b : s.pins[b].points)
+            for (const linkage::Point& on_d : s.pins[d].points) {
+                if (on_b.link == kept || on_d.link == other || on_b.link == on_d.link) continue;
+                if (const auto a = pin_between(s, on_b.link, on_d.link, linkage::none))
+                    return Ring{kept, other, on_b.link, on_d.link, *a, b, group.pin, d};
+            }
+    }
+    return {};
+}
+
+/// A parallelogram that redundant links keep one: its coupler stays parallel to the link opposite also where all four
+/// lie in one line, and the other link of its dyad only points to it. Returns whether there was one.
+bool keep_parallel(Linkage& made) {
+    for (const linkage::Group& group : made.order.groups) {
+        if (group.kind != linkage::Group::Kind::rrr) continue;
+        for (const auto& [kept, other] :
+             {std::pair(group.links[0], group.links[1]), {group.links[1], group.links[0]}}) {
+            const auto ring = ring_of(made.structure, kept, other, group);
+            const auto angle = ring ? angle_in_parallelogram(made, *ring) : std::nullopt;
+            auto less = angle ? let_go(made.structure, other) : std::nullopt;
+            if (!less) continue;
+            Linkage then = made;
+            const double unit = made.units.degrees ? 180 / std::numbers::pi : 1;
+            then.numbers.push_back({Affine{0, {}}, Measure::ratio});
+            then.numbers.push_back({Affine{*angle * unit, {}}, Measure::angle});
+            less->gears.push_back(
+                {ring->holds_d, kept, ring->holds_d, then.numbers.size() - 2, then.numbers.size() - 1, false, true});
+            then.structure = *std::move(less);
+            then.order = linkage::order_of(then.structure);
+            then.redundant.push_back(other);
+            then.kept_by_redundant.push_back(group.pin);
+            bool fits = then.order.closed();
+            for (const std::vector<double>& dimensions : some_dimensions(then)) {
+                const double misfit = fits ? redundant_misfit(then, numbers_of(then, dimensions)) : -1;
+                fits = misfit >= 0 && misfit <= 1e-12;
+            }
+            if (!fits) continue;
+            made = std::move(then);
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Lengths that a dyad is made of and that are 0.
 bool report_no_length(LinkageReading& reading, const std::vector<double>& numbers) {
     const Linkage& made = reading.made;
@@ -295,7 +388,10 @@ void settle(LinkageReading& reading) {
         }
     }
     made.order = linkage::order_of(made.structure);
-    if (!made.redundant.empty()) check_redundant(reading, whole);
+    if (made.redundant.empty()) return;
+    check_redundant(reading, whole);
+    while (!made.redundant.empty() && keep_parallel(made)) {
+    }
 }
 
 namespace {
@@ -312,10 +408,20 @@ const linkage::Group* find_group(const Linkage& made, std::string_view key) {
     return nullptr;
 }
 
+constexpr std::array<std::string_view, 5> any_side{"left", "right", "either", "ahead", "behind"};
+
+/// Whether nothing is to be said of a side: of a redundant link, or of a dyad that redundant links keep a
+/// parallelogram.
+bool is_decided(const Linkage& made, std::string_view key, const linkage::Group* group) {
+    return (group != nullptr && is_redundant(made, group->links[0])) ||
+           std::any_of(made.kept_by_redundant.begin(), made.kept_by_redundant.end(),
+                       [&](std::size_t pin) { return made.pins[pin] == key; });
+}
+
 std::vector<std::string_view> keys_of_dyads(const Linkage& made) {
     std::vector<std::string_view> keys;
     for (const linkage::Group& group : made.order.groups)
-        if (group.choice != linkage::none) keys.push_back(made.pins[group.pin]);
+        if (group.choice != linkage::none && !is_redundant(made, group.links[0])) keys.push_back(made.pins[group.pin]);
     return keys;
 }
 
@@ -370,6 +476,10 @@ void read_assembly(LinkageReading& reading) {
         for (const auto& [key, node] : in_order(*section->table)) {
             const linkage::Group* group = find_group(made, key);
             const std::string what = fmt::format("'{}' in [assembly]", key);
+            if (is_decided(made, key, group)) {
+                if (node->is_string()) to_choice(*node, what, "side", any_side, reading.messages);
+                continue;
+            }
             if (group == nullptr) {
                 const auto known = keys_of_dyads(made);
                 add_error(reading.messages, key_place(*section, key),

@@ -67,14 +67,22 @@ Json joints_of(const Linkage& l) {
             joints.push_back({{"kind", "slot"}, {"name", l.pins[slot.pin]}, {"links", links}});
         }
     for (const linkage::Gear& g : s.gears)
-        joints.push_back({{"kind", "gear"},
-                          {"name", fmt::format("{} {}", l.links[g.first], l.links[g.second])},
-                          {"links", {l.links[g.first], l.links[g.second], l.links[g.carrier]}}});
+        if (!g.parallel)
+            joints.push_back({{"kind", "gear"},
+                              {"name", fmt::format("{} {}", l.links[g.first], l.links[g.second])},
+                              {"links", {l.links[g.first], l.links[g.second], l.links[g.carrier]}}});
     for (const linkage::Rack& r : s.racks)
         joints.push_back({{"kind", "rack"},
                           {"name", fmt::format("{} {}", l.links[s.slides[r.slide].link], l.links[r.wheel])},
                           {"links", {l.links[s.slides[r.slide].link], l.links[r.wheel], l.links[r.carrier]}}});
     return joints;
+}
+
+/// The links that are one joint too many; not those that only point to their pins in the parallelograms that these
+/// keep.
+Json redundant_names(const Linkage& l) {
+    return names_of(l, std::vector(l.redundant.begin(),
+                                   l.redundant.end() - static_cast<std::ptrdiff_t>(l.kept_by_redundant.size())));
 }
 
 Json drives_of(const Linkage& l) {
@@ -168,6 +176,11 @@ Json groups_of(const Linkage& l) {
         const Group& group = l.order.groups[i];
         Json one{{"kind", kind_names[static_cast<std::size_t>(group.kind)]}, {"links", names_of(l, group.links)}};
         if (group.links.size() == 1 && is_redundant(l, group.links[0])) one["redundant"] = true;
+        for (const linkage::Gear& gear : l.structure.gears)
+            if (gear.parallel && group.links[0] == gear.second) {
+                one["kind"] = "parallel";
+                one["parallel-to"] = l.links[gear.carrier];
+            }
         if (group.choice != linkage::none && !one.contains("redundant")) {
             one["closed-at"] = l.pins[group.pin];
             one["side"] = side_of(l, group, l.sides[group.choice]);
@@ -207,6 +220,8 @@ std::string list_text(const Json& names) {
 
 std::string side_text(const Json& group) {
     if (group.contains("redundant")) return "redundant: it fits between its pins";
+    if (group.contains("parallel-to"))
+        return fmt::format("kept parallel to {} by redundant links", group["parallel-to"].get<std::string>());
     if (!group.contains("side")) return "";
     const Json& side = group["side"];
     const std::string at = fmt::format("closed at {}", group["closed-at"].get<std::string>());
@@ -274,7 +289,7 @@ Json structure_of(const Linkage& l, std::optional<double> at) {
                         {"for_almost_all_dimensions", l.mobility.mobility},
                         {"counted", l.mobility.counted},
                         {"drives", l.structure.drives.size()},
-                        {"redundant", names_of(l, l.redundant)}};
+                        {"redundant", redundant_names(l)}};
     json["drives"] = drives_of(l);
     json["groups"] = groups_of(l);
     if (is_placed(l)) json.update(assemblies_of(l, at.value_or(l.at.value_or(0))));
