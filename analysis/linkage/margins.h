@@ -78,7 +78,11 @@ void add_margin_places(KnownMargins<K>& along, bool inner, const Travel& travel,
     Measured<double, K>& measured = along.measured;
     const Limit margin{along.margin, inner};
     const auto at = [&](double x) -> const Series<double, K>& { return inner ? along.at(x).inner : along.at(x).outer; };
-    const auto slope = [&](double s) { return at(stretch.at(s)).derivative(1) * stretch.speed(s) / stretch.length(); };
+    // Where lines become parallel margins grow beyond all bounds, and their slopes like the inverse square of the way.
+    const int powers = travel.first.parallel || travel.last.parallel ? 5 : 1;
+    const auto slope = [&](double s) {
+        return at(stretch.at(s)).derivative(1) * std::pow(stretch.speed(s) / stretch.length(), powers);
+    };
     const double floor = unit * size_of(measured.driven());
     const Panels panels(slope, stretch.first(), stretch.last(), {.first = first_panels(stretch), .floor = floor});
     if (panels.greatest() > 4 * floor)

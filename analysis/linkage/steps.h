@@ -127,4 +127,11 @@ inline bool is_of_lines(const Order& order, std::size_t margin) {
                        [margin](const Step& step) { return step.margin == margin && step.is_of_lines(); });
 }
 
+/// Whether some dyad closes by lengths: of two lines there is a point but where they are parallel.
+inline bool closes_by_lengths(const Order& order) {
+    for (std::size_t i = 0; i < order.margins; ++i)
+        if (!is_of_lines(order, i)) return true;
+    return false;
+}
+
 }  // namespace mechwright::linkage

@@ -27,10 +27,10 @@ Check check_warnings(const Json& document, const ClaimedDesign& claimed) {
     Check check{"warns of singular positions as the rule says", stated.is_array() && stated.size() == again.size(), {}};
     for (std::size_t i = 0; check.passed && i < again.size(); ++i) {
         const Json& one = stated[i];
+        const double size = again[i].relative == 0 ? 0 : std::abs(again[i].margin / again[i].relative);
         check.passed = one.is_object() && one.value("name", Json()) == again[i].name &&
                        close(one.value("relative", Json()), again[i].relative, within) &&
-                       close(one.value("margin", Json()), again[i].margin,
-                             within * std::abs(again[i].margin / again[i].relative)) &&
+                       close(one.value("margin", Json()), again[i].margin, within * size) &&
                        one.value("warned_below", Json()) == singular_below;
     }
     for (const SingularMargin& m : again)

@@ -38,9 +38,10 @@ public:
     }
 
     /// Goes on to an input in one step, if the pose there lies where the velocities lead and is on the same branch; or,
-    /// where branches `cross` in between, on either.
+    /// where branches `cross` in between, on either. Only from a pose.
     bool step(const T& to, bool cross = false) {
         constexpr double astray = 0.02;
+        if (pose.turns.empty()) return false;
         LoopPose<T> speed;
         if (!loop.velocities(speeds_, pose, speed)) return false;
         LoopPose<T> next = pose;

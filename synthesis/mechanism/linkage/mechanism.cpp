@@ -87,7 +87,7 @@ std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimen
             {Kind::transmission_angle_worst});
     add("total-length", Unit::length, "sum of the distances of links' origins to their pins", {Kind::total_length});
     add("link-ratio", Unit::none, "longest of these distances over the shortest", {Kind::link_ratio});
-    if (model.order.margins > 0)
+    if (linkage::closes_by_lengths(model.order))
         add("full-turn-margin", Unit::length, "least length by which a dyad closes over a full turn of the drive",
             {Kind::full_turn_margin});
     add("joint-distance-least", Unit::length, "least distance of pins that have no link in common",

@@ -90,6 +90,8 @@ public:
                     out.push_back(over_.model.scale.at(seeded_) * linkage::margin_at(measured_, place,
                                                                                      course_.turns.near(place.place.at),
                                                                                      course_.travel, ends_));
+                // Where no dyad closes by lengths nothing comes apart.
+                if (out.empty()) out.push_back(T(size_of(plain_.driven())));
                 break;
             default:
                 for (const Term& term : found_.plus)
@@ -194,7 +196,8 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
         std::stable_sort(found.margins.begin(), found.margins.end(),
                          [](const auto& a, const auto& b) { return is_less(a.place.value, b.place.value); });
         if (found.margins.size() > most_extremes) found.margins.resize(most_extremes);
-        if (found.margins.empty()) return false;
+        if (found.margins.empty() && (kind == Kind::full_turn_margin || linkage::closes_by_lengths(over.model.order)))
+            return false;
         if (needs_turns(over, signals)) course = linkage::course_along(driven, all);
     } else if (!of_lengths) {
         if (!closes_at_samples(over, dimensions)) return false;

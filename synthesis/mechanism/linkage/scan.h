@@ -24,16 +24,8 @@ public:
     }
 
     bool empty() const { return at.empty(); }
-    SignalsAgain<double> plain(std::size_t sample) const {
-        SignalsAgain<double> signals(model, std::span<const double>(rounded_), poses.front().turns);
-        signals.follower.start(at[sample], poses[sample]);
-        return signals;
-    }
-    SignalsAgain<Digits50> precise(std::size_t sample) const {
-        SignalsAgain<Digits50> signals(model, std::span<const Digits50>(dimensions_), poses.front().turns);
-        signals.follower.start(at[sample], pose_as<Digits50>(poses[sample]));
-        return signals;
-    }
+    SignalsAgain<double> plain(std::size_t sample) const { return begun<double>(rounded_, sample); }
+    SignalsAgain<Digits50> precise(std::size_t sample) const { return begun<Digits50>(dimensions_, sample); }
     std::size_t nearest(double input) const {
         const auto next = static_cast<std::size_t>(std::lower_bound(at.begin(), at.end(), input) - at.begin());
         if (next == 0) return 0;
@@ -62,6 +54,15 @@ public:
     bool full_turn() const { return motion_.full_turn; }
 
 private:
+    /// At a sample; where it is a limit and no pose is there within rounding, at the next one from which it goes on.
+    template <class T>
+    SignalsAgain<T> begun(const std::vector<T>& dimensions, std::size_t sample) const {
+        SignalsAgain<T> signals(model, std::span<const T>(dimensions), poses.front().turns);
+        const std::size_t middle = at.size() / 2;
+        for (std::size_t i = sample; !signals.follower.start(at[i], pose_as<T>(poses[i])) && i != middle;)
+            i < middle ? ++i : --i;
+        return signals;
+    }
     /// From some input in both senses to the ends of the motion, as far as doubles come.
     void follow() {
         linkage::Driven<double> moving = driven(model, rounded_, motion_.assembly);

@@ -79,6 +79,7 @@ public:
     template <class Use>
     bool at_pose(const T& input, const Use& use) {
         Follower<T> there = follower;
+        if (there.pose.turns.empty()) return false;
         if (!(there.at == input) && !there.step(input) && !there.start(input, follower.pose)) return false;
         use(there.pose);
         return true;
