@@ -22,6 +22,7 @@ struct Signal {
         x,                   ///< coordinates of the pin `of`, in the axes of `on`
         y,                   ///<
         along,               ///< the same in a direction
+        radius,              ///< distance of the pin `of` from the drawing's origin
         distance,            ///< of the pins `of` and `to`
         from_line,           ///< distance of the pin `of` to the left of the line from the pin `to` to the pin `end`
         slide,               ///< displacement of the slide `of`
@@ -122,6 +123,10 @@ public:
             case Kind::x: return coordinates(s, pose).x;
             case Kind::y: return coordinates(s, pose).y;
             case Kind::along: return dot(coordinates(s, pose), detail::unit_at(T(s.number)));
+            case Kind::radius: {
+                const Vector<T> at = coordinates(s, pose);
+                return hypotenuse(at.x, at.y);
+            }
             case Kind::distance: {
                 const Vector<T> apart = pose.pins[s.to] - pose.pins[s.of];
                 return placing_.scale * hypotenuse(apart.x, apart.y);

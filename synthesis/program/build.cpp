@@ -164,6 +164,7 @@ struct Builder {
         }
         if (has_input_range(problem)) {
             add_margins(block_of(problem.mechanism->input->margin));
+            if (family.full_turn && family.assembly_margin) add_full_turn(family);
             return;
         }
         if (family.assembly_margin && is_defined(*family.assembly_margin, motion))
@@ -172,6 +173,19 @@ struct Builder {
         const Quantity& margin = problem.mechanism->input->margin;
         program.blocks.push_back(
             {&margin, motion_for(margin, motion), program.outputs, count_components(margin, motion), true});
+        program.outputs += program.blocks.back().count;
+        add_margins(program.blocks.back());
+    }
+
+    /// What keeps the crank turning fully beyond the range of its input.
+    void add_full_turn(const Family& family) {
+        Motion whole = motion_for(*family.assembly_margin, motion);
+        whole.full_turn = true;
+        whole.from = 0;
+        whole.to = 2 * std::numbers::pi * family.turns;
+        if (!is_defined(*family.assembly_margin, whole)) return;
+        program.blocks.push_back({&*family.assembly_margin, whole, program.outputs,
+                                  count_components(*family.assembly_margin, whole), false});
         program.outputs += program.blocks.back().count;
         add_margins(program.blocks.back());
     }

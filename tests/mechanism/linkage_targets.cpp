@@ -133,62 +133,80 @@ TEST(LinkageTargets, MissesOfAFourBarAreThoseOfTheBuiltInKind) {
     EXPECT_GT(compared, 100);
 }
 
-/// Quantities over an input range whose ends are arguments, by differences of these.
+namespace {
+
+/// The derivatives of a quantity by its arguments against differences of these.
+void expect_slopes(const Mechanism& m, const Quantity& quantity, Followed followed, std::vector<double> arguments) {
+    const std::size_t n = arguments.size(), pairs = n * (n + 1) / 2;
+    Motion motion;
+    motion.model = m.model.data();
+    motion.of = quantity.of.data();
+    motion.followed = followed;
+    const std::size_t count = quantity.components(motion);
+    const auto values = [&] {
+        std::vector<double> value(count);
+        quantity.measure(motion, arguments, {value, {}, {}});
+        return value;
+    };
+    const auto slopes = [&] {
+        std::vector<double> value(count), gradient(count * n);
+        quantity.measure(motion, arguments, {value, gradient, {}});
+        return gradient;
+    };
+    std::vector<double> value(count), gradient(count * n), hessian(count * pairs);
+    quantity.measure(motion, arguments, {value, gradient, hessian});
+    expect_near(gradient, slopes(), 1e-12, quantity.name.c_str());
+    for (std::size_t i = 0; i < n; ++i) {
+        constexpr double h = 1e-5;
+        const double here = arguments[i];
+        arguments[i] = here + h;
+        const auto above = values(), steeper = slopes();
+        arguments[i] = here - h;
+        const auto below = values(), flatter = slopes();
+        arguments[i] = here;
+        for (std::size_t k = 0; k < count; ++k) {
+            EXPECT_NEAR(gradient[k * n + i], (above[k] - below[k]) / (2 * h), 1e-7)
+                << quantity.name << ' ' << k << " by " << i;
+            for (std::size_t j = 0; j <= i; ++j)
+                EXPECT_NEAR(hessian[k * pairs + i * (i + 1) / 2 + j],
+                            (steeper[k * n + j] - flatter[k * n + j]) / (2 * h), 1e-6)
+                    << quantity.name << ' ' << k << " by " << i << ", " << j;
+        }
+    }
+}
+
+}  // namespace
+
+/// Quantities over an input range whose ends are arguments.
 TEST(LinkageTargets, QuantitiesKnowThatEndsOfTheMotionMove) {
-    const ReadProblem read = read_without_fault(free_four_bar + R"(
+    const std::string signals = R"(
 [signals]
 swing = { angle = "rocker" }
 height = { y = "P" }
 [[require]]
 quantity = "height.mean"
 min = -100
-[path]
-point = "P"
-points = [[0, 0], [1, 2], [2, 3]]
-)");
-    ASSERT_TRUE(read.ok());
-    const Mechanism& m = *read.problem.mechanism;
-    std::vector<Quantity> all = m.input->quantities;
-    all.push_back(m.input->margin);
-    for (const double range : {1.3, -1.3})
-        for (const Quantity& quantity : all) {
-            std::vector<double> arguments{7, 2, 6, 5, 2, 1, 0.3, -0.4, 0.5, 0.9, range};
-            const std::size_t n = arguments.size(), pairs = n * (n + 1) / 2;
-            Motion motion;
-            motion.model = m.model.data();
-            motion.of = quantity.of.data();
-            const std::size_t count = quantity.components(motion);
-            const auto values = [&] {
-                std::vector<double> value(count);
-                quantity.measure(motion, arguments, {value, {}, {}});
-                return value;
-            };
-            const auto slopes = [&] {
-                std::vector<double> value(count), gradient(count * n);
-                quantity.measure(motion, arguments, {value, gradient, {}});
-                return gradient;
-            };
-            std::vector<double> value(count), gradient(count * n), hessian(count * pairs);
-            quantity.measure(motion, arguments, {value, gradient, hessian});
-            expect_near(gradient, slopes(), 1e-12, quantity.name.c_str());
-            for (std::size_t i = 0; i < n; ++i) {
-                constexpr double h = 1e-5;
-                const double here = arguments[i];
-                arguments[i] = here + h;
-                const auto above = values(), steeper = slopes();
-                arguments[i] = here - h;
-                const auto below = values(), flatter = slopes();
-                arguments[i] = here;
-                for (std::size_t k = 0; k < count; ++k) {
-                    EXPECT_NEAR(gradient[k * n + i], (above[k] - below[k]) / (2 * h), 1e-7)
-                        << quantity.name << ' ' << k << " by " << i;
-                    for (std::size_t j = 0; j <= i; ++j)
-                        EXPECT_NEAR(hessian[k * pairs + i * (i + 1) / 2 + j],
-                                    (steeper[k * n + j] - flatter[k * n + j]) / (2 * h), 1e-6)
-                            << quantity.name << ' ' << k << " by " << i << ", " << j;
-                }
-            }
+)";
+    for (const double range : {1.3, -1.3}) {
+        const std::vector<double> arguments{7, 2, 6, 5, 2, 1, 0.3, -0.4, 0.5, 0.9, range};
+        for (const auto& [followed, target] :
+             {std::pair(Followed::nothing, "[path]\npoint = \"P\"\npoints = [[0, 0], [1, 2], [2, 3]]\n"),
+              {Followed::line, "[line]\npoint = \"P\"\nstart = 0\nrange = 90\n"},
+              {Followed::arc, "[arc]\npoint = \"P\"\nstart = 0\nrange = 90\n"}}) {
+            const ReadProblem read = read_without_fault(free_four_bar + signals + target);
+            ASSERT_TRUE(read.ok());
+            const Mechanism& m = *read.problem.mechanism;
+            for (const Quantity& quantity : m.input->quantities)
+                expect_slopes(m, quantity, followed, arguments);
+            expect_slopes(m, m.input->margin, followed, arguments);
+            std::vector<double> with_shape = arguments;
+            const auto& shape = followed == Followed::line ? m.line : m.arc;
+            for (const double number : {0.4, 1.2, 2.5})
+                if (shape && with_shape.size() < arguments.size() + shape->numbers.size()) with_shape.push_back(number);
+            for (const Quantity& quantity : shape ? shape->quantities : std::vector<Quantity>{})
+                expect_slopes(m, quantity, followed, with_shape);
         }
+    }
 }
 
 namespace {
@@ -299,6 +317,40 @@ starts = 1
     expect_verified(found);
 }
 
+/// The lambda linkage over half a turn, of which the coupler is as long as the rocker and half as long as its whole
+/// bar: ground 2.21525, half the band 1.8712205e-3 (problems/line/hoekens-180.toml).
+TEST(LinkageTargets, TheLambdaLinkagesOptimumIsThatOfTheBuiltInKind) {
+    const Json found = solved(head + R"(
+[dimensions]
+ground = { min = 1, max = 10 }
+coupler = { min = 1, max = 10 }
+[links]
+frame = { A = [0, 0], D = ["ground", 0] }
+crank = { A = [0, 0], B = [1, 0] }
+coupler = { B = [0, 0], C = ["coupler", 0], P = ["2 coupler", 0] }
+rocker = { D = [0, 0], C = ["coupler", 0] }
+[drive]
+link = "crank"
+[line]
+point = "P"
+start = 90
+range = 180
+full_turn = true
+[objective]
+minimize = "line-deviation"
+[solver]
+starts = 4
+)");
+    EXPECT_EQ(found["status"], "solved");
+    EXPECT_NEAR(found["objective"]["value"].get<double>(), 1.8712205e-3, 1e-10);
+    EXPECT_NEAR(found["design"]["ground"].get<double>(), 2.21525, 1e-5);
+    EXPECT_NEAR(found["quantities"]["line-length"].get<double>(), 4.19321, 1e-5);
+    expect_verified(found);
+    Json changed = found;
+    changed["design"]["line-offset"] = changed["design"]["line-offset"].get<double>() + 1e-5;
+    EXPECT_TRUE(is_refused(changed));
+}
+
 namespace {
 
 std::string first_error(const std::string& text) {
@@ -323,7 +375,8 @@ TEST(LinkageTargets, WrongOnesAreSaidWithARemedy) {
     EXPECT_NE(error("[poses]\npoint = \"P\"\nposes = [[0, 0, 0], [1, 2, 3]]\n").find("'link' in [poses]"),
               std::string::npos);
     EXPECT_NE(error("[path]\npoint = \"P\"\n" + points + with_poses).find("not both"), std::string::npos);
-    EXPECT_NE(error("[line]\npoint = \"P\"\n").find("[path] and [poses]"), std::string::npos);
+    EXPECT_NE(error("[function]\nexpression = \"x\"\n").find("[line] and [arc]"), std::string::npos);
+    EXPECT_NE(error("[line]\nstart = 0\nrange = 90\n").find("'point' in [line] is missing"), std::string::npos);
     EXPECT_NE(error("[path]\npoint = \"P\"\ncrank-strat = 3\n" + points).find("crank-start"), std::string::npos);
     EXPECT_NE(error("[[path]]\npoint = \"P\"\n" + points + "[[path]]\npoint = \"C\"\n" + points), "");
     EXPECT_NE(error("[objective]\nminimize = \"path-rms\"\n"), "");

@@ -135,9 +135,10 @@ Found found_of_all(const Over& over, linkage::Measured<double, K>& plain, const 
     return found;
 }
 
+/// `radius`: of the arc whose centre the signal is a distance from.
 template <std::size_t K>
 Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, const Course& course, double from,
-                      double to) {
+                      double to, double radius) {
     const LinkageMeasure& m = over.measure;
     Found found;
     if (m.kind == Kind::mean || m.kind == Kind::rms) return found;
@@ -147,13 +148,17 @@ Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, con
         found.possible = !std::isnan(value);
         return found;
     }
+    if (m.kind == Kind::extent) return found;
     std::vector<Extreme> places = linkage::extremes(plain, m.asked, course, from, to);
     if (places.empty())
         places.push_back(
             {from, plain.value(m.asked.signal, from, course.turns.near(from)).derivative(m.asked.derivative), false});
     found.possible = closes(places);
-    add_extremes(found, places, m.asked, 1, 0);
-    if (m.kind == Kind::least) {
+    add_extremes(found, places, m.asked, 1, -radius);
+    if (m.kind == Kind::distance_greatest) {
+        add_extremes(found, places, m.asked, -1, radius);
+        keep_greatest(found.plus, most_extremes);
+    } else if (m.kind == Kind::least) {
         keep_least(found.plus, most_extremes);
     } else if (m.kind == Kind::greatest) {
         keep_greatest(found.plus, most_extremes);

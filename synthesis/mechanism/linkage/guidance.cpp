@@ -183,6 +183,11 @@ PointGuidance linkage_point_guidance(const LinkageModel& model, std::size_t dime
     return guidance;
 }
 
+Vector<double> guided_point_of_linkage(Form form, std::span<const double> dimensions, double crank_angle) {
+    const auto at = guided(linkage_of(form.model), form.assembly, dimensions, crank_angle, 0.0).coordinates;
+    return {at[0], at[1]};
+}
+
 BodyGuidance linkage_body_guidance(const LinkageModel& model, std::size_t dimensions) {
     BodyGuidance guidance;
     guidance.reads = Reads(dimensions);

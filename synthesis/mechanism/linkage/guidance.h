@@ -15,4 +15,7 @@ namespace mechwright {
 PointGuidance linkage_point_guidance(const LinkageModel& model, std::size_t dimensions);
 BodyGuidance linkage_body_guidance(const LinkageModel& model, std::size_t dimensions);
 
+/// The guided point in the drawing; where the linkage does not close, with its dyads at their limits.
+Vector<double> guided_point_of_linkage(Form form, std::span<const double> dimensions, double crank_angle);
+
 }  // namespace mechwright

@@ -15,6 +15,8 @@
 
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/linkage/scan.h"
+#include "synthesis/target/followed/arc.h"
+#include "synthesis/target/followed/line.h"
 
 namespace mechwright {
 
@@ -112,8 +114,13 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
                 candidates.push_back({first ? x[i] : x[i - 1], x[i], last ? x[i] : x[i + 1], seen[i]});
         }
     }
+    // What is constant to rounding has an extreme at every sample: some of them tell what there is to be told.
+    constexpr std::size_t some = 24;
+    const bool flat = best - worst <= 1e-11 * (1 + std::abs(best));
+    const std::size_t every = flat && candidates.size() > some ? candidates.size() / some : 1;
     Extreme found;
-    for (const Candidate& c : candidates) {
+    for (std::size_t i = 0; i < candidates.size(); i += every) {
+        const Candidate& c = candidates[i];
         constexpr double near_best = 1e-2;
         if (c.seen < best - near_best * (best - worst) - 1e-12) continue;
         const bool end = c.left == c.at || c.right == c.at;
@@ -178,23 +185,58 @@ Digits50 of_signal(const Scan& scan, const LinkageMeasure& q) {
                    q);
 }
 
-/// The least over the motion of something that a pose has.
+/// Something that a pose has, along the motion.
 template <class OfPose>
-Digits50 least_of_poses(const Scan& scan, const OfPose& of_pose) {
+Measured of_poses(const Scan& scan, const OfPose& of_pose) {
     const auto at = [of_pose]<class T>(SignalsAgain<T>& s, const T& x) {
         T value(missing);
         s.at_pose(x, [&](const LoopPose<T>& pose) { value = of_pose(s, pose); });
         return value;
     };
-    const Measured f{scan, [at](SignalsAgain<double>& s, double x) { return at(s, x); },
-                     [at](SignalsAgain<Digits50>& s, int order, const Digits50& x) -> Digits50 {
-                         const Digits50 h = difference_step<Digits50>();
-                         if (order == 0) return at(s, x);
-                         const Digits50 before = at(s, Digits50(x - h)), after = at(s, Digits50(x + h));
-                         if (order == 1) return (after - before) / (2 * h);
-                         return (after - 2 * at(s, x) + before) / (h * h);
-                     }};
-    return extreme(f, {{scan.from(), scan.to()}}, -1).value;
+    return {scan, [at](SignalsAgain<double>& s, double x) { return at(s, x); },
+            [at](SignalsAgain<Digits50>& s, int order, const Digits50& x) -> Digits50 {
+                const Digits50 h = difference_step<Digits50>();
+                if (order == 0) return at(s, x);
+                const Digits50 before = at(s, Digits50(x - h)), after = at(s, Digits50(x + h));
+                if (order == 1) return (after - before) / (2 * h);
+                return (after - 2 * at(s, x) + before) / (h * h);
+            }};
+}
+
+/// The least over the motion of something that a pose has.
+template <class OfPose>
+Digits50 least_of_poses(const Scan& scan, const OfPose& of_pose) {
+    return extreme(of_poses(scan, of_pose), {{scan.from(), scan.to()}}, -1).value;
+}
+
+/// The distance of the guided point from what it follows at its greatest, or how far it follows.
+template <class Shape>
+Digits50 of_followed(const Scan& scan, std::span<const Digits50> numbers, LinkageMeasure::Kind kind) {
+    const std::size_t pin = scan.model.guided->pin;
+    std::array<Digits50, Shape::parameters> shape;
+    std::copy_n(numbers.begin(), shape.size(), shape.begin());
+    if (kind == LinkageMeasure::Kind::extent) {
+        const auto at_end = [&](bool last) {
+            const auto coordinate = [&](auto part) {
+                return of_poses(scan,
+                                [pin, part]<class T>(const SignalsAgain<T>& s, const LoopPose<T>& pose) {
+                                    return s.in_drawing(pin, pose).*part.template operator()<T>();
+                                })
+                    .at(last ? scan.to() : scan.from());
+            };
+            return Vector<Digits50>{coordinate([]<class T>() { return &Vector<T>::x; }),
+                                    coordinate([]<class T>() { return &Vector<T>::y; })};
+        };
+        return Shape::extent(shape, at_end(false), at_end(true));
+    }
+    const Measured distance = of_poses(scan, [pin, shape]<class T>(const SignalsAgain<T>& s, const LoopPose<T>& pose) {
+        std::array<T, Shape::parameters> own;
+        std::transform(shape.begin(), shape.end(), own.begin(),
+                       [](const Digits50& number) { return number_as<T>(number); });
+        return Shape::distance(own, s.in_drawing(pin, pose));
+    });
+    const std::vector<Vector<double>> whole{{scan.from(), scan.to()}};
+    return std::max<Digits50>(abs(extreme(distance, whole, 1).value), abs(extreme(distance, whole, -1).value));
 }
 
 Digits50 worst_transmission(const Scan& scan) {
@@ -300,8 +342,14 @@ Digits50 measure_linkage_again(const Motion& motion, std::span<const Digits50> d
         return *greatest / *least;
     }
     if (q.kind == Kind::full_turn_margin) return full_turn_margin(model, motion.assembly, dimensions);
-    const Scan scan(motion, dimensions);
+    const bool followed = q.kind == Kind::distance_greatest || q.kind == Kind::extent;
+    const bool line = model.followed == Followed::line;
+    const std::size_t of_shape = followed ? (line ? LineShape::parameters : ArcShape::parameters) : 0;
+    const Scan scan(motion, dimensions.first(dimensions.size() - (followed ? 2 : 0) - of_shape));
     if (scan.empty()) return missing;
+    if (followed)
+        return line ? of_followed<LineShape>(scan, dimensions.last(of_shape), q.kind)
+                    : of_followed<ArcShape>(scan, dimensions.last(of_shape), q.kind);
     if (q.kind == Kind::transmission_angle_worst) return worst_transmission(scan);
     if (q.kind == Kind::joint_distance_least) return least_joint_distance(scan);
     return of_signal(scan, q);

@@ -11,6 +11,8 @@
 #include "analysis/linkage/course.h"
 #include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/mechanism/linkage/quantities.h"
+#include "synthesis/target/followed/arc.h"
+#include "synthesis/target/followed/line.h"
 
 namespace mechwright::measuring {
 
@@ -35,8 +37,18 @@ struct Over {
           over_input(by_arguments) {
         if (!model.driven_by_slide() && model.drives.front().speed) rate = *model.drives.front().speed * turn / 60;
     }
-    std::span<const double> dimensions_of(std::span<const double> arguments) const {
-        return arguments.first(arguments.size() - (over_input ? 2 : 0));
+    bool is_followed() const { return measure.kind == Kind::distance_greatest || measure.kind == Kind::extent; }
+    /// Of the arguments those that are numbers of what is followed.
+    std::size_t shape_numbers() const {
+        return !is_followed() ? 0 : model.followed == Followed::line ? LineShape::parameters : ArcShape::parameters;
+    }
+    template <class T>
+    std::span<const T> dimensions_of(std::span<const T> arguments) const {
+        return arguments.first(arguments.size() - shape_numbers() - (over_input ? 2 : 0));
+    }
+    template <class T>
+    std::span<const T> shape_of(std::span<const T> arguments) const {
+        return arguments.last(shape_numbers());
     }
     const std::vector<std::int8_t>& sides() const { return model.sides[motion.assembly]; }
     linkage::Driven<double> driven(std::span<const double> dimensions) const {
@@ -52,6 +64,11 @@ struct Over {
 inline std::vector<Signal> own_signals(const LinkageModel& model, Kind kind) {
     const linkage::Structure& s = model.structure;
     std::vector<Signal> signals;
+    if (kind == Kind::distance_greatest || kind == Kind::extent) {
+        const std::size_t pin = model.guided->pin;
+        const auto distance = model.followed == Followed::line ? Signal::Kind::y : Signal::Kind::radius;
+        return {{distance, pin}, {Signal::Kind::x, pin}, {Signal::Kind::y, pin}};
+    }
     if (kind == Kind::transmission_angle_worst)
         for (std::size_t margin = 0; margin < model.order.margins; ++margin)
             signals.push_back({Signal::Kind::transmission_angle, margin});
@@ -63,18 +80,34 @@ inline std::vector<Signal> own_signals(const LinkageModel& model, Kind kind) {
     return signals;
 }
 
-template <class T, std::size_t K>
-linkage::Measured<T, K> measured(const Over& over, std::span<const T> dimensions, std::span<const Signal> signals) {
+/// How the linkage stands in the axes in which it is measured: those of the drawing; those of the line that its point
+/// follows, so that y is the distance from it; or axes about the centre of an arc.
+template <class T>
+linkage::Placing<T> placing_of(const Over& over, std::span<const T> dimensions, std::span<const T> shape) {
+    using std::cos, std::sin;
     const LinkageModel& m = over.model;
+    linkage::Placing<T> placing{{m.placement[0].at(dimensions), m.placement[1].at(dimensions)},
+                                m.placement[2].at(dimensions),
+                                m.scale.at(dimensions)};
+    if (shape.size() == ArcShape::parameters) placing.origin = placing.origin - Vector<T>{shape[0], shape[1]};
+    if (shape.size() != LineShape::parameters) return placing;
+    placing.origin = turned(placing.origin, Vector<T>{cos(shape[0]), -sin(shape[0])});
+    placing.origin.y = placing.origin.y - shape[1];
+    placing.tilt = placing.tilt - shape[0];
+    return placing;
+}
+
+template <class T, std::size_t K>
+linkage::Measured<T, K> measured(const Over& over, std::span<const T> arguments, std::span<const Signal> signals) {
+    const LinkageModel& m = over.model;
+    const std::span<const T> dimensions = over.dimensions_of(arguments);
     return {m.structure,
             m.order,
             numbers_of(m, dimensions),
             over.sides(),
             over.laws,
             signals,
-            {{m.placement[0].at(dimensions), m.placement[1].at(dimensions)},
-             m.placement[2].at(dimensions),
-             m.scale.at(dimensions)},
+            placing_of(over, dimensions, over.shape_of(arguments)),
             over.rate};
 }
 

@@ -8,6 +8,7 @@
 #include "analysis/linkage/travel.h"
 #include "synthesis/mechanism/linkage/again.h"
 #include "synthesis/mechanism/linkage/drawing.h"
+#include "synthesis/mechanism/linkage/followed.h"
 #include "synthesis/mechanism/linkage/guidance.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/linkage/table.h"
@@ -139,6 +140,14 @@ void add_guidance(const LinkageModel& model, Mechanism& made) {
     made.point = linkage_point_guidance(model, count);
     made.targets = {"path"};
     made.input = input_range(made.quantities, count);
+    if (model.followed == Followed::line) {
+        made.line = linkage_line(count);
+        made.targets = {"line"};
+    }
+    if (model.followed == Followed::arc) {
+        made.arc = linkage_arc(count);
+        made.targets = {"arc"};
+    }
     if (!model.guides_body) return;
     made.body = linkage_body_guidance(model, count);
     made.targets = {"poses"};

@@ -56,9 +56,10 @@ struct LinkageModel {
     std::vector<linkage::Signal> signals{};
     std::vector<NamedSignal> signal_names{};  ///< one for each
     std::optional<GuidedPoint> guided{};
-    bool guides_body = false;    ///< the link of the guided point is a body that takes poses
-    std::optional<double> at{};  ///< an input of the master that belongs to the motion
-    int turns = 1;               ///< of the master, after which everything is where it was; 0: never
+    bool guides_body = false;               ///< the link of the guided point is a body that takes poses
+    Followed followed = Followed::nothing;  ///< by the guided point
+    std::optional<double> at{};             ///< an input of the master that belongs to the motion
+    int turns = 1;                          ///< of the master, after which everything is where it was; 0: never
 
     bool driven_by_slide() const { return structure.drives.front().of_slide; }
 };

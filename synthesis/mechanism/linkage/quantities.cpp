@@ -21,6 +21,7 @@ std::size_t component_count(Kind kind) {
         case Kind::mean:
         case Kind::rms:
         case Kind::at:
+        case Kind::extent:
         case Kind::total_length: return 1;
         case Kind::time_ratio: return 2;
         case Kind::range:
@@ -35,8 +36,10 @@ Reduce reduce_of(Kind kind) {
         case Kind::mean:
         case Kind::rms:
         case Kind::at:
+        case Kind::extent:
         case Kind::total_length: return Reduce::only;
         case Kind::greatest:
+        case Kind::distance_greatest:
         case Kind::range:
         case Kind::deviation:
         case Kind::time_ratio:
@@ -53,14 +56,15 @@ public:
                linkage::Measured<double, K>& plain, const Course& course, const Found& found,
                std::array<double, 2> stretch)
         : over_(over),
-          seeded_(seeded.first(seeded.size() - (over.over_input ? 2 : 0))),
-          measured_(measured<T, K>(over, seeded_, signals)),
+          seeded_(over.dimensions_of(seeded)),
+          shape_(over.shape_of(seeded)),
+          measured_(measured<T, K>(over, seeded, signals)),
           plain_(plain),
           course_(course),
           found_(found),
           stretch_(stretch) {
         if (!course.turns.empty()) measured_.start_at(course);
-        if (over.over_input) ends_ = moving_ends(seeded[seeded.size() - 2], seeded[seeded.size() - 1]);
+        if (over.over_input) ends_ = moving_ends(seeded[seeded_.size()], seeded[seeded_.size() + 1]);
     }
 
     std::vector<T> all() {
@@ -76,6 +80,7 @@ public:
             case Kind::range:
             case Kind::deviation: add_differences(kind == Kind::range ? 1 : 0.5, out); break;
             case Kind::time_ratio: add_time_ratios(out); break;
+            case Kind::extent: out.push_back(extent()); break;
             case Kind::total_length: {
                 T sum(0);
                 for (const T& length : link_lengths(over_.model, seeded_))
@@ -101,8 +106,12 @@ public:
     }
 
 private:
+    /// The radius of the arc that is followed.
+    T radius() const { return shape_.size() == ArcShape::parameters ? shape_.back() : T(0); }
     T value(const Term& term) {
-        return T(term.constant) + T(term.factor) * linkage::value_at(measured_, term.asked, course_, term.place, ends_);
+        const bool of_arc = over_.measure.kind == Kind::distance_greatest;
+        return (of_arc ? T(T(-term.factor) * radius()) : T(term.constant)) +
+               T(term.factor) * linkage::value_at(measured_, term.asked, course_, term.place, ends_);
     }
     /// By how much the time of both ends changes with start and range of the input.
     linkage::MovingEnds<T> moving_ends(const T& start, const T& range) const {
@@ -111,6 +120,17 @@ private:
         const T per_rate = T(1 / over_.rate);
         return value_of(range) < 0 ? linkage::MovingEnds<T>{per_rate * last, per_rate * first}
                                    : linkage::MovingEnds<T>{per_rate * first, per_rate * last};
+    }
+    /// Where the guided point is at an end of the motion, in the axes of what it follows.
+    Vector<T> at_end(bool last) {
+        const Extreme end{last ? course_.travel.to : course_.travel.from, 0, false,
+                          last ? course_.travel.last : course_.travel.first};
+        return {linkage::value_at(measured_, {1, 0}, course_, end, ends_),
+                linkage::value_at(measured_, {2, 0}, course_, end, ends_)};
+    }
+    T extent() {
+        if (shape_.size() == LineShape::parameters) return LineShape::extent({T(0), T(0)}, at_end(false), at_end(true));
+        return ArcShape::extent({T(0), T(0), radius()}, at_end(false), at_end(true));
     }
     T mean(bool squared) {
         return linkage::mean_of(measured_, plain_, over_.measure.asked, course_, stretch_[0], stretch_[1], squared,
@@ -156,7 +176,7 @@ private:
     }
 
     const Over& over_;
-    std::span<const T> seeded_;
+    std::span<const T> seeded_, shape_;
     linkage::Measured<T, K> measured_;
     linkage::Measured<double, K>& plain_;
     const Course& course_;
@@ -179,7 +199,7 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
     const std::vector<Signal> own = own_signals(over.model, kind);
     const std::span<const Signal> signals =
         over.measure.signals.empty() ? std::span<const Signal>(own) : std::span<const Signal>(over.measure.signals);
-    auto plain = measured<double, K>(over, dimensions, signals);
+    auto plain = measured<double, K>(over, arguments, signals);
     const bool of_lengths = kind == Kind::total_length || kind == Kind::link_ratio;
     if (kind == Kind::joint_distance_least && own.empty()) return false;
     if (of_lengths && link_lengths(over.model, dimensions).empty()) return false;
@@ -216,7 +236,9 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
                 if (!in) return false;
                 stretch = *in;
             }
-            found = found_of_signal(over, plain, course, stretch[0], stretch[1]);
+            const auto shape = over.shape_of(arguments);
+            found = found_of_signal(over, plain, course, stretch[0], stretch[1],
+                                    shape.size() == ArcShape::parameters ? shape.back() : 0);
         }
     }
     if (!found.possible) return false;
@@ -281,7 +303,8 @@ void measure_over_motion(const Motion& motion, std::span<const double> dimension
 }
 
 void measure_over_input(const Motion& motion, std::span<const double> arguments, const Measurement& out) {
-    const double start = arguments[arguments.size() - 2], end = start + arguments[arguments.size() - 1];
+    const std::size_t own = Over(motion, true).dimensions_of(arguments).size();
+    const double start = arguments[own], end = start + arguments[own + 1];
     Motion over = motion;
     over.full_turn = false;
     over.from = std::min(start, end);

@@ -33,7 +33,10 @@ struct LinkageMeasure {
         link_ratio,                ///< the longest of these over the shortest
         full_turn_margin,          ///< the least of all margins over all turns of the motion, in lengths
         assembly_margin,           ///< the same over the motion
-        joint_distance_least       ///< between pins that have no link in common
+        joint_distance_least,      ///< between pins that have no link in common
+        // Of the guided point, over an input range, from what it follows:
+        distance_greatest,  ///< without its sign
+        extent              ///< how far it follows
     };
     Kind kind = Kind::least;
     std::vector<linkage::Signal> signals{};          ///< those that it needs, and those that they need
@@ -51,7 +54,7 @@ Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, Link
                           std::size_t dimensions);
 
 /// The same over an input range: start and range are its last arguments, after those that it reads
-/// (InputRange::quantities).
+/// (InputRange::quantities); after these come the numbers of what the guided point follows, for quantities of that.
 Quantity over_input(Quantity quantity);
 
 }  // namespace mechwright

@@ -54,6 +54,11 @@ public:
         return by;
     }
 
+    /// A pin in the drawing.
+    Vector<T> in_drawing(std::size_t pin, const LoopPose<T>& pose) const {
+        return origin_ + scale_ * turned(follower.loop.pin(pin, pose), tilt_);
+    }
+
     /// The angle at which a dyad passes its force on, in [0, pi].
     T transmission_angle(const linkage::Group& group, const LoopPose<T>& pose) const {
         using std::abs, std::acos, std::atan2;

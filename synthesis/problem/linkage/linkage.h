@@ -76,8 +76,9 @@ struct Linkage {
     bool scaled = false;                          ///< the file says a scale
     std::optional<Vector<double>> crank_range{};  ///< radians, or displacements
     std::optional<double> at;  ///< a crank angle of its motion, radians; a displacement where a slide is driven
-    std::optional<GuidedPoint> guided{};  ///< by [path] or [poses]
-    bool guides_body = false;             ///< by [poses]
+    std::optional<GuidedPoint> guided{};    ///< by [path] or [poses]
+    bool guides_body = false;               ///< by [poses]
+    Followed followed = Followed::nothing;  ///< by [line] or [arc]
     linkage::Mobility mobility;
     linkage::Order order;
     std::vector<std::int8_t> sides;      ///< for each choice of the order 1, -1, or 0 for either

@@ -166,6 +166,7 @@ LinkageModel model_of(const Linkage& linkage) {
     model.drives = linkage.drives;
     model.guided = linkage.guided;
     model.guides_body = linkage.guides_body;
+    model.followed = linkage.followed;
     model.at = linkage.at;
     for (const LinkageSignal& signal : linkage.signals) {
         model.signal_names.push_back({signal.name, signal.unit});
@@ -352,7 +353,7 @@ Json sections_of_linkage(const toml::table& table) {
     for (const std::string_view name : describing)
         if (const toml::node* node = table.get(name)) sections[std::string(name)] = json_of(*node);
     if (const auto at = table["motion"]["at"].value<double>()) sections["motion"] = {{"at", *at}};
-    for (const char* target : {"path", "poses"})
+    for (const char* target : {"path", "poses", "line", "arc"})
         for (const char* key : {"point", "link"})
             if (const auto name = table[target][key].value_exact<std::string>()) sections[target][key] = *name;
     return sections;
@@ -392,6 +393,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     read_solver(file, problem, once_more);
     read_path(file, problem, messages);
     read_poses(file, problem, messages);
+    read_followed(file, problem, messages);
     read_objective(file, problem, messages);
     read_requirements(file, problem, messages);
     read_study(file, problem, messages);

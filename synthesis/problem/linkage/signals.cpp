@@ -37,7 +37,8 @@ constexpr std::array<SignalKind, 12> kinds{
      {"sum", {"", ""}, "", linkage::Signal::Kind::sum},
      {"ratio", {"", ""}, "", linkage::Signal::Kind::ratio}}};
 
-constexpr std::array<Word, 5> of_targets{"path-sse", "path-rms", "path-max", "pose-rms", "pose-max"};
+constexpr std::array<Word, 9> of_targets{"path-sse",       "path-rms",    "path-max",      "pose-rms", "pose-max",
+                                         "line-deviation", "line-length", "arc-deviation", "arc-angle"};
 
 struct SignalReading {
     LinkageReading& reading;

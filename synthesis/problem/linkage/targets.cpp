@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "synthesis/problem/linkage/reading.h"
 
@@ -53,16 +54,33 @@ void read_guided_point(LinkageReading& reading, std::string_view section, bool l
 }  // namespace
 
 void read_linkage_targets(LinkageReading& reading) {
-    read_guided_point(reading, "path", false);
-    if (!has(reading.file, "path"))
-        read_guided_point(reading, "poses", true);
-    else if (find(reading.file, "poses") != nullptr)
-        add_error(reading.messages, key_place(reading.file, "poses"), "a problem has a [path] or [poses], not both");
-    for (const char* name : {"function", "line", "arc", "instant"}) {
+    struct Target {
+        std::string_view section;
+        bool of_body;
+        Followed followed;
+    };
+    constexpr std::array<Target, 4> targets{{{"path", false, Followed::nothing},
+                                             {"poses", true, Followed::nothing},
+                                             {"line", false, Followed::line},
+                                             {"arc", false, Followed::arc}}};
+    std::string_view first;
+    for (const Target& target : targets) {
+        if (!has(reading.file, target.section)) continue;
+        if (!first.empty()) {
+            find(reading.file, target.section);
+            add_error(reading.messages, key_place(reading.file, target.section),
+                      fmt::format("a problem has one target, [{}] or [{}]: not both", first, target.section));
+            continue;
+        }
+        first = target.section;
+        read_guided_point(reading, target.section, target.of_body);
+        reading.made.followed = target.followed;
+    }
+    for (const char* name : {"function", "instant"}) {
         if (find(reading.file, name) == nullptr) continue;
         add_error(reading.messages, key_place(reading.file, name),
-                  fmt::format("a linkage cannot be designed for [{}] by this version: its targets are [path] and "
-                              "[poses]; requirements on signals stand in [[require]]",
+                  fmt::format("a linkage cannot be designed for [{}] by this version: its targets are [path], [poses], "
+                              "[line] and [arc]; requirements on signals stand in [[require]]",
                               name));
     }
 }

@@ -129,14 +129,18 @@ inline constexpr std::array line{
     Key{"range", Shape::range, "Crank angle that the stretch takes, with its sign.", true},
     Key{"angle", Shape::range, "Direction of the line. Preset: any."},
     Key{"offset", Shape::range, "Distance of the line from the origin, to the left of its direction. Preset: any."},
-    Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."}};
+    Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
+    Key{"point", Shape::text, "Of a linkage: the point that follows the line."},
+    Key{"link", Shape::text, "Of a linkage: the link on which it does. Preset: the first that has it."}};
 
 inline constexpr std::array arc{Key{"start", Shape::range, "Crank angle at which the stretch begins.", true},
                                 Key{"range", Shape::range, "Crank angle that the stretch takes, with its sign.", true},
                                 Key{"centre-x", Shape::range, "Centre of the arc. Preset: any."},
                                 Key{"centre-y", Shape::range, "Centre of the arc. Preset: any."},
                                 Key{"radius", Shape::range, "Radius of the arc. Preset: any."},
-                                Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."}};
+                                Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
+                                Key{"point", Shape::text, "Of a linkage: the point that follows the arc."},
+                                line.back()};
 
 inline constexpr std::array rates{Key{"crank", Shape::number, "Of the crank."},
                                   Key{"coupler", Shape::number, "Of the coupler."},

@@ -136,7 +136,7 @@ Json of_mechanism(const Mechanism& mechanism, Json condition) {
         schema["properties"][std::string(name)] = false;
     for (const std::string_view name : foreign_sections(mechanism))
         schema["properties"][std::string(name)] = false;
-    for (const std::string_view target : {"path", "poses"})
+    for (const std::string_view target : {"path", "poses", "line", "arc"})
         if (auto& section = schema["properties"][std::string(target)]; !section.is_boolean())
             for (const char* key : {"point", "link", "crank-start", "body-angle"})
                 section["properties"][key] = false;
@@ -235,9 +235,10 @@ Json of_linkage() {
                     {"sketch", {{"properties", {{"points", named(name_pattern, std::move(points))}}}}},
                     {"signals", named(name_pattern, signal())}};
     properties["links"]["required"] = {"frame"};
-    for (const char* name : {"cam", "segment", "function", "line", "arc", "instant"})
+    for (const char* name : {"cam", "segment", "function", "instant"})
         properties[name] = false;
-    properties["path"]["required"] = {"point"};
+    for (const char* name : {"path", "line", "arc"})
+        properties[name]["required"] = {"point"};
     properties["poses"]["required"] = {"point", "link"};
     return where(is_named("linkage"), {{"properties", std::move(properties)}, {"required", {"links", "drive"}}});
 }

@@ -59,6 +59,10 @@ void read_shape(Section& file, std::string_view name, Followed followed, Problem
                                      problem.function   ? "[function]"
                                      : problem.followed ? "[line]"
                                                         : "[path] or [poses]"));
+    if (mechanism.point->named) {
+        find(*section, "point");
+        find(*section, "link");
+    }
     section->title = name;
     read_scale(*section, mechanism.input->start, problem, messages);
     section->title = title;

@@ -1,0 +1,98 @@
+#include "synthesis/mechanism/linkage/followed.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "synthesis/mechanism/linkage/found_places.h"
+#include "synthesis/mechanism/linkage/guidance.h"
+#include "synthesis/mechanism/linkage/mechanism.h"
+#include "synthesis/mechanism/linkage/quantities.h"
+
+namespace mechwright {
+
+namespace {
+
+using Kind = LinkageMeasure::Kind;
+
+/// What is asked of the guided point: its distance from what it follows.
+LinkageMeasure distance_measure() { return {Kind::distance_greatest}; }
+
+/// The extremes of the distance over the input range, in order along it.
+std::vector<ErrorExtreme> extremes_of_distance(Form form, std::span<const double> arguments) {
+    const LinkageMeasure measure = distance_measure();
+    Motion motion;
+    motion.assembly = form.assembly;
+    motion.model = form.model;
+    motion.of = &measure;
+    motion.full_turn = false;
+    const measuring::Over sized(motion, true);
+    const std::size_t own = sized.dimensions_of(arguments).size();
+    const double start = arguments[own], range = arguments[own + 1];
+    motion.from = std::min(start, start + range);
+    motion.to = std::max(start, start + range);
+    const measuring::Over over(motion, true);
+    const auto dimensions = over.dimensions_of(arguments), shape = over.shape_of(arguments);
+    const auto signals = measuring::own_signals(over.model, measure.kind);
+    auto plain = measuring::measured<double, 2>(over, arguments, signals);
+    if (!measuring::closes_at_samples(over, dimensions)) return {};
+    const measuring::Course course = measuring::course_of(over, dimensions, plain, signals);
+    if (course.travel.from > course.travel.to) return {};
+    const double radius = shape.size() == ArcShape::parameters ? shape.back() : 0;
+    std::vector<ErrorExtreme> all;
+    for (const linkage::Extreme& place :
+         linkage::extremes(plain, {0, 0}, course, course.travel.from, course.travel.to)) {
+        if (std::isnan(place.value)) return {};
+        const double share = (place.at - start) / range;
+        all.push_back({share, share, place.value - radius, place.stationary});
+    }
+    if (range < 0) std::reverse(all.begin(), all.end());
+    return all;
+}
+
+template <class Shape>
+void fit_shape(Form form, std::span<const double> arguments, std::span<double> numbers,
+               const std::array<bool, 3>& free) {
+    const std::size_t own = arguments.size() - 2 - Shape::parameters;
+    StretchPoints points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = guided_point_of_linkage(
+            form, arguments.first(own),
+            arguments[own] + arguments[own + 1] * static_cast<double>(i) / static_cast<double>(points.size() - 1));
+    std::array<bool, Shape::parameters> own_free;
+    std::copy_n(free.begin(), own_free.size(), own_free.begin());
+    std::array<double, Shape::parameters> fitted;
+    std::copy_n(numbers.begin(), fitted.size(), fitted.begin());
+    Shape::fit(points, own_free, fitted);
+    std::copy(fitted.begin(), fitted.end(), numbers.begin());
+}
+
+template <class Shape>
+FollowedShape shape_of_linkage(std::size_t dimensions) {
+    const ShapeTexts texts = Shape::texts();
+    FollowedShape entry;
+    entry.name = Shape::name;
+    entry.numbers = Shape::numbers();
+    const auto add = [&](const std::string& name, Unit unit, std::string meaning, Kind kind) {
+        Quantity quantity = over_input(linkage_quantity(name, unit, std::move(meaning), {kind}, dimensions));
+        quantity.defined = Shape::is_followed;
+        quantity.measure_again = measure_linkage_again;
+        quantity.section = std::string(Shape::name);
+        entry.quantities.push_back(std::move(quantity));
+    };
+    add(texts.deviation, Unit::length, "greatest distance of a stretch of the guided point's path from what it follows",
+        Kind::distance_greatest);
+    add(texts.extent, texts.unit_of_extent, texts.meaning_of_extent, Kind::extent);
+    entry.extremes = extremes_of_distance;
+    entry.fit = fit_shape<Shape>;
+    return entry;
+}
+
+}  // namespace
+
+FollowedShape linkage_line(std::size_t dimensions) { return shape_of_linkage<LineShape>(dimensions); }
+FollowedShape linkage_arc(std::size_t dimensions) { return shape_of_linkage<ArcShape>(dimensions); }
+
+}  // namespace mechwright
