@@ -120,6 +120,20 @@ TEST(Explain, KnowsDimensionsSettingsAndMechanisms) {
     expect_has(both, "prime-radius: dimension");
 }
 
+TEST(Explain, TellsWhatSignalsAreAndWhatIsMadeOfThem) {
+    const Outcome quantity = run({"explain", "foot.speed.greatest(10, 50)"});
+    EXPECT_EQ(quantity.exit_code, 0);
+    for (const char* part : {"'foot', as [signals]", "first derivative", "greatest value", "through a full turn"})
+        expect_has(quantity.out, part);
+    for (const char* word : {"angle", "from-line", "deviation", "jerk", "signals", "time-ratio"}) {
+        const Outcome one = run({"explain", word});
+        EXPECT_EQ(one.exit_code, 0) << one.err;
+        expect_has(one.out, "signal");
+    }
+    for (const char* wrong : {"foot.sped.greatest", "foot.speed", "foot.greatest.least", "foot."})
+        EXPECT_EQ(run({"explain", wrong}).exit_code, 2) << wrong;
+}
+
 TEST(Explain, AnswersUnknownNamesWithTheNearest) {
     const auto refused = [](const std::vector<std::string>& arguments, const std::string& why) {
         const Outcome outcome = run(arguments);

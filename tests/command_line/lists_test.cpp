@@ -30,6 +30,23 @@ TEST(Quantities, OfAnUnknownMechanism) {
     expect_has(outcome.err, "unknown mechanism 'for-bar'; did you mean 'four-bar'?");
 }
 
+TEST(Quantities, OfAFileAreWhatItCanAskFor) {
+    const Outcome six_bar = run({"quantities", shipped_file("linkage/dwell-six-bar.toml")});
+    EXPECT_EQ(six_bar.exit_code, 0) << six_bar.err;
+    for (const char* part : {"  swing-angle.range         angle ", "  transmission-angle-worst  angle ",
+                             "  NAME.at(60)", "  NAME.speed.greatest"})
+        expect_has(six_bar.out, part);
+    std::istringstream lines(six_bar.out);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 80u) << line;
+    expect_has(run({"quantities", shipped_file("linkage/six-bar-timed-points.toml")}).out,
+               "  path-rms                  length");
+    EXPECT_NE(run({"quantities", "no-such-file.toml"}).exit_code, 0);
+    const Outcome kind = run({"quantities", "linkage"});
+    EXPECT_EQ(kind.exit_code, 2);
+    expect_has(kind.err, "mechwright quantities FILE");
+}
+
 TEST(Methods, AreListed) {
     const Outcome outcome = run({"methods"});
     EXPECT_EQ(outcome.exit_code, 0);

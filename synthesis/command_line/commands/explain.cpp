@@ -12,6 +12,7 @@
 #include "synthesis/mechanism/explanations/explanations.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/names.h"
+#include "synthesis/report/signal_words.h"
 #include "synthesis/report/text/table.h"
 
 namespace mechwright {
@@ -210,14 +211,20 @@ int explain(const ExplainOptions& options, Console& console) {
     std::erase_if(of, [&](const auto& m) { return !options.mechanism.empty() && m->name != options.mechanism; });
     if (of.empty()) return unknown("mechanism", options.mechanism, mechanism_names(), console);
     const std::vector<std::string_view> known = explained_names();
-    if (std::find(known.begin(), known.end(), options.name) == known.end())
-        return unknown("quantity", options.name, known, console);
+    const std::string of_signal = options.mechanism.empty() ? explained_signal(options.name) : "";
+    const bool is_known = std::find(known.begin(), known.end(), options.name) != known.end();
+    if (!is_known && !of_signal.empty()) {
+        print(console, of_signal);
+        return exit_code::solved;
+    }
+    if (!is_known) return unknown("quantity", options.name, known, console);
 
     const bool colour = colour_wanted(console);
     std::string text;
     for (const auto& part : {as_quantity, as_dimension, as_setting, as_mechanism})
         if (const std::string more = part(options.name, of, colour); !more.empty())
             text += (text.empty() ? "" : "\n") + more;
+    if (!of_signal.empty()) text += (text.empty() ? "" : "\n") + of_signal;
     if (text.empty()) {
         complain(console, fmt::format("a {} has no {}; 'mechwright quantities {}' lists what it has", options.mechanism,
                                       options.name, options.mechanism));
@@ -232,7 +239,7 @@ int explain(const ExplainOptions& options, Console& console) {
 Command add_explain(CLI::App& program) {
     const auto options = std::make_shared<ExplainOptions>();
     CLI::App* command = program.add_subcommand("explain", "Explain a quantity or dimension: formula, usual values");
-    command->add_option("QUANTITY", options->name, "Or a dimension, a setting, a mechanism")
+    command->add_option("QUANTITY", options->name, "Or a dimension, a setting, a mechanism, a signal")
         ->required()
         ->option_text(" ");
     command->add_option("MECHANISM", options->mechanism, "Only as this mechanism has it")->option_text(" ");

@@ -83,8 +83,11 @@ inline std::optional<std::array<double, 2>> stretch_in(const Over& over, std::ar
     constexpr double rounding = 1e-12;
     const linkage::Travel travel = over.travel();
     if (!over.model.driven_by_slide()) {
-        if (stretch[1] < stretch[0]) stretch[1] += turn;
-        const double shift = turn * std::ceil((travel.from - stretch[0]) / turn - rounding);
+        if (stretch[1] < stretch[0]) stretch[1] += turn * std::ceil((stretch[0] - stretch[1]) / turn);
+        // A cycle, or a limited motion, may be of several turns: what lies in it is left where it is.
+        const bool inside = stretch[0] >= travel.from - rounding && stretch[0] <= travel.to + rounding;
+        const double unit = travel.whole ? over.period() : turn;
+        const double shift = inside ? 0 : unit * std::ceil((travel.from - stretch[0]) / unit - rounding);
         for (double& end : stretch)
             end += shift;
     }

@@ -22,10 +22,27 @@ struct LoopPose {
     std::vector<Vector<T>> origins;
     std::vector<T> turns;
 
-    Vector<T> at(std::size_t link, const Vector<T>& own) const {
+    /// The direction of a link's x axis.
+    Vector<T> along(std::size_t link) const {
         using std::cos, std::sin;
-        return origins[link] + turned(own, Vector<T>{cos(turns[link]), sin(turns[link])});
+        return {cos(turns[link]), sin(turns[link])};
     }
+    Vector<T> at(std::size_t link, const Vector<T>& own) const { return origins[link] + turned(own, along(link)); }
+};
+
+/// A pose with the directions of its links, which take most of the time in fifty digits.
+template <class T>
+struct DirectedPose {
+    const std::vector<Vector<T>>& origins;
+    const std::vector<T>& turns;
+    std::vector<Vector<T>> directions{};
+
+    explicit DirectedPose(const LoopPose<T>& pose) : origins(pose.origins), turns(pose.turns) {
+        for (std::size_t i = 0; i < turns.size(); ++i)
+            directions.push_back(pose.along(i));
+    }
+    const Vector<T>& along(std::size_t link) const { return directions[link]; }
+    Vector<T> at(std::size_t link, const Vector<T>& own) const { return origins[link] + turned(own, along(link)); }
 };
 
 namespace loop_detail {
@@ -93,8 +110,9 @@ public:
         const T close = std::numeric_limits<T>::epsilon() * 64, far = T(4) * size() + farthest(pose);
         T last = std::numeric_limits<T>::max();
         for (int step = 0; step < most_steps; ++step) {
-            const linkage::VelocityEquations<T> rows = linkage::velocity_equations(s_, instant(pose));
-            std::vector<T> a = rows.rows, b = residuals(inputs, pose);
+            const DirectedPose<T> here(pose);
+            const linkage::VelocityEquations<T> rows = linkage::velocity_equations(s_, instant(here));
+            std::vector<T> a = rows.rows, b = residuals(inputs, here);
             const int sign = rows.equations.size() == rows.unknowns ? loop_detail::solve_linear(a, b) : 0;
             if (sign == 0) return 0;
             const T moved = move(pose, b);
@@ -109,7 +127,7 @@ public:
 
     /// Velocities of all links for unit speeds of the drives as given: origins and turns.
     bool velocities(std::span<const T> speeds, const LoopPose<T>& pose, LoopPose<T>& out) const {
-        const linkage::VelocityEquations<T> rows = linkage::velocity_equations(s_, instant(pose));
+        const linkage::VelocityEquations<T> rows = linkage::velocity_equations(s_, instant(DirectedPose<T>(pose)));
         std::vector<T> a = rows.rows, b(rows.equations.size(), T(0));
         for (std::size_t i = 0; i < rows.equations.size(); ++i)
             if (rows.equations[i].by == linkage::Joined::drive) b[i] = speeds[rows.equations[i].index];
@@ -124,19 +142,20 @@ public:
 
     /// A point of a link by its place there.
     Vector<T> place(const linkage::Coordinates& at) const { return linkage::place_of<T>(at, numbers_); }
-    Vector<T> pin(std::size_t index, const LoopPose<T>& pose) const {
+    template <class Pose>
+    Vector<T> pin(std::size_t index, const Pose& pose) const {
         const linkage::Point& point = s_.pins[index].points[0];
         return pose.at(point.link, place(point.at));
     }
     /// The displacement of a slide.
-    T displacement(std::size_t slide, const LoopPose<T>& pose) const {
+    template <class Pose>
+    T displacement(std::size_t slide, const Pose& pose) const {
         const linkage::Slide& one = s_.slides[slide];
         return dot(direction(one.line, pose), pose.origins[one.link] - pose.at(one.line.on, place(one.line.through)));
     }
-    Vector<T> direction(const linkage::Line& line, const LoopPose<T>& pose) const {
-        using std::cos, std::sin;
-        return turned(linkage::direction_of<T>(line, numbers_),
-                      Vector<T>{cos(pose.turns[line.on]), sin(pose.turns[line.on])});
+    template <class Pose>
+    Vector<T> direction(const linkage::Line& line, const Pose& pose) const {
+        return turned(linkage::direction_of<T>(line, numbers_), pose.along(line.on));
     }
     const std::vector<T>& numbers() const { return numbers_; }
 
@@ -153,7 +172,7 @@ private:
         }
         return greatest;
     }
-    linkage::Instant<T> instant(const LoopPose<T>& pose) const {
+    linkage::Instant<T> instant(const DirectedPose<T>& pose) const {
         linkage::Instant<T> at;
         at.origins = pose.origins;
         for (std::size_t i = 0; i < s_.pins.size(); ++i)
@@ -175,7 +194,7 @@ private:
         return angle - turn * floor(T(angle / turn + T(0.5)));
     }
     /// By how much each equation is missed, in the order of the velocity equations.
-    std::vector<T> residuals(std::span<const T> inputs, const LoopPose<T>& pose) const {
+    std::vector<T> residuals(std::span<const T> inputs, const DirectedPose<T>& pose) const {
         std::vector<T> missed;
         for (const linkage::Pin& pin : s_.pins)
             for (std::size_t k = 1; k < pin.points.size(); ++k) {

@@ -28,11 +28,11 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 /// is not in the motion.
 std::vector<Vector<double>> parts_of(const Scan& scan, const std::optional<std::array<double, 2>>& stretch) {
     if (!stretch) return {{scan.from(), scan.to()}};
+    constexpr double turn = 2 * std::numbers::pi;
     double first = (*stretch)[0], last = (*stretch)[1];
+    if (last < first && !scan.model.driven_by_slide()) last += turn * std::ceil((first - last) / turn);
     if (!scan.full_turn()) {
-        constexpr double turn = 2 * std::numbers::pi;
-        if (!scan.model.driven_by_slide()) {
-            if (last < first) last += turn;
+        if (!scan.model.driven_by_slide() && (first < scan.from() || first > scan.to())) {
             const double shift = turn * std::ceil((scan.from() - first) / turn - 1e-12);
             first += shift;
             last += shift;
@@ -75,17 +75,47 @@ struct Extreme {
     Digits50 value = missing;
 };
 
-/// From a sample at which it is extreme among its neighbours to where its derivative vanishes.
-Extreme polished(const Measured& f, double left, double middle, double right) {
+/// Where the greatest value of f, or of its negative, lies between two inputs: golden section. At a cusp, where a point
+/// comes to rest or pins meet, there is no derivative.
+Extreme by_golden_section(const Measured& f, SignalsAgain<Digits50>& signals, const Vector<Digits50>& between,
+                          double sign) {
+    constexpr int steps = 80;
+    const Digits50 golden = (3 - sqrt(Digits50(5))) / 2;
+    Digits50 from = between.x, to = between.y, a = from + golden * (to - from), b = to - golden * (to - from);
+    Digits50 at_a = f.measure(signals, 0, a), at_b = f.measure(signals, 0, b);
+    for (int i = 0; i < steps; ++i)
+        if (sign * at_a > sign * at_b) {
+            to = std::exchange(b, a);
+            at_b = at_a;
+            a = from + golden * (to - from);
+            at_a = f.measure(signals, 0, a);
+        } else {
+            from = std::exchange(a, b);
+            at_a = at_b;
+            b = to - golden * (to - from);
+            at_b = f.measure(signals, 0, b);
+        }
+    return sign * at_a > sign * at_b ? Extreme{a, at_a} : Extreme{b, at_b};
+}
+
+/// From a sample at which it is extreme among its neighbours to where its derivative vanishes, or to a cusp.
+Extreme polished(const Measured& f, double left, double middle, double right, double sign) {
+    constexpr double settled = 1e-16, varies = 1e-6;
     SignalsAgain<Digits50> signals = f.scan.precise(f.scan.nearest(middle));
     Digits50 x = middle;
-    for (int i = 0; i < 8; ++i) {
+    bool found = false;
+    for (int i = 0; i < 8 && !found; ++i) {
         const Digits50 step = f.measure(signals, 1, x) / f.measure(signals, 2, x);
         if (!isfinite(step) || x - step < left || x - step > right) break;
         x -= step;
-        if (abs(step) < 1e-16) break;
+        found = abs(step) < settled;
     }
-    return {x, f.measure(signals, 0, x)};
+    const Extreme smooth{x, f.measure(signals, 0, x)};
+    const double low = f.seen(left), high = f.seen(right);
+    if (found || !(std::abs(low - f.seen(middle)) > varies * std::abs(low)) ||
+        !(std::abs(high - f.seen(middle)) > varies * std::abs(high)))
+        return smooth;
+    return by_golden_section(f, signals, {left, right}, sign);
 }
 
 /// The greatest value over parts of the motion, of f or of its negative.
@@ -119,12 +149,13 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
     const bool flat = best - worst <= 1e-11 * (1 + std::abs(best));
     const std::size_t every = flat && candidates.size() > some ? candidates.size() / some : 1;
     Extreme found;
-    for (std::size_t i = 0; i < candidates.size(); i += every) {
-        const Candidate& c = candidates[i];
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
         constexpr double near_best = 1e-2;
+        const Candidate& c = candidates[i];
         if (c.seen < best - near_best * (best - worst) - 1e-12) continue;
         const bool end = c.left == c.at || c.right == c.at;
-        const Extreme one = end ? Extreme{c.at, f.at(c.at)} : polished(f, c.left, c.at, c.right);
+        if (!end && i % every != 0) continue;
+        const Extreme one = end ? Extreme{c.at, f.at(c.at)} : polished(f, c.left, c.at, c.right, sign);
         if (isfinite(one.value) && (!isfinite(found.value) || sign * one.value > sign * found.value)) found = one;
     }
     return found;
