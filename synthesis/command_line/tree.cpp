@@ -6,6 +6,7 @@
 #include "synthesis/command_line/new/task.h"
 #include "synthesis/exact/homotopy/guidance_start.h"
 #include "synthesis/report/names.h"
+#include "synthesis/report/section_words.h"
 #include "synthesis/solve/solve.h"
 
 namespace mechwright {
@@ -18,6 +19,14 @@ std::vector<std::string> as_strings(const Names& names) {
     for (const auto& name : names)
         strings.emplace_back(name);
     return strings;
+}
+
+/// What `explain` knows: names of the mechanisms, then those of problem files.
+std::vector<std::string> all_explained() {
+    std::vector<std::string> names = as_strings(explained_names());
+    for (std::string& name : section_names())
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+    return names;
 }
 
 std::vector<std::string> method_names() {
@@ -54,7 +63,7 @@ const std::vector<Known>& known_values() {
         std::vector<Known> rows{{"", "--method", {words, method_names()}},
                                 {"", "--mechanism", {words, as_strings(mechanism_names())}},
                                 {"", "--task", {words, task_names()}},
-                                {"", "QUANTITY", {words, as_strings(explained_names())}},
+                                {"", "QUANTITY", {words, all_explained()}},
                                 {"", "MECHANISM", {words, as_strings(mechanism_names())}},
                                 {"", "SHELL", {words, {"bash", "zsh", "fish"}}},
                                 {"", "DOCUMENT", {words, {"problem", "result"}}},

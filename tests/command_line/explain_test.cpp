@@ -4,6 +4,7 @@
 
 #include "synthesis/mechanism/explanations/explanations.h"
 #include "synthesis/report/names.h"
+#include "synthesis/report/section_words.h"
 #include "tests/command_line/program.h"
 
 namespace mechwright::testing {
@@ -134,6 +135,29 @@ TEST(Explain, TellsWhatSignalsAreAndWhatIsMadeOfThem) {
         EXPECT_EQ(run({"explain", wrong}).exit_code, 2) << wrong;
 }
 
+TEST(Explain, KnowsSectionsAndKeysOfProblemFiles) {
+    const std::string path = explained({"path"});
+    for (const char* part :
+         {"[path]: section of a problem file",
+          "  timing        \"free\", \"prescribed\" or \"none\": free:", "  points        [[x, y], ...]: Points"})
+        expect_has(path, part);
+    expect_has(explained({"require"}), "[[require]]: section");
+    expect_has(explained({"function.input"}), "  start  number or { min, max }, needed: ");
+    const std::string timing = explained({"timing"});
+    for (const char* part : {"timing: key of a problem file", "in [path] ", "in [poses] "})
+        expect_has(timing, part);
+    expect_has_not(explained({"path.timing"}), "[poses]");
+    expect_has(explained({"time_limit"}), "number above 0 to 1e+09");
+    expect_has(explained({"title"}), "the file ");
+    for (const std::string& name : section_names()) {
+        std::istringstream lines(explained_section(name, false));
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_LE(line.size(), 80u) << line;
+    }
+    expect_has(run({"explain", "timming"}).err, "did you mean 'timing'?");
+    expect_has(run({"schema", "result", "--markdown"}).err, "leave it out");
+}
+
 TEST(Explain, AnswersUnknownNamesWithTheNearest) {
     const auto refused = [](const std::vector<std::string>& arguments, const std::string& why) {
         const Outcome outcome = run(arguments);
@@ -141,7 +165,7 @@ TEST(Explain, AnswersUnknownNamesWithTheNearest) {
         EXPECT_EQ(outcome.out, "");
         expect_has(outcome.err, why);
     };
-    refused({"explain", "swin"}, "unknown quantity 'swin'; did you mean 'swing'?");
+    refused({"explain", "swin"}, "unknown name 'swin'; did you mean 'swing'?");
     refused({"explain", "quite-another-thing"}, "'mechwright quantities' lists what there is");
     refused({"explain", "swing", "for-bar"}, "unknown mechanism 'for-bar'; did you mean 'four-bar'?");
     refused({"explain", "swing", "cam"}, "a cam has no swing");

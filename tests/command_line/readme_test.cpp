@@ -1,5 +1,7 @@
-// The README shows a command and what it prints: this keeps it true, the seconds apart.
+// The README and the manuals show commands and what they print: this keeps them true, the seconds apart.
 
+#include <array>
+#include <filesystem>
 #include <regex>
 
 #include "tests/command_line/program.h"
@@ -13,37 +15,79 @@ std::string without_seconds(const std::string& text) {
     return std::regex_replace(text, std::regex(R"([0-9.e-]+\s+s\.)"), "T s.");
 }
 
-std::string readme() { return content_of(MECHWRIGHT_SOURCE_DIR "/README.md"); }
+constexpr std::string_view of_all = "README.md", of_files = "problems/README.md",
+                           of_studies = "problems/studies/README.md", of_program = "synthesis/README.md",
+                           of_python = "synthesis/python/README.md";
 
-/// The README has what a command prints on standard output.
-void expect_shown(const std::vector<std::string>& arguments) {
+std::string manual(std::string_view name) {
+    return content_of((std::filesystem::path(MECHWRIGHT_SOURCE_DIR) / name).string());
+}
+
+/// A manual has what a command prints on standard output.
+void expect_shown(std::string_view in, const std::vector<std::string>& arguments) {
     Start how;
     how.arguments = arguments;
     how.folder = MECHWRIGHT_SOURCE_DIR;
     const Outcome outcome = run(how);
     EXPECT_EQ(outcome.exit_code, 0);
-    expect_has(without_seconds(readme()), without_seconds(outcome.out));
+    expect_has(without_seconds(manual(in)), without_seconds(outcome.out));
 }
 
-TEST(Readme, ShowsWhatSolvePrints) { expect_shown({"solve", "problems/four-bar/crank-rocker.toml"}); }
-
-TEST(Readme, ShowsWhatAFunctionGeneratorPrints) { expect_shown({"solve", "problems/function/power.toml"}); }
-
-TEST(Readme, ShowsWhatComparePrints) {
-    const std::string files = "problems/quick-return/uniform-speed-";
-    expect_shown({"compare", files + "crank-shaper.toml", files + "drag-link.toml", files + "whitworth.toml"});
+TEST(Readme, IsOnePage) {
+    const std::string text = manual(of_all);
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 150);
 }
 
-TEST(Readme, ShowsWhatNewWrites) {
-    expect_shown({"new", "--mechanism", "slider-crank", "--task", "stroke", "--set", "stroke=80"});
+TEST(Readme, ShowsWhatSolvePrints) { expect_shown(of_all, {"solve", "problems/four-bar/crank-rocker.toml"}); }
+
+TEST(Manuals, ListEverySectionAndKey) { expect_shown(of_files, {"schema", "problem", "--markdown"}); }
+
+/// Links to files and folders, and to headings of the same manual.
+TEST(Manuals, LinkToWhatThereIs) {
+    const std::regex link(R"(\]\(([^)\s]+)\))"), heading(R"((?:^|\n)#+ ([^\n]+))"), not_in_anchor("[^a-z0-9 -]");
+    for (const std::string_view name : std::array{of_all, of_files, of_studies, of_program, of_python}) {
+        const std::string text = manual(name);
+        std::string anchors;
+        for (std::sregex_iterator at(text.begin(), text.end(), heading), end; at != end; ++at) {
+            std::string anchor = (*at)[1];
+            std::transform(anchor.begin(), anchor.end(), anchor.begin(), [](char c) { return std::tolower(c); });
+            anchor = std::regex_replace(anchor, not_in_anchor, "");
+            std::replace(anchor.begin(), anchor.end(), ' ', '-');
+            anchors += "#" + anchor + "\n";
+        }
+        std::size_t links = 0;
+        for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at, ++links) {
+            const std::string target = (*at)[1];
+            if (target.rfind("https:", 0) == 0) continue;
+            const auto folder = (std::filesystem::path(MECHWRIGHT_SOURCE_DIR) / name).parent_path();
+            if (target[0] == '#')
+                expect_has(anchors, target + "\n");
+            else
+                EXPECT_TRUE(std::filesystem::exists(folder / target)) << name << ": " << target;
+        }
+        EXPECT_TRUE(links > 0 || name == of_python) << name;
+    }
 }
 
-TEST(Readme, ShowsWhatExplainPrints) { expect_shown({"explain", "swing"}); }
+TEST(Manuals, ShowWhatAFunctionGeneratorPrints) { expect_shown(of_files, {"solve", "problems/function/power.toml"}); }
 
-TEST(Readme, ShowsTheAnalysisOfALinkage) { expect_shown({"analyse", "problems/linkage/scotch-yoke.toml"}); }
-TEST(Readme, ShowsWhatStructurePrints) { expect_shown({"structure", "problems/linkage/geared-five-bar.toml"}); }
+TEST(Manuals, ShowWhatComparePrints) {
+    const std::string each = "problems/quick-return/uniform-speed-";
+    expect_shown(of_files, {"compare", each + "crank-shaper.toml", each + "drag-link.toml", each + "whitworth.toml"});
+}
 
-TEST(Readme, ShowsWhatTolerancesDo) {
+TEST(Manuals, ShowWhatNewWrites) {
+    expect_shown(of_files, {"new", "--mechanism", "slider-crank", "--task", "stroke", "--set", "stroke=80"});
+}
+
+TEST(Manuals, ShowWhatExplainPrints) { expect_shown(of_files, {"explain", "swing"}); }
+
+TEST(Manuals, ShowTheAnalysisOfALinkage) { expect_shown(of_files, {"analyse", "problems/linkage/scotch-yoke.toml"}); }
+TEST(Manuals, ShowWhatStructurePrints) {
+    expect_shown(of_files, {"structure", "problems/linkage/geared-five-bar.toml"});
+}
+
+TEST(Manuals, ShowWhatTolerancesDo) {
     const TemporaryFolder folder;
     Start how;
     how.arguments = {"study", "problems/studies/crank-rocker-tolerances.toml", "--out", folder / "out"};
@@ -51,7 +95,7 @@ TEST(Readme, ShowsWhatTolerancesDo) {
     const Outcome outcome = run(how);
     const std::size_t tables = outcome.out.find("20000 samples");
     ASSERT_NE(tables, std::string::npos) << outcome.out;
-    expect_has(readme(), outcome.out.substr(tables, outcome.out.find("\nData: ") - tables));
+    expect_has(manual(of_studies), outcome.out.substr(tables, outcome.out.find("\nData: ") - tables));
 }
 
 }  // namespace

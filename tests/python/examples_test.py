@@ -1,4 +1,4 @@
-"""The examples run, and print what is known from elsewhere; so does the Python of the README."""
+"""The examples run, and print what is known from elsewhere; so does the Python of its manual."""
 
 import re
 import subprocess
@@ -31,7 +31,7 @@ class Examples(unittest.TestCase):
     def test_crank_rocker(self):
         output = output_of((EXAMPLES / "crank_rocker.py").read_text())
         self.assertIn("solved True", output)
-        # The optimum that the README gives.
+        # The optimum that the manual gives.
         self.assertEqual(numbers_of(output), [34.099741, 93.003750, 69.847371, 45.008219])
 
     def test_sweep(self):
@@ -61,8 +61,9 @@ class Examples(unittest.TestCase):
         self.assertLess(rms, 0.2)
         self.assertLessEqual(rms, greatest)
 
-    def test_readme(self):
-        blocks = re.findall(r"```python\n(.*?)```\n\n```\n(.*?)```", (SOURCE / "README.md").read_text(), re.DOTALL)
+    def test_manual(self):
+        manual = (SOURCE / "synthesis/python/README.md").read_text()
+        blocks = re.findall(r"```python\n(.*?)```\n\n```\n(.*?)```", manual, re.DOTALL)
         self.assertGreater(len(blocks), 0)
         for code, output in blocks:
             self.assertEqual(output_of(code), output)

@@ -1,4 +1,4 @@
-// mechwright explain: what a quantity, a dimension, a setting or a mechanism is.
+// mechwright explain: what a quantity, a dimension, a mechanism, or a section or key of a problem file is.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +12,7 @@
 #include "synthesis/mechanism/explanations/explanations.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/names.h"
+#include "synthesis/report/section_words.h"
 #include "synthesis/report/signal_words.h"
 #include "synthesis/report/text/table.h"
 
@@ -210,22 +211,23 @@ int explain(const ExplainOptions& options, Console& console) {
     Mechanisms of = mechanisms();
     std::erase_if(of, [&](const auto& m) { return !options.mechanism.empty() && m->name != options.mechanism; });
     if (of.empty()) return unknown("mechanism", options.mechanism, mechanism_names(), console);
-    const std::vector<std::string_view> known = explained_names();
-    const std::string of_signal = options.mechanism.empty() ? explained_signal(options.name) : "";
-    const bool is_known = std::find(known.begin(), known.end(), options.name) != known.end();
-    if (!is_known && !of_signal.empty()) {
-        print(console, of_signal);
-        return exit_code::solved;
-    }
-    if (!is_known) return unknown("quantity", options.name, known, console);
-
     const bool colour = colour_wanted(console);
-    std::string text;
+    std::vector<std::string> parts;
     for (const auto& part : {as_quantity, as_dimension, as_setting, as_mechanism})
-        if (const std::string more = part(options.name, of, colour); !more.empty())
-            text += (text.empty() ? "" : "\n") + more;
-    if (!of_signal.empty()) text += (text.empty() ? "" : "\n") + of_signal;
+        parts.push_back(part(options.name, of, colour));
+    if (options.mechanism.empty()) {
+        parts.push_back(explained_signal(options.name));
+        parts.push_back(explained_section(options.name, colour));
+    }
+    std::string text;
+    for (const std::string& part : parts)
+        if (!part.empty()) text += (text.empty() ? "" : "\n") + part;
     if (text.empty()) {
+        const std::vector<std::string> sections = section_names();
+        std::vector<std::string_view> known = explained_names();
+        const bool is_known = std::find(known.begin(), known.end(), options.name) != known.end();
+        known.insert(known.end(), sections.begin(), sections.end());
+        if (!is_known) return unknown("name", options.name, known, console);
         complain(console, fmt::format("a {} has no {}; 'mechwright quantities {}' lists what it has", options.mechanism,
                                       options.name, options.mechanism));
         return exit_code::wrong_usage;
@@ -238,8 +240,8 @@ int explain(const ExplainOptions& options, Console& console) {
 
 Command add_explain(CLI::App& program) {
     const auto options = std::make_shared<ExplainOptions>();
-    CLI::App* command = program.add_subcommand("explain", "Explain a quantity or dimension: formula, usual values");
-    command->add_option("QUANTITY", options->name, "Or a dimension, a setting, a mechanism, a signal")
+    CLI::App* command = program.add_subcommand("explain", "Explain a quantity, a dimension, a key of a file");
+    command->add_option("QUANTITY", options->name, "Or a dimension, setting, mechanism, signal, section")
         ->required()
         ->option_text(" ");
     command->add_option("MECHANISM", options->mechanism, "Only as this mechanism has it")->option_text(" ");

@@ -9,6 +9,7 @@
 #include "synthesis/problem/schema/problem_schema.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/json_text.h"
+#include "synthesis/report/section_words.h"
 #include "synthesis/solve/solve.h"
 
 namespace mechwright {
@@ -22,22 +23,35 @@ nlohmann::ordered_json schema_of_problems() {
     return problem_schema(methods);
 }
 
-int print_schema(const std::string& of, Console& console) {
+struct SchemaOptions {
+    std::string of;
+    bool markdown = false;
+};
+
+int print_schema(const SchemaOptions& options, Console& console) {
+    const std::string& of = options.of;
     if (of != "problem" && of != "result") {
         complain(console, "there is no schema of " + reading::quoted(of) + "; there are those of problem and result");
         return exit_code::wrong_usage;
     }
-    print(console, json_text(of == "problem" ? schema_of_problems() : result_schema()));
+    if (options.markdown && of == "result") {
+        complain(console, "--markdown lists the keys of problem files: leave it out, or ask for 'problem'");
+        return exit_code::wrong_usage;
+    }
+    print(console, options.markdown  ? sections_as_markdown()
+                   : of == "problem" ? json_text(schema_of_problems())
+                                     : json_text(result_schema()));
     return exit_code::solved;
 }
 
 }  // namespace
 
 Command add_schema(CLI::App& program) {
-    const auto of = std::make_shared<std::string>();
+    const auto options = std::make_shared<SchemaOptions>();
     CLI::App* command = program.add_subcommand("schema", "Print the JSON Schema of problems or of results");
-    command->add_option("DOCUMENT", *of, "problem or result")->required()->option_text(" ");
-    return {command, [of](Console& console) { return print_schema(*of, console); }};
+    command->add_option("DOCUMENT", options->of, "problem or result")->required()->option_text(" ");
+    command->add_flag("--markdown", options->markdown, "The sections and keys of problem files as tables, for people");
+    return {command, [options](Console& console) { return print_schema(*options, console); }};
 }
 
 }  // namespace mechwright
