@@ -31,7 +31,8 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/mechwrightConfig.cmake.i
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/mechwrightConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mechwrightConfig.cmake ${PROJECT_BINARY_DIR}/mechwrightConfigVersion.cmake
         DESTINATION ${package_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/problems DESTINATION ${CMAKE_INSTALL_DATADIR}/mechwright)
 
 # What shells and man read comes from the program itself.
 set(shell_dir ${PROJECT_BINARY_DIR}/shell)
