@@ -150,8 +150,8 @@ double rounding_of(Measured<double, K>& measured, const Asked& asked, std::size_
 }
 
 inline Stretch stretch_of(const Course& course, double from, double to) {
-    return {from, to, course.travel.first.exists() && from == course.travel.from,
-            course.travel.last.exists() && to == course.travel.to};
+    return {from, to, course.travel.first.is_singular() && from == course.travel.from,
+            course.travel.last.is_singular() && to == course.travel.to};
 }
 
 inline std::size_t first_panels(const Stretch& stretch) {
@@ -166,7 +166,7 @@ bool others_at_limit(const Measured<T, K>& measured, const Limit& limit) {
     constexpr double rounding = 1e-14;
     const double within = rounding * size_of(measured.driven());
     const auto& margins = measured.driven().pose.margins;
-    for (std::size_t i = 0; i < margins.size(); ++i)
+    for (std::size_t i = 0; i < measured.driven().order.margins_of_dyads(); ++i)
         for (const auto& margin : {margins[i].outer, margins[i].inner})
             if (i != limit.margin && number_as<double>(value_of(margin.c[0])) < within) return true;
     return false;
@@ -178,7 +178,7 @@ template <std::size_t K>
 bool ends_in_several_limits(Measured<double, K>& measured, std::size_t signal, const Course& course) {
     const Travel& travel = course.travel;
     const auto at = [&](double end, const Limit& limit) {
-        if (!limit.exists() || limit.parallel) return false;
+        if (!limit.is_singular() || limit.parallel) return false;
         measured.value(signal, end, course.turns.near(end), limit);
         return others_at_limit(measured, limit);
     };
@@ -262,6 +262,7 @@ double value_at_limit(Measured<double, K>& measured, const Asked& asked, const C
     const Limit& limit = last ? travel.last : travel.first;
     const auto near = course.turns.near(end);
     if (limit.parallel) return std::numeric_limits<double>::infinity();
+    if (limit.stop) return measured.value(asked.signal, end, near).derivative(asked.derivative);
     if (asked.derivative + order_of(measured.signals(), asked.signal) == 0) {
         const double value = measured.value(asked.signal, end, near, limit).c[0];
         return detail::others_at_limit(measured, limit) ? detail::from_beside(measured, asked.signal, course, last)
@@ -340,15 +341,17 @@ T change_of(T x) {
 }
 
 /// By how much the time changes with the dimensions at which a derivative of f vanishes, up to second derivatives
-/// (Newton's method; each step has one order more). Zero where that place is not settled.
+/// (Newton's method; each step has one order more). Zero where that place is not settled, at this rate of the input by
+/// the time.
 template <class T, std::size_t K>
-T shift_of_zero(const Series<T, K>& f, std::size_t derivative) {
+T shift_of_zero(const Series<T, K>& f, std::size_t derivative, double rate) {
     constexpr double settled = 1e-12;
     const T slope = derivative < K ? f.derivative(derivative + 1) : T(0);
-    double size = 0;
-    for (std::size_t k = 0; k <= K; ++k)
-        size = std::max(size, std::abs(value_of(f.derivative(k))));
-    if (!(std::abs(value_of(slope)) > settled * size)) return T(0);
+    double size = 0, power = 1;
+    for (std::size_t k = 0; k <= K; ++k, power *= std::abs(rate))
+        size = std::max(size, std::abs(value_of(f.derivative(k))) / power);
+    power = std::pow(std::abs(rate), static_cast<double>(derivative + 1));
+    if (!(std::abs(value_of(slope)) > settled * size * power)) return T(0);
     const T value = change_of(f.derivative(derivative));
     const T first = change_of(T(-(value / slope)));
     const T curvature = derivative + 2 <= K ? f.derivative(derivative + 2) : T(0);
@@ -385,9 +388,10 @@ template <class T, std::size_t K>
 T shift_of(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place,
            const MovingEnds<T>& ends = {}) {
     const auto near = course.turns.near(place.at);
-    if (place.limit.exists()) return detail::shift_of_zero(measured.margin(place.limit, place.at, near), 0);
+    if (place.limit.exists())
+        return detail::shift_of_zero(measured.margin(place.limit, place.at, near), 0, measured.rate());
     if (!place.stationary) return ends.at(place, course.travel);
-    return detail::shift_of_zero(measured.value(asked.signal, place.at, near), asked.derivative + 1);
+    return detail::shift_of_zero(measured.value(asked.signal, place.at, near), asked.derivative + 1, measured.rate());
 }
 
 /// What is asked at one of its extremes as a function of the dimensions: the place moves with them, or is given. K must
@@ -399,12 +403,12 @@ T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, c
     const auto near = course.turns.near(place.at);
     if (!place.limit.exists()) {
         const auto f = measured.value(asked.signal, place.at, near);
-        const T shift =
-            place.stationary ? detail::shift_of_zero(f, asked.derivative + 1) : ends.at(place, course.travel);
+        const T shift = place.stationary ? detail::shift_of_zero(f, asked.derivative + 1, measured.rate())
+                                         : ends.at(place, course.travel);
         return detail::after_shift(f, asked.derivative, shift);
     }
     const T shift = shift_of(measured, asked, course, place);
-    const bool exactly = asked.derivative + order_of(measured.signals(), asked.signal) == 0;
+    const bool exactly = !place.limit.stop && asked.derivative + order_of(measured.signals(), asked.signal) == 0;
     const auto f = measured.value(asked.signal, place.at, near, exactly ? place.limit : Limit{});
     const T value = detail::after_shift(f, asked.derivative, shift);
     if (!exactly || !detail::others_at_limit(measured, place.limit)) return value;
@@ -418,8 +422,9 @@ T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& ask
           double to, bool squared, const MovingEnds<T>& ends = {}) {
     const Stretch stretch = detail::stretch_of(course, from, to);
     const auto end = [&](bool last) -> Extreme {
-        const bool limit = last ? stretch.root_at_to : stretch.root_at_from;
-        return {last ? to : from, 0, false, !limit ? Limit{} : last ? course.travel.last : course.travel.first};
+        const Travel& all = course.travel;
+        const bool limit = last ? to == all.to : from == all.from;
+        return {last ? to : from, 0, false, !limit ? Limit{} : last ? all.last : all.first};
     };
     const T shift_from = shift_of(measured, asked, course, end(false), ends),
             shift_to = shift_of(measured, asked, course, end(true), ends);

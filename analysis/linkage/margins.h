@@ -74,7 +74,7 @@ template <std::size_t K>
 void add_margin_places(KnownMargins<K>& along, bool inner, const Travel& travel, std::vector<MarginPlace>& places) {
     constexpr double seam_overlap = 0.125, unit = 2e-15;
     const double overlap = travel.whole ? seam_overlap : 0;
-    const Stretch stretch{travel.from, travel.to + overlap, travel.first.exists(), travel.last.exists()};
+    const Stretch stretch{travel.from, travel.to + overlap, travel.first.is_singular(), travel.last.is_singular()};
     Measured<double, K>& measured = along.measured;
     const Limit margin{along.margin, inner};
     const auto at = [&](double x) -> const Series<double, K>& { return inner ? along.at(x).inner : along.at(x).outer; };
@@ -121,8 +121,8 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
                 moving.shortfall = std::numeric_limits<double>::infinity();
                 const Turns turns(moving, travel.from, travel.to + (travel.whole ? 0.125 : 0));
                 detail::KnownMargins<K> along{measured, turns, margin};
-                for (const bool inner : {false, true})
-                    detail::add_margin_places(along, inner, travel, places);
+                detail::add_margin_places(along, false, travel, places);
+                if (!driven.order.is_stop(margin)) detail::add_margin_places(along, true, travel, places);
             }
             detail::split(driven, margin, size, travel, next);
         }
@@ -136,9 +136,9 @@ template <class T, std::size_t K>
 T margin_at(Measured<T, K>& measured, const MarginPlace& least, std::span<const double> near, const Travel& travel,
             const MovingEnds<T>& ends = {}) {
     const auto f = measured.margin(least.margin, least.place.at, near, least.place.limit);
-    if (least.place.stationary) return detail::after_shift(f, 0, detail::shift_of_zero(f, 1));
+    if (least.place.stationary) return detail::after_shift(f, 0, detail::shift_of_zero(f, 1, measured.rate()));
     if (!least.place.limit.exists()) return detail::after_shift(f, 0, ends.at(least.place, travel));
-    const T shift = detail::shift_of_zero(measured.margin(least.place.limit, least.place.at, near), 0);
+    const T shift = detail::shift_of_zero(measured.margin(least.place.limit, least.place.at, near), 0, measured.rate());
     return detail::after_shift(f, 0, shift);
 }
 
@@ -147,14 +147,19 @@ template <class T, std::size_t K>
 Limit limit_at(Measured<T, K>& measured, double master, std::span<const double> near) {
     constexpr double rounding = 2e-14;
     Limit nearest;
-    double least = rounding * size_of(measured.driven());
-    for (std::size_t i = 0; i < measured.driven().order.margins; ++i) {
-        if (is_of_lines(measured.driven().order, i)) continue;
+    const Order& order = measured.driven().order;
+    const double size = size_of(measured.driven());
+    double least = rounding;
+    for (std::size_t i = 0; i < order.margins; ++i) {
+        if (is_of_lines(order, i)) continue;
+        const double unit = is_length(order, i) ? size : 1;
         for (const bool inner : {false, true}) {
-            const double margin = std::abs(number_as<double>(value_of(measured.margin({i, inner}, master, near).c[0])));
+            if (inner && order.is_stop(i)) continue;
+            const double margin =
+                std::abs(number_as<double>(value_of(measured.margin({i, inner}, master, near).c[0]))) / unit;
             if (!(margin <= least)) continue;
             least = margin;
-            nearest = {i, inner};
+            nearest = {i, inner, false, order.is_stop(i)};
         }
     }
     return nearest;

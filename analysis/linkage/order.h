@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "analysis/linkage/directions.h"
 #include "analysis/linkage/mobility.h"
 #include "analysis/linkage/ordering.h"
+#include "analysis/linkage/stops.h"
 
 namespace mechwright::linkage {
 
@@ -87,6 +89,35 @@ inline bool place_any(Ordering& o) {
     return false;
 }
 
+/// The circle of a pin of a link that a drive slides along another one with a placed pin: a telescope.
+inline std::optional<Locus> extended_locus(const Ordering& o, std::size_t link) {
+    for (std::size_t i = 0; i < o.s.drives.size(); ++i) {
+        if (!o.s.drives[i].of_slide) continue;
+        const Slide& slide = o.s.slides[o.s.drives[i].slide];
+        const auto other = other_end(link, slide.link, slide.line.on);
+        if (!other || o.turned[*other]) continue;
+        if (const std::size_t centre = known_pin(o, *other); centre != none)
+            return Locus{Locus::Kind::circle, *other, centre, {Tie::Kind::slides, o.s.drives[i].slide, link}, i};
+    }
+    return {};
+}
+
+/// Places the outer link of a telescope whose inner one is placed.
+inline void extend(Ordering& o, const Locus& locus) {
+    const std::size_t link = locus.tie.base;
+    const bool reversed = o.s.slides[locus.tie.joint].line.on == link;
+    for (const Step::Kind kind : {Step::Kind::held, Step::Kind::slid}) {
+        Step& step = o.add(kind);
+        step.link = link;
+        step.other = locus.link;
+        step.joint = locus.tie.joint;
+        step.reversed = reversed;
+        if (kind == Step::Kind::slid) step.input = locus.extended;
+    }
+    o.turned[link] = true;
+    o.place(link);
+}
+
 /// Where a pin that is not placed can be, by each of its links and slots.
 inline std::vector<Locus> loci_of(const Ordering& o, std::size_t pin) {
     std::vector<Locus> loci;
@@ -96,6 +127,8 @@ inline std::vector<Locus> loci_of(const Ordering& o, std::size_t pin) {
                 loci.push_back({Locus::Kind::line, point.link, none, ties[0]});
         } else if (const std::size_t centre = known_pin(o, point.link); centre != none) {
             loci.push_back({Locus::Kind::circle, point.link, centre, {}});
+        } else if (const auto extended = extended_locus(o, point.link)) {
+            loci.push_back(*extended);
         }
     }
     std::stable_sort(loci.begin(), loci.end(), [](const Locus& a, const Locus& b) { return a.link < b.link; });
@@ -135,6 +168,9 @@ inline void join(Ordering& o, std::size_t pin, Locus first, Locus second) {
         group.links.push_back(locus.link);
         o.turned[locus.link] = true;
         o.place(locus.link);
+        if (locus.extended == none) continue;
+        group.links.push_back(locus.tie.base);
+        extend(o, locus);
     }
     std::sort(group.links.begin(), group.links.end());
     o.order.groups.push_back(std::move(group));
@@ -274,6 +310,7 @@ inline Order order_of(const Structure& s) {
         if (!detail::turn_any(o) && !detail::place_any(o) && !detail::join_any(o) && !detail::pass_any(o))
             detail::place_together(o);
     detail::merge_held(o);
+    detail::add_stops(s, o.order);
     return std::move(o.order);
 }
 

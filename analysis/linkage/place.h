@@ -36,8 +36,8 @@ struct LinkPlace {
 /// rrr: stretched out (the sum of its lengths less the distance of its outer pins), folded (that distance less their
 /// difference); rrp: the link's length less the distance of its pin from the line, to its left and to its right; rpr:
 /// the distance of the pins less that of line and pin, the same; two lines: the
-/// sine of the angle between them, and -1 where they are parallel. Not a number where the outer pins of a dyad
-/// coincide.
+/// sine of the angle between them, and -1 where they are parallel; a stop: how far it is, twice. Not a number where the
+/// outer pins of a dyad coincide.
 template <class T>
 struct Margin {
     T outer{};
@@ -114,8 +114,39 @@ Part<T> tie_part(const Structure& s, const Tie& tie, std::size_t link, const Vec
     return part;
 }
 
+/// The circle of a pin `at` on the outer link of a telescope (Locus::extended), from a pin of the inner one: from its
+/// centre to the pin leads `moved` plus the displacement times `direction`. The length is that without displacement.
+template <class T>
+Part<T> extended_part(const Structure& s, const Locus& locus, std::size_t pin, std::span<const T> numbers) {
+    const Slide& slide = s.slides[locus.tie.joint];
+    const Part<T> line = line_part(s, true, locus.tie.joint, numbers);
+    const Vector<T> turn = unit_at(numbers[slide.angle]),
+                    at = place_of(coordinates_on(s.pins[pin], locus.tie.base), numbers);
+    Part<T> part;
+    part.own = place_of(coordinates_on(s.pins[locus.centre], locus.link), numbers);
+    if (slide.link == locus.tie.base) {
+        part.moved = line.through + turned(at, turn) - part.own;
+        part.direction = line.direction;
+    } else {
+        part.moved = turned(at - line.through, conjugate(turn)) - part.own;
+        part.direction = -turned(line.direction, conjugate(turn));
+    }
+    part.length = hypotenuse(part.moved.x, part.moved.y);
+    return part;
+}
+
+/// That circle at an input.
+template <class T>
+Part<T> extended_to(Part<T> part, const T& displacement) {
+    const Vector<T> arm = part.moved + displacement * part.direction;
+    part.length = hypotenuse(arm.x, arm.y);
+    part.direction = (T(1) / part.length) * arm;
+    return part;
+}
+
 template <class T>
 Part<T> locus_part(const Structure& s, const Locus& locus, std::size_t pin, std::span<const T> numbers) {
+    if (locus.extended != none) return extended_part(s, locus, pin, numbers);
     if (locus.kind == Locus::Kind::slot) return line_part(s, false, locus.tie.joint, numbers);
     const Vector<T> own =
         pin == none ? Vector<T>{T(0), T(0)} : place_of(coordinates_on(s.pins[pin], locus.link), numbers);
@@ -139,6 +170,20 @@ Sized<T> through_sizes(const Structure& s, const Step& step, std::span<const T> 
     sized.second.own = place_of(coordinates_on(s.pins[step.far_pin], step.other), numbers);
     sized.second.direction = unit_at(numbers[s.slides[step.joint].angle]);
     sized.first.length = sized.first.length + dot(left, turned(sized.second.own, sized.second.direction));
+    return sized;
+}
+
+inline const Stops& stops_of(const Structure& s, const Step& step) {
+    if (step.input != none) return s.drives[step.input].stops;
+    return step.pin != none ? s.slots[step.joint].stops : s.slides[step.joint].stops;
+}
+
+template <class T>
+Sized<T> stopped_sizes(const Structure& s, const Step& step, std::span<const T> numbers) {
+    const Stops& stops = stops_of(s, step);
+    Sized<T> sized;
+    if (step.input == none) sized.first = line_part(s, step.pin == none, step.joint, numbers);
+    sized.second.length = numbers[step.reversed ? *stops.max : *stops.min];
     return sized;
 }
 
@@ -175,6 +220,7 @@ Sized<T> sized(const Structure& s, const Step& step, std::span<const T> numbers)
             made.second = locus_part(s, step.second, step.pin, numbers);
             break;
         case Kind::through: return through_sizes(s, step, numbers);
+        case Kind::stopped: return stopped_sizes(s, step, numbers);
     }
     return made;
 }
@@ -299,6 +345,14 @@ Margin<T> circle_and_line(const Step& step, const Sized<T>& size, const T& side,
     return margin;
 }
 
+/// The sizes of a dyad with those radii that follow from inputs.
+template <class T>
+Sized<T> extended_sizes(const Step& step, Sized<T> size, std::span<const T> drives) {
+    if (step.first.extended != none) size.first = extended_to(size.first, drives[step.first.extended]);
+    if (step.second.extended != none) size.second = extended_to(size.second, drives[step.second.extended]);
+    return size;
+}
+
 template <class T>
 Margin<T> dyad(const Step& step, const Sized<T>& size, const T& side, Pose<T>& pose) {
     if (step.second.kind == Locus::Kind::circle) return two_circles(step, size, side, pose);
@@ -417,8 +471,24 @@ void place_plainly(const Step& step, const Sized<T>& size, const Input<T>& input
         case Kind::unwound: unwind(step, input.near, pose); break;
         case Kind::tied:
         case Kind::dyad:
-        case Kind::through: break;
+        case Kind::through:
+        case Kind::stopped: break;
     }
+}
+
+/// How far what is placed is from a stop.
+template <class T>
+Margin<T> stop(const Step& step, const Sized<T>& size, const Input<T>& input, const Pose<T>& pose) {
+    T value;
+    if (step.input != none) {
+        value = input.drives[step.input];
+    } else {
+        const PlacedLine<T> line = line_on(pose.links[step.other], size.first);
+        value =
+            dot(line.direction, (step.pin == none ? pose.links[step.link].origin : pose.pins[step.pin]) - line.through);
+    }
+    const T margin = step.reversed ? T(size.second.length - value) : T(value - size.second.length);
+    return {margin, margin};
 }
 
 }  // namespace detail
@@ -436,9 +506,13 @@ bool place(const Order& order, std::span<const Sized<T>> sizes, const Input<T>& 
         const T side = step.choice == none ? T(1) : T(static_cast<int>(input.sides[step.choice]));
         Margin<T>& margin = pose.margins[step.margin];
         if (step.kind == Step::Kind::dyad)
-            margin = detail::dyad(step, sizes[i], side, pose);
+            margin = step.is_extended()
+                         ? detail::dyad(step, detail::extended_sizes(step, sizes[i], input.drives), side, pose)
+                         : detail::dyad(step, sizes[i], side, pose);
         else if (step.kind == Step::Kind::through)
             margin = detail::through(step, sizes[i], side, pose);
+        else if (step.kind == Step::Kind::stopped)
+            margin = detail::stop(step, sizes[i], input, pose);
         else
             margin = detail::meet(detail::locus_line(step.first, sizes[i].first, pose),
                                   detail::locus_line(step.second, sizes[i].second, pose), pose.links[step.link].origin);

@@ -80,7 +80,8 @@ T transmission_angle(const Driven<T>& driven, std::size_t margin) {
     while (driven.order.steps[i].margin != margin)
         ++i;
     const Step& step = driven.order.steps[i];
-    const Sized<T>& size = driven.sizes[i];
+    const Sized<T>& size =
+        step.is_extended() ? detail::extended_sizes(step, driven.sizes[i], driven.inputs()) : driven.sizes[i];
     const bool circles = step.kind == Step::Kind::dyad && step.second.kind == Locus::Kind::circle;
     const bool lines =
         step.kind == Step::Kind::tied || (step.kind == Step::Kind::dyad && step.first.kind != Locus::Kind::circle);

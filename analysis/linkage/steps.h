@@ -34,6 +34,8 @@ struct Locus {
     std::size_t link = 0;    ///< that is placed with the pin; of a slot the one it is in
     std::size_t centre = 0;  ///< the placed pin
     Tie tie{};               ///< of a slot its joint
+    /// Of a circle whose pin is on another link, which a drive slides along `link` or `link` along it: that drive.
+    std::size_t extended = static_cast<std::size_t>(-1);
 };
 
 inline constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -51,16 +53,17 @@ struct Step {
         dyad,     ///< a pin on two loci, and the links that it places
         through,  ///< a link on a placed pin whose line passes another one at a distance
         carried,  ///< a pin by its placed link
-        unwound   ///< the turn of a placed link from its direction
+        unwound,  ///< the turn of a placed link from its direction
+        stopped   ///< nothing: how far a joint or a drive is from a stop
     };
     Kind kind = Kind::driven;
     std::size_t link = none;     ///< that is placed or turned
     std::size_t other = none;    ///< the link against which; of `through` the link that slides, if one does
     std::size_t pin = none;      ///< that is placed; of `pinned` and `through` the placed one
     std::size_t far_pin = none;  ///< of `through` the pin that the line passes
-    std::size_t joint = none;    ///< the slide, slot, gear or rack
+    std::size_t joint = none;    ///< the slide, slot, gear or rack; of `stopped` with `pin` the slot, else the slide
     std::size_t input = none;    ///< the drive; of `racked` the rack
-    bool reversed = false;       ///< the joint names the placed link second
+    bool reversed = false;       ///< the joint names the placed link second; of `stopped` it is the greatest value
     std::size_t choice = none;   ///< which of the sides decides
     std::size_t margin = none;   ///< which of the margins it has
     Locus first{}, second{};  ///< of a dyad: a circle before a line; of a gear its two links (`other` is its carrier);
@@ -68,6 +71,10 @@ struct Step {
 
     /// Whether it places something where two lines meet: its margin is the sine of the angle between them, no length.
     bool is_of_lines() const { return kind == Kind::tied || (kind == Kind::dyad && first.kind != Locus::Kind::circle); }
+    /// Whether a radius of a dyad follows from an input.
+    bool is_extended() const { return first.extended != none || second.extended != none; }
+    /// Whether its margin is an angle: how far a drive that turns is from a stop.
+    bool is_of_angle() const { return kind == Kind::stopped && joint == none; }
 };
 
 /// How some links are placed together.
@@ -100,6 +107,11 @@ struct Order {
     std::vector<Group> groups{};
     std::size_t choices = 0;  ///< dyads with two assemblies
     std::size_t margins = 0;
+    std::size_t stops =
+        0;  ///< of the margins the last so many, which have only one side each: `outer` and `inner` are it
+
+    std::size_t margins_of_dyads() const { return margins - stops; }
+    bool is_stop(std::size_t margin) const { return margin >= margins_of_dyads(); }
 
     /// Whether every group is placed by closed form, so that `steps` places all links.
     bool closed() const {
@@ -122,15 +134,24 @@ inline std::size_t margin_of(const Order& order, const Group& group) {
     return none;
 }
 
-inline bool is_of_lines(const Order& order, std::size_t margin) {
-    return std::any_of(order.steps.begin(), order.steps.end(),
-                       [margin](const Step& step) { return step.margin == margin && step.is_of_lines(); });
+inline const Step& step_of(const Order& order, std::size_t margin) {
+    return *std::find_if(order.steps.begin(), order.steps.end(),
+                         [margin](const Step& step) { return step.margin == margin; });
 }
 
-/// Whether some dyad closes by lengths: of two lines there is a point but where they are parallel.
+inline bool is_of_lines(const Order& order, std::size_t margin) { return step_of(order, margin).is_of_lines(); }
+
+/// Whether a margin is a length.
+inline bool is_length(const Order& order, std::size_t margin) {
+    const Step& step = step_of(order, margin);
+    return !step.is_of_lines() && !step.is_of_angle();
+}
+
+/// Whether some dyad closes by lengths, or some displacement has stops: of two lines there is a point but where they
+/// are parallel.
 inline bool closes_by_lengths(const Order& order) {
     for (std::size_t i = 0; i < order.margins; ++i)
-        if (!is_of_lines(order, i)) return true;
+        if (is_length(order, i)) return true;
     return false;
 }
 

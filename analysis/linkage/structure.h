@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,14 @@ struct Line {
     bool by_angle = false;
 };
 
+/// Between which values a joint or a drive stays.
+struct Stops {
+    std::optional<Number> min{};
+    std::optional<Number> max{};
+
+    bool any() const { return min || max; }
+};
+
 /// The link slides along the line without turning: its x axis at `angle` to that of the line's link, its origin at
 /// `offset` to the left of the line. Its displacement runs from `through` to the foot of its origin.
 struct Slide {
@@ -53,13 +62,15 @@ struct Slide {
     Line line{};
     Number angle = 0;
     Number offset = 0;
+    Stops stops{};  ///< of its displacement
 };
 
-/// A pin that stays on the line.
+/// A pin that stays on the line. Its displacement runs from `through` to the pin.
 struct Slot {
     std::size_t pin = 0;
     Line line{};
     bool loose = false;  ///< stands for the second pin of a redundant link, which needs not hold
+    Stops stops{};       ///< of its displacement
 };
 
 /// The turn of `second` against `carrier` is `ratio` times that of `first`, plus `phase`: gears, and belts, which
@@ -89,6 +100,7 @@ struct Drive {
     std::size_t link = 0;
     std::size_t on = 0;
     std::size_t slide = 0;
+    Stops stops{};  ///< of the input, in radians where it turns
 };
 
 struct Structure {

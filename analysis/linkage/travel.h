@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "analysis/linkage/driven.h"
+#include "analysis/linkage/inputs.h"
 #include "analysis/linkage/turns.h"
 #include "analysis/numbers/resolved.h"
 
@@ -23,8 +24,11 @@ struct Limit {
     std::size_t margin = none;
     bool inner = false;     ///< Margin::inner, else Margin::outer
     bool parallel = false;  ///< of two lines that become parallel: places beyond all bounds, no pose
+    bool stop = false;      ///< of a joint or a drive: nothing is singular there
 
     bool exists() const { return margin != none; }
+    /// Whether places beside it go like the root of the distance from it.
+    bool is_singular() const { return exists() && !stop; }
 };
 
 /// An interval of the master's input in which the linkage moves.
@@ -33,13 +37,6 @@ struct Travel {
     double to = 0;
     bool whole = false;  ///< it goes on without end, from `to` as from `from`
     Limit first{}, last{};
-};
-
-/// The inputs over which travels are sought.
-struct Inputs {
-    double from = 0;
-    double to = 2 * std::numbers::pi;
-    bool cyclic = true;  ///< `to` is `from` again
 };
 
 namespace detail {
@@ -54,6 +51,8 @@ public:
         head_.steps.erase(step + 1, head_.steps.end());
         driven_.shortfall = std::numeric_limits<double>::infinity();
         lines_ = head_.steps.back().is_of_lines();
+        stop_ = driven.order.is_stop(margin);
+        angle_ = head_.steps.back().is_of_angle();
         for (const Step& each : head_.steps)
             unwinds_ = unwinds_ || each.kind == Step::Kind::unwound;
     }
@@ -61,7 +60,10 @@ public:
 
     /// Two lines have one margin, the sine of the angle between them, here with its sign; it parts travels.
     bool lines() const { return lines_; }
-    std::size_t functions() const { return lines_ ? 1 : 2; }
+    bool stop() const { return stop_; }
+    std::size_t functions() const { return lines_ || stop_ ? 1 : 2; }
+    /// What it is measured against, for a linkage of a size.
+    double unit(double size) const { return lines_ || angle_ ? 1 : size; }
     void follow(double from, double to) {
         if (unwinds_) turns_ = Turns(driven_, from, to);
     }
@@ -85,7 +87,7 @@ private:
     Order head_;
     std::size_t margin_;
     Driven<double> driven_;
-    bool lines_ = false;
+    bool lines_ = false, stop_ = false, angle_ = false;
     bool unwinds_ = false;
     Turns turns_{};
 };
@@ -102,7 +104,7 @@ inline std::optional<std::vector<Vanishing>> vanishing(MarginAlong& margin, std:
     constexpr double rounding = 2e-15;
     std::vector<Vanishing> found;
     const auto per_turn = static_cast<std::size_t>(std::ceil(stretch.length() / std::numbers::pi * 3));
-    const double floor = rounding * (margin.lines() ? 1 : size);
+    const double floor = rounding * margin.unit(size);
     for (std::size_t function = 0; function < margin.functions(); ++function) {
         const auto g = [&](double s) { return margin(function, stretch.at(s)); };
         const Panels panels(g, stretch.first(), stretch.last(),
@@ -110,7 +112,7 @@ inline std::optional<std::vector<Vanishing>> vanishing(MarginAlong& margin, std:
         if (!panels.finite()) return {};
         if (panels.greatest() > 4 * floor)
             panels.zeros(g, [&](double s) {
-                found.push_back({stretch.at(s), {index, function == 1, margin.lines()}});
+                found.push_back({stretch.at(s), {index, function == 1, margin.lines(), margin.stop()}});
             });
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
@@ -140,7 +142,7 @@ inline void split(const Driven<double>& driven, std::size_t index, double size, 
     const double period = travel.to - travel.from;
     const double to = travel.to + (travel.whole ? overlap : 0);
     margin.follow(travel.from, to);
-    const Stretch stretch{travel.from, to, travel.first.exists(), travel.last.exists()};
+    const Stretch stretch{travel.from, to, travel.first.is_singular(), travel.last.is_singular()};
     const auto found = vanishing(margin, index, stretch, size);
     if (!found) return;
     std::vector<Vanishing> ends = *found;
@@ -160,7 +162,7 @@ inline void split(const Driven<double>& driven, std::size_t index, double size, 
     }
     const auto closes = [&](double from, double until) {
         const double least = margin.least(from + 0.5 * (until - from));
-        return margin.lines() ? least > rounding : least > -rounding * size;
+        return margin.lines() ? least > rounding : least > -rounding * margin.unit(size);
     };
     if (ends.empty()) {
         if (closes(travel.from, travel.to)) parts.push_back(travel);

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 
 namespace mechwright {
@@ -85,8 +86,9 @@ ClaimedDesign claimed_design(const Claim& claim) {
     problem.has_instant = claim.has_instant;
     problem.solver.tolerance = claim.tolerance;
     if (claim.crank_range)
-        problem.crank_range = Vector<double>{from_file_unit(claim.crank_range->x, Unit::angle, claim.units),
-                                             from_file_unit(claim.crank_range->y, Unit::angle, claim.units)};
+        problem.crank_range =
+            Vector<double>{from_file_unit(claim.crank_range->x, input_unit(*claim.mechanism), claim.units),
+                           from_file_unit(claim.crank_range->y, input_unit(*claim.mechanism), claim.units)};
     for (std::size_t i = 0; i < claim.design.size(); ++i) {
         problem.dimensions.push_back(range_of(claim, i));
         const Unit unit = unit_of(claim.mechanism->dimensions[i].kind);

@@ -9,6 +9,7 @@
 #include "synthesis/document/proof_document.h"
 #include "synthesis/document/versions.h"
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/singular.h"
@@ -256,8 +257,11 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
     json[of_document("dimensions")] = given_dimensions(problem);
     if (!problem.mechanism->made_from.empty()) json[of_document("linkage")] = Json::parse(problem.mechanism->made_from);
     if (is_cam(*problem.mechanism)) json[of_document("cam")] = cam_document(problem);
-    if (problem.crank_range)
-        json[of_document("crank_range")] = angles({problem.crank_range->x, problem.crank_range->y}, problem.units);
+    if (problem.crank_range) {
+        const Unit unit = input_unit(*problem.mechanism);
+        json[of_document("crank_range")] = {in_file_unit(problem.crank_range->x, unit, problem.units),
+                                            in_file_unit(problem.crank_range->y, unit, problem.units)};
+    }
     Json settings = Json::object();  // made whole: one that null turns into is none where memory runs out
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)
         settings[problem.mechanism->settings[i].name] = problem.settings[i];

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
@@ -43,7 +44,7 @@ void add_over_range(const Problem& problem, const Motion& motion, const Design& 
     if (!problem.crank_range || limited == families.end() || !limited->assembly_margin) return;
     Motion over = motion;
     over.family = static_cast<std::size_t>(limited - families.begin());
-    margins.add("the mechanism assembles over the range of crank angles",
+    margins.add(fmt::format("the mechanism assembles over the range of {}s", input_word(*problem.mechanism)),
                 least_component(*limited->assembly_margin, over, design.dimensions));
 }
 

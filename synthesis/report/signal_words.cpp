@@ -39,15 +39,15 @@ constexpr std::array<SignalWord, 8> reductions{{
     {"mean", "NAME.mean", "mean over the drive's input: its integral over the motion, divided by the motion's length"},
     {"rms", "NAME.rms", "root of the mean of its square"},
     {"deviation", "NAME.deviation", "half of its range: how far it is off the middle value at most"},
-    {"at", "NAME.at(60)", "value at one crank angle"},
+    {"at", "NAME.at(60)", "value at one crank angle, or displacement of a driven slide"},
     {"time-ratio", "NAME.time-ratio",
      "of the two parts of a full cycle between its least and its greatest value, the longer over the shorter"},
 }};
 
 constexpr std::array<SignalWord, 3> derivatives{{
     {"speed", "NAME.speed.greatest",
-     "its first derivative: by the crank angle in radians, by seconds where the drive has "
-     "a speed"},
+     "its first derivative: by the crank angle in radians, by seconds where the drive has a speed, by the displacement "
+     "of a driven slide"},
     {"acceleration", "NAME.acceleration.least", "its second derivative"},
     {"jerk", "NAME.jerk.rms", "its third derivative"},
 }};
@@ -88,8 +88,8 @@ std::string explained_parts(std::string_view parts) {
         if (parts.starts_with('(') && parts.ends_with(')') && word != "at")
             text +=
                 folded(fmt::format("  {:<12}", "stretch"),
-                       fmt::format("{}: from the first to the second crank angle; where the second is less, through "
-                                   "a full turn",
+                       fmt::format("{}: from the first to the second crank angle, or displacement; a crank angle that "
+                                   "is less than the first is reached through a full turn",
                                    parts));
         else if (!parts.empty() && word != "at")
             return {};

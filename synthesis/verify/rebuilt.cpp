@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/result.h"
 #include "synthesis/verify/motion_again.h"
@@ -25,11 +26,11 @@ double plain(const Digits50& value) { return value.convert_to<double>(); }
 
 Digits50 to_radians() { return boost::math::constants::pi<Digits50>() / 180; }
 
-/// The range of crank angles that is given, or that of the input of a function, a line or an arc.
+/// The range of the input that is given, or that of the input of a function, a line or an arc.
 std::optional<Vector<Digits50>> range_of(const Claim& claim, std::span<const Digits50> dimensions) {
     if (claim.crank_range)
-        return Vector<Digits50>{from_document(claim.crank_range->x, Unit::angle, claim.units),
-                                from_document(claim.crank_range->y, Unit::angle, claim.units)};
+        return Vector<Digits50>{from_document(claim.crank_range->x, input_unit(*claim.mechanism), claim.units),
+                                from_document(claim.crank_range->y, input_unit(*claim.mechanism), claim.units)};
     if (!claim.function && !claim.followed) return std::nullopt;
     const std::size_t input = claim.mechanism->input->start;
     const Digits50 start = dimensions[input], end = start + dimensions[input + 1];

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <new>
 #include <numbers>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/result.h"
@@ -81,9 +83,12 @@ bool ends_by_itself(const Rebuilt& design) {
 /// change point the two ends are this close to each other, the loop fails to close between them by less than the check
 /// of the motion allows for rounding, for that grows with the square of the angle.
 Check check_whole_motion(const Rebuilt& design) {
-    constexpr double little = 1e-6, closed_but_for_rounding = 1e-5;  // radians
+    constexpr double closed_but_for_rounding = 1e-5;  // radians
+    const Unit unit = input_unit(*design.claim->mechanism);
+    const double far = std::max(std::abs(design.motion.from), std::abs(design.motion.to));
+    const double little = 1e-6 * (unit == Unit::angle ? 1 : far);  // radians, or of the displacement
     const double gap = 2 * std::numbers::pi - (design.motion.to - design.motion.from);
-    if (gap >= 0 && gap < closed_but_for_rounding)
+    if (unit == Unit::angle && gap >= 0 && gap < closed_but_for_rounding)
         return {"moves as far as it can", true, "all but a full turn: between the ends it comes apart by rounding"};
     Check check{"moves as far as it can", true, "beyond both ends of its motion it comes apart"};
     for (const double sign : {-1.0, 1.0}) {
@@ -92,7 +97,8 @@ Check check_whole_motion(const Rebuilt& design) {
         if (!all_passed(design.claim->mechanism->check_motion(longer, design.dimensions))) continue;
         const double end = sign < 0 ? design.motion.from : design.motion.to;
         check = {check.name, false,
-                 fmt::format("it goes on beyond crank angle {}", value_text(end, Unit::angle, design.claim->units))};
+                 fmt::format("it goes on beyond {} {}", input_word(*design.claim->mechanism),
+                             value_text(end, unit, design.claim->units))};
     }
     return check;
 }

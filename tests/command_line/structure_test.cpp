@@ -1,7 +1,10 @@
 // mechwright structure
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "tests/command_line/program.h"
 #include "tests/report/temporary_folder.h"
@@ -66,6 +69,34 @@ TEST(Structure, ExplainsWhatIsRedundantAndWhatIsNoDyad) {
     EXPECT_EQ(larger.exit_code, 0) << larger.err;
     expect_has(larger.out, "larger group  one, two, three, plate");
     expect_has(larger.out, "not solved here");
+}
+
+/// Its longest and shortest links together are longer than the others: the crank turns until the dyad is folded, where
+/// |BD| = 120 - 90, and both sides of the dyad are one circuit.
+TEST(Structure, TellsCircuitsBranchesAndWhatEndsThem) {
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.write("rocking.toml",
+                     "schema = 1\nmechanism = \"linkage\"\n[links]\n"
+                     "frame = { A = [0, 0], D = [100, 0] }\ncrank = { A = [0, 0], B = [85, 0] }\n"
+                     "coupler = { B = [0, 0], C = [90, 0] }\nrocker = { D = [0, 0], C = [120, 0] }\n"
+                     "[drive]\nlink = \"crank\"\n");
+    const auto circuits = nlohmann::json::parse(run({"structure", file, "--json"}).out)["circuits"];
+    ASSERT_EQ(circuits.size(), 1u);
+    ASSERT_EQ(circuits[0]["branches"].size(), 2u);
+    const double end = std::acos((85. * 85 + 100 * 100 - 30 * 30) / (2 * 85 * 100)) * 180 / std::numbers::pi;
+    for (const auto& branch : circuits[0]["branches"]) {
+        EXPECT_NEAR(branch["from"].get<double>(), end, 1e-11);
+        EXPECT_NEAR(branch["to"].get<double>(), 360 - end, 1e-11);
+        EXPECT_EQ(branch["from-end"], "where the dyad closed at 'C' is folded");
+        EXPECT_EQ(branch["to-end"], "where the dyad closed at 'C' is folded");
+        EXPECT_FALSE(branch["whole"].get<bool>());
+    }
+    EXPECT_EQ(circuits[0]["branches"][0]["sides"]["C"], "left");
+    EXPECT_EQ(circuits[0]["branches"][1]["sides"]["C"], "right");
+    expect_has(run({"structure", file}).out, "Circuits: 1\n  1.1  C left; crank angle 16.");
+    expect_has(run({"structure", shipped_linkage("stopped-slider")}).out, "at the stop 'max' of slide 'block'");
+    expect_has(run({"structure", shipped_linkage("scissors-ram")}).out, "Assemblies at the displacement 625: 4");
 }
 
 TEST(Structure, SaysWhatIsWrong) {

@@ -6,6 +6,7 @@
 #include "synthesis/command_line/input.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/document/document.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/left_open.h"
 #include "synthesis/program/quantity_value.h"
@@ -46,7 +47,8 @@ int analyse(const AnalyseOptions& options, Console& console) {
 
     const Motion motion = motion_of(problem, given.design);
     if (motion.from <= motion.to) return exit_code::solved;
-    complain(console, options.file + ": the mechanism does not assemble at any crank angle");
+    complain(console, fmt::format("{}: the mechanism does not assemble at any {}", options.file,
+                                  input_word(*problem.mechanism)));
     return exit_code::infeasible;
 }
 

@@ -10,6 +10,7 @@
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/shown.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv/motion_table.h"
@@ -42,7 +43,7 @@ std::string format_of(const ExportOptions& options) {
     return dot == std::string::npos ? "" : options.out.substr(dot + 1);
 }
 
-/// The crank angle at which a drawing shows the mechanism: that asked for, in the file's unit.
+/// The input at which a drawing shows the mechanism: that asked for, in the file's unit.
 double angle_of(const ExportOptions& options, const FinishedDesign& design) {
     return options.at ? from_file_unit(*options.at, input_unit(design), design.units) : pictured_angle(design);
 }
@@ -70,10 +71,10 @@ int run_export(const ExportOptions& options, Console& console) {
     if (const int outcome = read_shown(options.file, options.alternative.value_or(0), console, shown)) return outcome;
     const FinishedDesign& design = shown.design;
     if (!MotionRow(design, angle_of(options, design)).assembled()) {
-        complain(console,
-                 fmt::format("--at {}: the mechanism does not assemble at this crank angle; it does from {} to {}",
-                             options.at.value_or(0), in_file_unit(design.motion.from, input_unit(design), design.units),
-                             in_file_unit(design.motion.to, input_unit(design), design.units)));
+        complain(console, fmt::format("--at {}: the mechanism does not assemble at this {}; it does from {} to {}",
+                                      options.at.value_or(0), input_word(*design.mechanism),
+                                      in_file_unit(design.motion.from, input_unit(design), design.units),
+                                      in_file_unit(design.motion.to, input_unit(design), design.units)));
         return exit_code::wrong_usage;
     }
     return hand_over(options.out, exported(format, options, design), console);
@@ -93,7 +94,8 @@ Command add_export(CLI::App& program) {
     command->add_option("--format", options->format, "dxf, slvs (SolveSpace), csv (motion) or json")
         ->type_name("NAME")
         ->check(not_empty);
-    command->add_option("--at", options->at, "Crank angle of a drawing, in the file's unit")->option_text("ANGLE");
+    command->add_option("--at", options->at, "Crank angle, or displacement, of a drawing, in the file's unit")
+        ->option_text("ANGLE");
     add_positive_number(*command, "--fineness", options->fineness, "Deviation of curves over the drawing (1e-6)");
     add_whole_number(*command, "--alternative", options->alternative, 1, 1'000'000, "Export this alternative");
     add_whole_number(*command, "--steps", options->steps, 1, most_table_steps, "Steps over the motion (360)");

@@ -50,7 +50,7 @@ struct FollowedMotion {
         constexpr int most_tries = 64;
         for (int i = 1; i <= most_tries; ++i) {
             const double at = from + (to - from) * std::fmod(i * golden, 1.0);
-            const auto pose = pose_of_dyads(moving, at);
+            const auto pose = pose_of_dyads(moving, model.input_of(at));
             if (pose && plain.start(at, *pose)) return true;
         }
         return false;
@@ -62,9 +62,8 @@ struct FollowedMotion {
         Follower<Digits50> precise(model, numbers_of(model, std::span<const Digits50>(dimensions)));
         if (!precise.start(plain.at, pose_as<Digits50>(plain.pose))) return plain.at;
         const double way = beyond > plain.at ? 1 : -1;
-        double step =
-            std::min(4 * bracket * (model.driven_by_slide() ? plain.loop.size() : 1), std::abs(beyond - plain.at));
-        const double enough = 1e-16 * (1 + std::abs(plain.at));
+        double step = std::min(4 * bracket * plain.unit(), std::abs(beyond - plain.at));
+        const double enough = 1e-16 * (plain.unit() + std::abs(plain.at));
         for (; step > enough; step /= 2)
             if (const double to = precise.at.convert_to<double>() + way * step; (beyond - to) * way >= 0)
                 precise.step(to);
@@ -85,28 +84,23 @@ std::vector<double> rounded(std::span<const Digits50> dimensions) {
     return plain;
 }
 
-/// Where the whole motion is sought: a cycle about some input, or all displacements of a slide.
-double farthest_way(const FollowedMotion& followed) {
-    return followed.model.driven_by_slide() ? 8 * followed.plain.loop.size()
-                                            : 2 * std::numbers::pi * followed.model.turns;
-}
-
 Motion own_motion(Form form, std::span<const Digits50> dimensions) {
     const std::vector<double> plain = rounded(dimensions);
     const LinkageModel& model = linkage_of(form.model);
     Motion motion;
     motion.full_turn = false;
-    motion.family = 1;
+    motion.family = model.driven_by_slide() ? 0 : 1;
     motion.from = 1;
     const Motion stated = motion_of_linkage(form, plain, nullptr);  // which of several motions is meant
     if (!(stated.from <= stated.to)) return motion;
     FollowedMotion followed(form, dimensions, plain);
     if (!followed.start_between(stated.from, stated.to)) return motion;
-    const double at = followed.plain.at, way = farthest_way(followed);
+    const linkage::Inputs inputs = inputs_of(model, plain, followed.moving);
+    const double at = followed.plain.at, way = 2 * std::numbers::pi * model.turns;
     const LoopPose<double> start = followed.plain.pose;
     const auto pass = [](const auto&) {};
-    const double last = followed.follow(at + way, pass);
-    if (last == at + way && !model.driven_by_slide()) {
+    const double last = followed.follow(inputs.cyclic ? at + way : model.of_motion(inputs.to), pass);
+    if (inputs.cyclic && last == at + way) {
         motion.full_turn = true;
         motion.family = 0;
         motion.from = 0;
@@ -114,7 +108,8 @@ Motion own_motion(Form form, std::span<const Digits50> dimensions) {
         return motion;
     }
     motion.to = last;
-    if (followed.plain.start(at, start)) motion.from = followed.follow(at - way, pass);
+    if (followed.plain.start(at, start))
+        motion.from = followed.follow(inputs.cyclic ? at - way : model.of_motion(inputs.from), pass);
     return motion;
 }
 
@@ -168,7 +163,7 @@ Motion linkage_motion_again(Form form, std::span<const Digits50> dimensions,
                             const std::optional<Vector<Digits50>>& crank_range) {
     Motion motion;
     if (crank_range) {
-        motion.family = 1;
+        motion.family = linkage_of(form.model).driven_by_slide() ? 0 : 1;
         motion = over_range(motion, *crank_range);
     } else {
         motion = own_motion(form, dimensions);
@@ -199,7 +194,7 @@ std::vector<Check> check_linkage_motion(const Motion& motion, std::span<const Di
     const LoopPose<double> at_end = followed.plain.pose;
     double first = motion.from;
     if (followed.plain.start(at, start)) first = followed.follow(motion.from, see);
-    const double unit = model.driven_by_slide() ? followed.plain.loop.size() : 1;
+    const double unit = followed.plain.unit();
     for (const auto& [reached, end] : {std::pair(last, motion.to), std::pair(first, motion.from)})
         if (std::abs(reached - end) > end_within * unit)
             return {{closes, false, fmt::format("it comes apart at {}", input_text(model, reached))}};

@@ -119,11 +119,12 @@ std::size_t driven_link(const LinkageModel& model) {
 }
 
 bool place_within(linkage::Driven<double>& linkage, const Motion& motion, double master) {
-    if (linkage.place(master)) return true;
+    const LinkageModel& model = linkage_of(motion.model);
+    if (linkage.place(model.input_of(master))) return true;
     if (motion.full_turn) return false;
     const double span = motion.to - motion.from, inwards = master < 0.5 * (motion.from + motion.to) ? 1 : -1;
     for (double share = 1e-15; share <= 1e-6; share *= 10)
-        if (linkage.place(master + inwards * share * span)) return true;
+        if (linkage.place(model.input_of(master + inwards * share * span))) return true;
     return false;
 }
 

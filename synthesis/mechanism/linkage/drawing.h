@@ -15,8 +15,8 @@ Drawing linkage_drawing();
 /// The link that is body 0: the driven one, or the one against which the frame is driven.
 std::size_t driven_link(const LinkageModel& model);
 
-/// A linkage placed at an input of its motion, as near to it as it closes: ends of a motion lie where it just closes,
-/// and rounding can put them beyond. False where it does not close within a millionth of the motion.
+/// A linkage placed at an angle or displacement of its motion, as near to it as it closes: ends of a motion lie where
+/// it just closes, and rounding can put them beyond. False where it does not close within a millionth of the motion.
 bool place_within(linkage::Driven<double>& linkage, const Motion& motion, double master);
 
 }  // namespace mechwright

@@ -31,7 +31,7 @@ public:
     bool start(const T& input, LoopPose<T> near) {
         linkage::set_inputs<T>(laws_, input, inputs_);
         sign_ = loop.solve(inputs_, near);
-        if (sign_ == 0) return false;
+        if (sign_ == 0 || (heeds_stops && !loop.is_between_stops(inputs_, near))) return false;
         at = input;
         pose = std::move(near);
         return true;
@@ -53,6 +53,7 @@ public:
         linkage::set_inputs<T>(laws_, to, inputs_);
         const int sign = loop.solve(inputs_, next);
         if (sign == 0 || (sign != sign_ && !cross) || distance(predicted, next) > astray) return false;
+        if (heeds_stops && !loop.is_between_stops(inputs_, next)) return false;
         sign_ = sign;
         at = to;
         pose = std::move(next);
@@ -66,7 +67,7 @@ public:
     bool follow(const T& end, double least, const Use& use) {
         using std::abs;
         constexpr double usual = std::numbers::pi / 180, crossing = 1e-3;
-        const double unit = model_.driven_by_slide() ? number_as<double>(loop.size()) : 1;
+        const double unit = number_as<double>(this->unit());
         double length = usual * unit;
         while (at != end) {
             const T rest = end - at;
@@ -86,6 +87,9 @@ public:
         }
         return true;
     }
+
+    /// The change of the input that counts as much as a radian: of a driven slide the linkage's size.
+    T unit() const { return model_.driven_by_slide() ? loop.size() : T(1); }
 
     /// How far two poses are apart: the greatest turn in radians, or way over the size.
     T distance(const LoopPose<T>& a, const LoopPose<T>& b) const {
@@ -107,6 +111,7 @@ public:
     Loop<T> loop;
     LoopPose<T> pose{};
     T at{0};
+    bool heeds_stops = true;  ///< differences at a stop look beyond it
 
 private:
     std::vector<linkage::DriveLaw> laws_;

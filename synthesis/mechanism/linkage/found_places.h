@@ -82,6 +82,8 @@ inline bool closes_at_samples(const Over& over, std::span<const double> dimensio
 inline std::optional<std::array<double, 2>> stretch_in(const Over& over, std::array<double, 2> stretch) {
     constexpr double rounding = 1e-12;
     const linkage::Travel travel = over.travel();
+    for (double& end : stretch)
+        end = over.model.input_of(end);
     if (!over.model.driven_by_slide()) {
         if (stretch[1] < stretch[0]) stretch[1] += turn * std::ceil((stretch[0] - stretch[1]) / turn);
         // A cycle, or a limited motion, may be of several turns: what lies in it is left where it is.

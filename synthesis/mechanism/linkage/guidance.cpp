@@ -37,7 +37,7 @@ Guided<T> guided(const LinkageModel& model, std::size_t assembly, std::span<cons
     using std::cos, std::sin;
     const std::vector<T> numbers = numbers_of(model, dimensions);
     linkage::Driven<T> driven(model.structure, model.order, std::span<const T>(numbers), model.sides[assembly],
-                              laws_of(model.drives));
+                              laws_of(model));
     driven.shortfall = std::numeric_limits<double>::infinity();
     driven.place(crank_angle);
     const T tilt = model.placement[2].at(dimensions);

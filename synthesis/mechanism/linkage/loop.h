@@ -125,6 +125,26 @@ public:
         return 0;
     }
 
+    /// Whether joints and drives are between their stops in a pose.
+    bool is_between_stops(std::span<const T> inputs, const LoopPose<T>& pose) const {
+        const auto holds = [this](const linkage::Stops& stops, const auto& value_of_it) {
+            if (!stops.any()) return true;
+            const T value = value_of_it();
+            return (!stops.min || value >= numbers_[*stops.min]) && (!stops.max || value <= numbers_[*stops.max]);
+        };
+        for (std::size_t i = 0; i < s_.drives.size(); ++i)
+            if (!holds(s_.drives[i].stops, [&] { return inputs[i]; })) return false;
+        for (std::size_t i = 0; i < s_.slides.size(); ++i)
+            if (!holds(s_.slides[i].stops, [&] { return displacement(i, pose); })) return false;
+        for (const linkage::Slot& slot : s_.slots)
+            if (!holds(slot.stops, [&] {
+                    const Vector<T> way = pin(slot.pin, pose) - pose.at(slot.line.on, place(slot.line.through));
+                    return dot(direction(slot.line, pose), way);
+                }))
+                return false;
+        return true;
+    }
+
     /// Velocities of all links for unit speeds of the drives as given: origins and turns.
     bool velocities(std::span<const T> speeds, const LoopPose<T>& pose, LoopPose<T>& out) const {
         const linkage::VelocityEquations<T> rows = linkage::velocity_equations(s_, instant(DirectedPose<T>(pose)));

@@ -53,20 +53,20 @@ std::vector<Vector<double>> parts_of(const Scan& scan, const std::optional<std::
 struct Measured {
     const Scan& scan;
     std::function<double(SignalsAgain<double>&, double)> look;
-    /// Its derivative of some order by the input.
+    /// Its derivative of some order by the input; -1: its integral, where it is a derivative itself.
     std::function<Digits50(SignalsAgain<Digits50>&, int, const Digits50&)> measure;
 
     double seen(double input) const {
         SignalsAgain<double> signals = scan.plain(scan.nearest(input));
         return look(signals, input);
     }
-    Digits50 at(double input) const {
+    Digits50 at(double input, int order = 0) const {
         if (input == scan.from() || input == scan.to()) {
             SignalsAgain<Digits50> end = scan.at_end(input == scan.to());
-            return measure(end, 0, end.follower.at);
+            return measure(end, order, end.follower.at);
         }
         SignalsAgain<Digits50> signals = scan.precise(scan.nearest(input));
-        return measure(signals, 0, input);
+        return measure(signals, order, input);
     }
 };
 
@@ -108,7 +108,7 @@ Extreme polished(const Measured& f, double left, double middle, double right, do
         const Digits50 step = f.measure(signals, 1, x) / f.measure(signals, 2, x);
         if (!isfinite(step) || x - step < left || x - step > right) break;
         x -= step;
-        found = abs(step) < settled;
+        found = abs(step) < settled * signals.follower.unit();
     }
     const Extreme smooth{x, f.measure(signals, 0, x)};
     const double low = f.seen(left), high = f.seen(right);
@@ -178,6 +178,16 @@ double mean_power(const Measured& f, const std::vector<Vector<double>>& parts, i
     return sum / length;
 }
 
+/// The mean of a derivative: what its integral grows by, over the way.
+Digits50 mean_of_derivative(const Measured& f, const std::vector<Vector<double>>& parts) {
+    Digits50 grown = 0, length = 0;
+    for (const auto& [from, to] : parts) {
+        grown += f.at(to, -1) - f.at(from, -1);
+        length += to - from;
+    }
+    return grown / length;
+}
+
 Digits50 reduced(const Measured& f, const LinkageMeasure& q) {
     using Kind = LinkageMeasure::Kind;
     if (q.kind == Kind::at) {
@@ -191,7 +201,9 @@ Digits50 reduced(const Measured& f, const LinkageMeasure& q) {
         case Kind::greatest: return extreme(f, parts, 1).value;
         case Kind::range: return extreme(f, parts, 1).value - extreme(f, parts, -1).value;
         case Kind::deviation: return (extreme(f, parts, 1).value - extreme(f, parts, -1).value) / 2;
-        case Kind::mean: return mean_power(f, parts, 1);
+        case Kind::mean:
+            if (q.asked.derivative > 0) return mean_of_derivative(f, parts);
+            return mean_power(f, parts, 1);
         case Kind::rms: return std::sqrt(mean_power(f, parts, 2));
         case Kind::time_ratio: {
             if (!f.scan.full_turn()) return missing;
@@ -226,7 +238,7 @@ Measured of_poses(const Scan& scan, const OfPose& of_pose) {
     };
     return {scan, [at](SignalsAgain<double>& s, double x) { return at(s, x); },
             [at](SignalsAgain<Digits50>& s, int order, const Digits50& x) -> Digits50 {
-                const Digits50 h = difference_step<Digits50>();
+                const Digits50 h = s.difference_step();
                 if (order == 0) return at(s, x);
                 const Digits50 before = at(s, Digits50(x - h)), after = at(s, Digits50(x + h));
                 if (order == 1) return (after - before) / (2 * h);
@@ -319,7 +331,7 @@ std::vector<Digits50> lengths_of(const LinkageModel& model, std::span<const Digi
 Digits50 full_turn_margin(const LinkageModel& model, std::size_t assembly, std::span<const Digits50> dimensions) {
     const std::vector<Digits50> numbers = numbers_of(model, dimensions);
     linkage::Driven<Digits50> precise(model.structure, model.order, std::span<const Digits50>(numbers),
-                                      model.sides[assembly], laws_of(model.drives));
+                                      model.sides[assembly], laws_of(model));
     std::vector<double> rounded;
     for (const Digits50& d : dimensions)
         rounded.push_back(d.convert_to<double>());
@@ -329,7 +341,7 @@ Digits50 full_turn_margin(const LinkageModel& model, std::size_t assembly, std::
         const bool whole = moving.place(at);
         for (std::size_t i = 0; i < model.order.margins; ++i) {
             const T one = std::min(moving.pose.margins[i].outer, moving.pose.margins[i].inner);
-            if (!linkage::is_of_lines(model.order, i)) least = std::min<T>(least, one);
+            if (linkage::is_length(model.order, i)) least = std::min<T>(least, one);
             if (!whole && !(one >= T(0))) break;
         }
         return least;

@@ -26,8 +26,8 @@ struct Over {
     const LinkageModel& model;
     const LinkageMeasure& measure;
     const Motion& motion;
-    std::vector<linkage::DriveLaw> laws = laws_of(model.drives);
-    double rate = 1;
+    std::vector<linkage::DriveLaw> laws = laws_of(model);
+    double rate = 1;          ///< of the angle or displacement by the time
     bool over_input = false;  ///< start and range of the motion are the last arguments
 
     explicit Over(const Motion& over, bool by_arguments = false)
@@ -56,7 +56,13 @@ struct Over {
     }
     double period() const { return turn * model.turns; }
     linkage::Travel travel() const {
-        return {motion.from, motion.full_turn ? motion.from + period() : motion.to, motion.full_turn};
+        return {model.input_of(motion.from), motion.full_turn ? motion.from + period() : model.input_of(motion.to),
+                motion.full_turn};
+    }
+    /// Values that are no lengths, as velocities by a length are, are those in the file's lengths.
+    double length_of_values() const {
+        const bool plain = model.driven_by_slide() && !measure.signals.empty() && unit_of(model, measure) == Unit::none;
+        return plain ? model.unit : 1;
     }
 };
 
@@ -70,7 +76,7 @@ inline std::vector<Signal> own_signals(const LinkageModel& model, Kind kind) {
         return {{distance, pin}, {Signal::Kind::x, pin}, {Signal::Kind::y, pin}};
     }
     if (kind == Kind::transmission_angle_worst)
-        for (std::size_t margin = 0; margin < model.order.margins; ++margin)
+        for (std::size_t margin = 0; margin < model.order.margins_of_dyads(); ++margin)
             signals.push_back({Signal::Kind::transmission_angle, margin});
     if (kind != Kind::joint_distance_least) return signals;
     for (std::size_t a = 0; a < s.pins.size(); ++a)
@@ -89,6 +95,10 @@ linkage::Placing<T> placing_of(const Over& over, std::span<const T> dimensions, 
     linkage::Placing<T> placing{{m.placement[0].at(dimensions), m.placement[1].at(dimensions)},
                                 m.placement[2].at(dimensions),
                                 m.scale.at(dimensions)};
+    if (const double length = over.length_of_values(); length != 1) {
+        placing.origin = T(length) * placing.origin;
+        placing.scale = T(length) * placing.scale;
+    }
     if (shape.size() == ArcShape::parameters) placing.origin = placing.origin - Vector<T>{shape[0], shape[1]};
     if (shape.size() != LineShape::parameters) return placing;
     placing.origin = turned(placing.origin, Vector<T>{cos(shape[0]), -sin(shape[0])});
@@ -108,7 +118,7 @@ linkage::Measured<T, K> measured(const Over& over, std::span<const T> arguments,
             over.laws,
             signals,
             placing_of(over, dimensions, over.shape_of(arguments)),
-            over.rate};
+            m.input_of(over.rate)};
 }
 
 /// Distances of links' origins to their pins, but those that are 0, in the drawing.

@@ -17,7 +17,8 @@ namespace mechwright {
 
 namespace {
 
-enum Families : std::size_t { full_turn, over_a_range };
+// Indices of families; what a slide drives has but one.
+constexpr std::size_t full_turn = 0, over_a_range = 1;
 
 /// The travel that holds an input, by whole turns of cyclic inputs.
 bool holds(const linkage::Travel& travel, double at, double period) {
@@ -29,7 +30,7 @@ bool holds(const linkage::Travel& travel, double at, double period) {
 const linkage::Travel* chosen(const LinkageModel& model, const std::vector<linkage::Travel>& all, double period) {
     if (model.at)
         for (const linkage::Travel& travel : all)
-            if (holds(travel, *model.at, period)) return &travel;
+            if (holds(travel, model.input_of(*model.at), period)) return &travel;
     const auto widest = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
         constexpr double as_wide = 1e-9;
         return (a.to - a.from) * (1 + as_wide) < b.to - b.from;
@@ -67,13 +68,6 @@ double size_of_linkage(Form form, std::span<const double> dimensions) {
     return size > 0 ? size : 1;
 }
 
-/// The unit of what is made of a signal.
-Unit unit_of(const LinkageModel& model, const LinkageMeasure& measure) {
-    const Unit unit = model.signal_names[measure.asked.signal].unit;
-    if (measure.kind == LinkageMeasure::Kind::time_ratio) return Unit::none;
-    return unit == Unit::angle && measure.asked.derivative > 0 ? Unit::none : unit;
-}
-
 std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimensions,
                                     std::span<const NamedMeasure> asked) {
     using Kind = LinkageMeasure::Kind;
@@ -83,12 +77,12 @@ std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimen
         all.push_back(linkage_quantity(std::move(name), unit, std::move(meaning), std::move(measure), dimensions));
         all.back().measure_again = measure_linkage_again;
     };
-    if (model.order.margins > 0)
+    if (model.order.margins_of_dyads() > 0)
         add("transmission-angle-worst", Unit::angle, "least transmission angle of all dyads, folded at a right angle",
             {Kind::transmission_angle_worst});
     add("total-length", Unit::length, "sum of the distances of links' origins to their pins", {Kind::total_length});
     add("link-ratio", Unit::none, "longest of these distances over the shortest", {Kind::link_ratio});
-    if (linkage::closes_by_lengths(model.order))
+    if (linkage::closes_by_lengths(model.order) && !model.driven_by_slide() && !model.has_stops())
         add("full-turn-margin", Unit::length, "least length by which a dyad closes over a full turn of the drive",
             {Kind::full_turn_margin});
     add("joint-distance-least", Unit::length, "least distance of pins that have no link in common",
@@ -127,12 +121,15 @@ InputRange input_range(const std::vector<Quantity>& quantities, std::size_t dime
 bool has_own_lengths(const LinkageModel& model) {
     for (std::size_t i = 0; i < model.numbers.size(); ++i)
         if (model.lengths[i] && model.numbers[i].constant != 0) return true;
+    for (const linkage::Drive& drive : model.structure.drives)
+        if (drive.of_slide) return true;
     return model.placement[0].constant != 0 || model.placement[1].constant != 0;
 }
 
 std::vector<Family> families_of(const LinkageModel& model, std::size_t dimensions) {
-    return {{"the drive turns fully", true, {}, assembly_margin(dimensions), std::max(model.turns, 1)},
-            {"the drive moves over a range", false, {}, assembly_margin(dimensions)}};
+    const Family over_range{"the drive moves over a range", false, {}, assembly_margin(dimensions)};
+    if (model.driven_by_slide()) return {over_range};
+    return {{"the drive turns fully", true, {}, assembly_margin(dimensions), std::max(model.turns, 1)}, over_range};
 }
 
 void add_guidance(const LinkageModel& model, Mechanism& made) {
@@ -159,22 +156,20 @@ Motion motion_of_linkage(Form form, std::span<const double> dimensions, const do
     const LinkageModel& model = linkage_of(form.model);
     Motion motion;
     motion.assembly = form.assembly;
-    motion.family = over_a_range;
+    motion.family = model.driven_by_slide() ? 0 : over_a_range;
     motion.full_turn = false;
     if (crank_range != nullptr) {
         motion.from = crank_range[0];
         motion.to = crank_range[1];
         return motion;
     }
-    if (model.turns == 0) {
+    if (model.turns == 0 && !model.has_stops()) {
         motion.from = 1;
         return motion;
     }
     const linkage::Driven<double> moving = driven(model, dimensions, form.assembly);
-    const double period = model.driven_by_slide() ? 0 : 2 * std::numbers::pi * model.turns;
-    const linkage::Inputs inputs = model.driven_by_slide()
-                                       ? linkage::Inputs{-4 * size_of(moving), 4 * size_of(moving), false}
-                                       : linkage::Inputs{0, period, true};
+    const linkage::Inputs inputs = inputs_of(model, dimensions, moving);
+    const double period = inputs.cyclic ? inputs.to - inputs.from : 0;
     const auto travels = linkage::travels(moving, inputs);
     const linkage::Travel* travel = chosen(model, travels, period);
     if (travel == nullptr) {
@@ -183,9 +178,17 @@ Motion motion_of_linkage(Form form, std::span<const double> dimensions, const do
     }
     motion.full_turn = travel->whole;
     if (travel->whole) motion.family = full_turn;
-    motion.from = travel->from;
-    motion.to = travel->to;
+    motion.from = model.of_motion(travel->from);
+    motion.to = model.of_motion(travel->to);
     return motion;
+}
+
+bool is_endless(Form form, std::span<const double> dimensions) {
+    const LinkageModel& model = linkage_of(form.model);
+    const linkage::Inputs inputs = inputs_of(model, dimensions, driven(model, dimensions, form.assembly));
+    const Motion motion = motion_of_linkage(form, dimensions, nullptr);
+    return model.driven_by_slide() && motion.from <= motion.to &&
+           (motion.from == model.of_motion(inputs.from) || motion.to == model.of_motion(inputs.to));
 }
 
 Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimensions,

@@ -15,6 +15,9 @@ namespace mechwright {
 /// As Mechanism::motion. Of several motions the one that holds LinkageModel::at, else the widest, the first of these.
 Motion motion_of_linkage(Form form, std::span<const double> dimensions, const double* crank_range);
 
+/// Whether nothing ends the motion of a slide that drives a linkage, as far as it is looked at.
+bool is_endless(Form form, std::span<const double> dimensions);
+
 /// What a quantity is that a file names; of a signal by its index in the model.
 struct NamedMeasure {
     std::string name;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "analysis/linkage/driven.h"
+#include "analysis/linkage/inputs.h"
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/steps.h"
 #include "analysis/linkage/structure.h"
@@ -60,8 +61,17 @@ struct LinkageModel {
     Followed followed = Followed::nothing;  ///< by the guided point
     std::optional<double> at{};             ///< an input of the master that belongs to the motion
     int turns = 1;                          ///< of the master, after which everything is where it was; 0: never
+    double unit = 1;                        ///< the length by which its lengths are divided (over_unit)
+    /// Of a driven slide the displacement, not divided, that counts as much as a radian does: a power of two, so that
+    /// inputs of the analysis are of order one and no digit is lost. 1 where the master turns.
+    double input_length = 1;
 
     bool driven_by_slide() const { return structure.drives.front().of_slide; }
+    /// The master's input as the analysis has it, for one of a motion, and back.
+    double input_of(double of_motion) const { return of_motion / input_length; }
+    double of_motion(double input) const { return input * input_length; }
+    /// Whether the master has stops, so that its motion is no cycle.
+    bool has_stops() const { return structure.drives.front().stops.any(); }
 };
 
 inline const LinkageModel& linkage_of(const void* model) { return *static_cast<const LinkageModel*>(model); }
@@ -79,11 +89,18 @@ std::vector<T> numbers_of(const LinkageModel& model, std::span<const T> dimensio
 /// The same linkage where lengths that are no dimensions are over a unit, as the dimensions are then to be.
 LinkageModel over_unit(LinkageModel model, double unit);
 
-/// By which inputs follow the master's; its own is the master itself.
+/// By which the drives follow an angle or displacement of the master; its own law is the identity.
 std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives);
+/// By which they follow an input of the analysis (LinkageModel::input_of).
+std::vector<linkage::DriveLaw> laws_of(const LinkageModel& model);
 
-/// The linkage of some dimensions in one assembly, driven by its master. Lengths are before `scale`.
+/// The linkage of some dimensions in one assembly, driven by its master's input of the analysis. Lengths are before
+/// `scale`.
 linkage::Driven<double> driven(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly);
+
+/// The inputs of the analysis over which a linkage of some dimensions is looked at.
+linkage::Inputs inputs_of(const LinkageModel& model, std::span<const double> dimensions,
+                          const linkage::Driven<double>& driven);
 
 /// The frame in the drawing, and how many times its lengths are as long there.
 struct LinkagePlacement {

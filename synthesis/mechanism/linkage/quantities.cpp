@@ -192,6 +192,16 @@ void write_components(const std::vector<T>& all, std::size_t count, const Write&
         write(k, all[std::min(k, all.size() - 1)]);
 }
 
+/// Whether a margin is to a stop of the master that no dimension changes: a motion lies between these by its own
+/// making.
+bool is_given_stop_of_master(const LinkageModel& model, const linkage::Limit& margin) {
+    if (!model.order.is_stop(margin.margin)) return false;
+    const linkage::Step& step = linkage::step_of(model.order, margin.margin);
+    if (step.input != 0) return false;
+    const linkage::Stops& stops = model.structure.drives.front().stops;
+    return model.numbers[step.reversed ? *stops.max : *stops.min].terms.empty();
+}
+
 template <std::size_t K>
 bool measure_by_series(const Over& over, std::span<const double> arguments, const Measurement& out) {
     const std::span<const double> dimensions = over.dimensions_of(arguments);
@@ -213,6 +223,10 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
                                         ? linkage::Travel{0, over.period(), true}
                                         : course.travel;
         found.margins = linkage::margin_places(plain, driven, all);
+        std::erase_if(found.margins, [&](const linkage::MarginPlace& place) {
+            return kind == Kind::full_turn_margin ? !linkage::is_length(over.model.order, place.margin.margin)
+                                                  : is_given_stop_of_master(over.model, place.margin);
+        });
         std::stable_sort(found.margins.begin(), found.margins.end(),
                          [](const auto& a, const auto& b) { return is_less(a.place.value, b.place.value); });
         if (found.margins.size() > most_extremes) found.margins.resize(most_extremes);
@@ -272,7 +286,7 @@ bool is_defined(const Motion& motion) {
     const LinkageMeasure& m = *static_cast<const LinkageMeasure*>(motion.of);
     const LinkageModel& model = linkage_of(motion.model);
     if (m.kind == Kind::time_ratio) return motion.full_turn;
-    if (m.kind == Kind::full_turn_margin) return !model.driven_by_slide();
+    if (m.kind == Kind::full_turn_margin) return !model.driven_by_slide() && !model.has_stops();
     // Not known before the design is.
     if (m.kind == Kind::assembly_margin) return motion.full_turn || motion.from <= motion.to;
     return true;
@@ -315,6 +329,13 @@ void measure_over_input(const Motion& motion, std::span<const double> arguments,
 }  // namespace
 
 }  // namespace measuring
+
+Unit unit_of(const LinkageModel& model, const LinkageMeasure& measure) {
+    const Unit unit = model.signal_names[measure.asked.signal].unit;
+    if (measure.kind == LinkageMeasure::Kind::time_ratio) return Unit::none;
+    const bool by_nothing = unit != Unit::angle && !model.driven_by_slide();
+    return measure.asked.derivative == 0 || by_nothing ? unit : Unit::none;
+}
 
 Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, LinkageMeasure of, std::size_t dimensions) {
     Quantity quantity;

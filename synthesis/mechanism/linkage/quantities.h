@@ -45,6 +45,12 @@ struct LinkageMeasure {
     double input = 0;                                ///< of `at`
 };
 
+struct LinkageModel;
+
+/// The unit of what is made of a signal: velocities by an angle have that of the signal, turns of links by an angle
+/// none; by the displacement of a driven slide none has one.
+Unit unit_of(const LinkageModel& model, const LinkageMeasure& measure);
+
 /// A quantity of a linkage whose model is a LinkageModel, with everything but `measure_again`. It reads the first
 /// `dimensions` of the mechanism: at most Reads::most. Angles of lines and dyads of no length have no part in margins.
 /// `motion.to` of a full turn is that of all turns of a cycle. Where the linkage does not close over the motion, or a

@@ -40,7 +40,7 @@ public:
     SignalsAgain<Digits50> at_end(bool last) const {
         SignalsAgain<Digits50> signals = precise(last ? at.size() - 1 : 0);
         Follower<Digits50>& follower = signals.follower;
-        const double unit = model.driven_by_slide() ? follower.loop.size().convert_to<double>() : 1;
+        const Digits50 unit = follower.unit();
         const Digits50 end = last ? motion_.to : motion_.from, way = last ? 1 : -1, little = 1e-9 * unit;
         Follower<Digits50> beyond = follower;
         if (follower.at == end || (beyond.step(end) && follower.step(end) && beyond.step(end + way * little)))
@@ -72,7 +72,7 @@ private:
         double input = 0;
         for (int i = 1; i <= 64 && !start; ++i) {
             input = motion_.from + (motion_.to - motion_.from) * std::fmod(i * golden, 1.0);
-            start = pose_of_dyads(moving, input);
+            start = pose_of_dyads(moving, model.input_of(input));
         }
         if (!start || !follower.start(input, *start)) return;
         const LoopPose<double> here = follower.pose;

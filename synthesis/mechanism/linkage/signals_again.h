@@ -16,12 +16,6 @@
 
 namespace mechwright {
 
-/// How far apart the inputs of a difference stand: in doubles for a first look, in fifty digits for all of them.
-template <class T>
-T difference_step() {
-    return T(std::is_same_v<T, double> ? 1e-2 : 1e-9);
-}
-
 /// Signals of a linkage at poses of its joints' equations.
 template <class T>
 class SignalsAgain {
@@ -84,6 +78,7 @@ public:
     template <class Use>
     bool at_pose(const T& input, const Use& use) {
         Follower<T> there = follower;
+        there.heeds_stops = false;
         if (there.pose.turns.empty()) return false;
         if (!(there.at == input) && !there.step(input) && !there.start(input, follower.pose)) return false;
         use(there.pose);
@@ -91,6 +86,8 @@ public:
     }
 
     const T& rate() const { return rate_; }
+    /// How far apart the inputs of a difference stand: in doubles for a first look, in fifty digits for all of them.
+    T difference_step() const { return T(std::is_same_v<T, double> ? 1e-2 : 1e-9) * follower.unit(); }
     T distance(std::size_t a, std::size_t b, const LoopPose<T>& pose) const {
         const Vector<T> apart = follower.loop.pin(a, pose) - follower.loop.pin(b, pose);
         return scale_ * hypotenuse(apart.x, apart.y);
@@ -100,8 +97,8 @@ public:
 private:
     /// The central difference of some order.
     template <class Function>
-    static T difference(const Function& f, int order, const T& at) {
-        const T h = difference_step<T>();
+    T difference(const Function& f, int order, const T& at) const {
+        const T h = difference_step();
         T sum(0), power(1);
         double binomial = 1;
         for (int k = 0; k <= order; ++k) {

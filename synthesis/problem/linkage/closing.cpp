@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <span>
 #include <utility>
 
+#include "analysis/linkage/inputs.h"
 #include "analysis/numbers/golden_section.h"
 #include "synthesis/problem/linkage/sides.h"
 
@@ -16,17 +17,14 @@ namespace {
 constexpr int samples = 360;
 constexpr std::size_t most_open = 8;
 
-/// Inputs of the master over its motion: a turn, or a slide's displacement between its stops or over the linkage's
-/// size.
-std::vector<double> inputs_over_motion(const Linkage& linkage, double size, int count) {
-    double from = 0, to = 2 * std::numbers::pi;
-    if (!linkage.structure.drives.empty() && linkage.structure.drives.front().of_slide) {
-        from = -4 * size;
-        to = 4 * size;
-    }
+/// Inputs of the master over its motion: a turn, or a slide's displacements.
+std::vector<double> inputs_over_motion(const Linkage& linkage, std::span<const double> numbers, int count) {
+    const double size = linkage::farthest_point(linkage.structure, numbers);
+    const linkage::Inputs over =
+        linkage.structure.drives.empty() ? linkage::Inputs{} : inputs_of(linkage.structure, numbers, size, 1);
     std::vector<double> inputs;
     for (int i = 0; i < count; ++i)
-        inputs.push_back(from + (to - from) * i / count);
+        inputs.push_back(over.from + (over.to - over.from) * i / count);
     return inputs;
 }
 
@@ -90,8 +88,7 @@ Gap least_gap(const Linkage& linkage, std::span<const double> numbers) {
     std::vector<std::int8_t> sides = linkage.sides;
     sides.resize(linkage.order.choices, 0);
     if (static_cast<std::size_t>(std::count(sides.begin(), sides.end(), 0)) > most_open) return {};
-    const std::vector<double> inputs =
-        inputs_over_motion(linkage, linkage::farthest_point(linkage.structure, numbers), samples);
+    const std::vector<double> inputs = inputs_over_motion(linkage, numbers, samples);
     Gap best{std::numeric_limits<double>::infinity()};
     for_each_assembly(sides, most_open, [&](const std::vector<std::int8_t>& one) {
         if (best.missing == 0) return;
@@ -107,7 +104,7 @@ double redundant_misfit(const Linkage& linkage, std::span<const double> numbers)
     const double size = linkage::farthest_point(linkage.structure, numbers);
     double worst = 0;
     int closed = 0;
-    for (const double input : inputs_over_motion(linkage, size, samples / 5)) {
+    for (const double input : inputs_over_motion(linkage, numbers, samples / 5)) {
         double best = std::numeric_limits<double>::infinity();
         for_each_assembly(std::vector<std::int8_t>(linkage.order.choices, 0), most_open,
                           [&](const std::vector<std::int8_t>& sides) {

@@ -49,7 +49,16 @@ void read_drive(LinkageReading& reading, Section& section, bool master) {
     more.ratio = read_number(section, "ratio", reading.messages).value_or(1);
     more.phase = in_program_units(made, read_number(section, "phase", reading.messages).value_or(0), drive.of_slide);
     more.speed = read_number(section, "speed", reading.messages);
-    check_stops(reading, section, drive.of_slide ? Measure::length : Measure::angle);
+    if (more.speed && drive.of_slide)
+        add_error(
+            reading.messages, place_of(section, "speed"),
+            fmt::format("{} drives a slide, and 'speed' is turns per minute: leave it out; velocities are then per "
+                        "unit of the displacement",
+                        section.title));
+    drive.stops = read_stops(reading, section, drive.of_slide ? Measure::length : Measure::angle);
+    if (!drive.of_slide && drive.stops.min.has_value() != drive.stops.max.has_value())
+        add_error(reading.messages, place_of(section, drive.stops.min ? "min" : "max"),
+                  fmt::format("one stop does not end the turning of {}: give both 'min' and 'max'", section.title));
     if (section.table->contains("segment")) {
         section.reported.push_back("segment");
         add_error(reading.messages, place_of(section, "segment"),

@@ -151,15 +151,18 @@ std::optional<std::size_t> read_pin(LinkageReading& reading, Section& section, s
 
 }  // namespace
 
-void check_stops(LinkageReading& reading, Section& section, Measure measure) {
-    std::optional<LinkageNumber> stops[2];
-    for (const auto& [key, stop] : {std::pair("min", &stops[0]), std::pair("max", &stops[1])})
+linkage::Stops read_stops(LinkageReading& reading, Section& section, Measure measure) {
+    linkage::Stops stops;
+    for (const auto& [key, stop] : {std::pair("min", &stops.min), std::pair("max", &stops.max)})
         if (const toml::node* node = find(section, key))
-            *stop = to_linkage_number(reading, *node, name_of(section, key), measure);
-    const auto given = [](const auto& stop) { return stop && stop->value.terms.empty(); };
-    if (given(stops[0]) && given(stops[1]) && stops[0]->value.constant > stops[1]->value.constant)
+            if (auto number = to_linkage_number(reading, *node, name_of(section, key), measure))
+                *stop = add_number(reading, std::move(*number));
+    if (!stops.min || !stops.max) return stops;
+    const Affine &least = reading.made.numbers[*stops.min].value, &greatest = reading.made.numbers[*stops.max].value;
+    if (least.terms.empty() && greatest.terms.empty() && !(least.constant < greatest.constant))
         add_error(reading.messages, place_of(section, "min"),
-                  fmt::format("'min' is greater than 'max' in {}", section.title));
+                  fmt::format("'min' has to be less than 'max' in {}", section.title));
+    return stops;
 }
 
 void read_links(LinkageReading& reading) {
@@ -228,7 +231,7 @@ void read_slides(LinkageReading& reading) {
             std::find(made.slides.begin(), made.slides.end(), name) != made.slides.end())
             add_error(reading.messages, place_of(section, "name"),
                       fmt::format("there is a slide '{}' already: give this one another name", name));
-        check_stops(reading, section, Measure::length);
+        slide.stops = read_stops(reading, section, Measure::length);
         report_unknown_keys(section, reading.messages);
         if (link && on && *link == *on)
             add_error(reading.messages, place_of(section, "on"),
@@ -261,9 +264,9 @@ void read_slots(LinkageReading& reading) {
             continue;
         }
         const auto line = read_line(reading, section, *in);
-        check_stops(reading, section, Measure::length);
+        const linkage::Stops stops = read_stops(reading, section, Measure::length);
         if (!line) continue;
-        made.structure.slots.push_back({*pin, *line});
+        made.structure.slots.push_back({*pin, *line, false, stops});
     }
 }
 

@@ -164,6 +164,11 @@ LinkageModel model_of(const Linkage& linkage) {
         model.lengths.push_back(number.measure == Measure::length);
     }
     model.drives = linkage.drives;
+    if (model.driven_by_slide()) {
+        const std::vector<double> numbers = numbers_of(linkage, usual_dimensions(linkage));
+        const double size = linkage::farthest_point(model.structure, numbers);
+        if (size > 0) model.input_length = std::exp2(std::round(std::log2(size)));
+    }
     model.guided = linkage.guided;
     model.guides_body = linkage.guides_body;
     model.followed = linkage.followed;
@@ -225,8 +230,6 @@ std::string why_no_mechanism(const Linkage& linkage) {
             margin_at(linkage, signal.value.of) == linkage::none)
             return fmt::format("the signal '{}' is the transmission angle of a dyad, and none is closed at '{}'",
                                signal.name, linkage.pins[signal.value.of]);
-    if (linkage.structure.drives.front().of_slide)
-        return "its drive is a slide; linkages are measured and drawn by the angle of a driven link in this version";
     const auto open = static_cast<std::size_t>(std::count(linkage.sides.begin(), linkage.sides.end(), 0));
     if (open > most_open_sides)
         return fmt::format("{} dyads are closed on 'either' side: say the sides of all but {}", open, most_open_sides);
@@ -249,7 +252,7 @@ std::shared_ptr<const Mechanism> mechanism_of(const Linkage& linkage, std::strin
     Assemblies assemblies = assemblies_of(linkage);
     LinkageModel model = model_of(linkage);
     model.sides = std::move(assemblies.sides);
-    model.turns = turns_of_cycle(model, usual(ranges_of(linkage)));
+    model.turns = model.driven_by_slide() ? 1 : turns_of_cycle(model, usual(ranges_of(linkage)));
     std::vector<NamedMeasure> asked;
     std::string fault;
     for (const std::string& name : quantities)
@@ -324,6 +327,13 @@ void add_quantities(const toml::node* node, std::vector<std::string>& names) {
             add_quantities(&entry, names);
 }
 
+/// The section of the point or body that is guided.
+const toml::node* target_of(const toml::table& table) {
+    for (const char* target : {"path", "poses", "line", "arc"})
+        if (const toml::node* node = table.get(target)) return node;
+    return nullptr;
+}
+
 /// The quantities that a file names, in the order of the sections that can.
 std::vector<std::string> quantities_in(const toml::table& table) {
     std::vector<std::string> names;
@@ -373,7 +383,18 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     if (greatest_turn(model, usual(ranges_of(linkage))) > fastest_link)
         return add_error(messages, place_of(*table.get("drive")),
                          "a link of it turns more than ten thousand times as fast as its drive: give lesser ratios");
-    if (model.turns == 0 && !linkage.crank_range)
+    if (model.driven_by_slide() && !linkage.crank_range &&
+        is_endless(problem.mechanism->form(0), usual(ranges_of(linkage))))
+        return add_error(
+            messages, place_of(*table.get("drive")),
+            "nothing ends the motion of the slide that is driven: give it stops, 'min' and 'max' in [drive], "
+            "or the motion an end, [motion] crank_range = [0, 100]");
+    if (model.driven_by_slide() && linkage.guided)
+        return add_error(messages, place_of(*target_of(table)),
+                         "the targets of this section are met at crank angles, and the linkage is driven by a slide: "
+                         "require values of signals at displacements instead, like quantity = \"height.at(20)\", or "
+                         "drive a link that turns");
+    if (model.turns == 0 && !linkage.crank_range && !model.has_stops())
         return add_error(messages, place_of(*table.get("drive")),
                          fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "
                                      "give the motion an end, [motion] crank_range = [0, 360]",

@@ -24,8 +24,10 @@ void read_linkage_motion(LinkageReading& reading) {
     if (const auto at = read_number(*section, "at", reading.messages)) reading.made.at = input(reading, *at);
     if (const auto range = read_numbers(*section, "crank_range", reading.messages)) {
         if (range->size() != 2 || !((*range)[0] < (*range)[1]))
-            add_error(reading.messages, place_of(*section, "crank_range"),
-                      "crank_range must be two inputs that rise, like [0, 120]");
+            add_error(
+                reading.messages, place_of(*section, "crank_range"),
+                "crank_range must be two inputs that rise, like [0, 120]: crank angles, or displacements of a driven "
+                "slide");
         else
             reading.made.crank_range = {input(reading, (*range)[0]), input(reading, (*range)[1])};
         if (reading.made.crank_range && !reading.made.at) reading.made.at = reading.made.crank_range->x;

@@ -66,8 +66,8 @@ void use(LinkageReading& reading, std::size_t dimension, Measure measure, FilePl
 /// The tables of a list, [[name]], each with its number as a section.
 std::vector<Section> sections_in(LinkageReading& reading, std::string_view name, std::span<const Key> keys);
 
-/// Displacements, or turns of a drive, between which a joint stays: they are numbers, the one not above the other.
-void check_stops(LinkageReading& reading, Section& section, Measure measure);
+/// Displacements, or turns of a drive, between which a joint stays: of given ones the least is not above the greatest.
+linkage::Stops read_stops(LinkageReading& reading, Section& section, Measure measure);
 
 void read_linkage_dimensions(LinkageReading& reading);
 /// After every other section: dimensions that nothing uses, measures of tied ones.

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "synthesis/mechanism/linkage/limit_text.h"
 #include "synthesis/problem/linkage/closing.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/linkage/sides.h"
@@ -331,7 +332,8 @@ bool report_no_length(LinkageReading& reading, const std::vector<double>& number
         if (step.kind != linkage::Step::Kind::dyad) continue;
         for (const auto& [locus, part] :
              {std::pair(&step.first, &sizes[i].first), std::pair(&step.second, &sizes[i].second)})
-            if (locus->kind == linkage::Locus::Kind::circle && !(part->length > 0)) {
+            if (locus->kind == linkage::Locus::Kind::circle && locus->extended == linkage::none &&
+                !(part->length > 0)) {
                 add_error(reading.messages, reading.link_places[locus->link],
                           fmt::format("the points '{}' and '{}' of the link '{}' coincide: give it a length",
                                       made.pins[locus->centre], made.pins[step.pin], made.links[locus->link]));
@@ -350,10 +352,17 @@ void check_closing(LinkageReading& reading) {
     std::string where;
     for (const linkage::Step& step : made.order.steps)
         if (step.margin == gap.margin && step.margin != linkage::none)
-            where = step.kind == linkage::Step::Kind::tied
+            where = step.kind == linkage::Step::Kind::stopped ? stop_text(step, made.pins, made.slides)
+                    : step.kind == linkage::Step::Kind::tied
                         ? fmt::format("the lines that hold '{}'", made.links[step.link])
                         : fmt::format("the dyad closed at '{}'",
                                       made.pins[step.kind == linkage::Step::Kind::dyad ? step.pin : step.far_pin]);
+    if (made.order.is_stop(gap.margin))
+        return add_error(
+            reading.messages, place_of(reading.file, "links"),
+            fmt::format("with these dimensions {} lets it move nowhere: it is beyond it by {:.6g} where it "
+                        "comes nearest. Change the stop, a length or a side",
+                        where, gap.missing));
     const bool slide = made.structure.drives.front().of_slide;
     const double at = slide || !made.units.degrees ? gap.at : gap.at * 180 / std::numbers::pi;
     add_error(

@@ -227,9 +227,13 @@ void read_signals(LinkageReading& reading) {
     signals.units.resize(signals.tables.size());
     for (std::size_t i = 0; i < signals.tables.size(); ++i) {
         const Word unit = signals.unit_of(i);
-        reading.made.signals[i].unit = unit == "angle"                                                 ? Unit::angle
-                                       : unit == "length" || unit == "speed" || unit == "acceleration" ? Unit::length
-                                                                                                       : Unit::none;
+        // By a displacement a point has as much speed as there are lengths in one.
+        const auto& drives = reading.made.structure.drives;
+        const bool by_length = !drives.empty() && drives.front().of_slide;
+        const bool by_time = unit == "speed" || unit == "acceleration";
+        reading.made.signals[i].unit = unit == "angle"                               ? Unit::angle
+                                       : unit == "length" || (by_time && !by_length) ? Unit::length
+                                                                                     : Unit::none;
         if (unit == "circle")
             add_error(reading.messages, signals.places[i],
                       fmt::format("the signal '{}' is made of itself", reading.made.signals[i].name));

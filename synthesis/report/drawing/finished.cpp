@@ -2,6 +2,7 @@
 
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/document/document.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
@@ -76,7 +77,7 @@ nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document,
     return shown;
 }
 
-Unit input_unit(const FinishedDesign& design) { return design.mechanism->table.units.front(); }
+Unit input_unit(const FinishedDesign& design) { return input_unit(*design.mechanism); }
 
 std::vector<double> even_angles(const FinishedDesign& design, int steps) {
     const Motion& motion = design.motion;

@@ -10,6 +10,7 @@
 
 #include "synthesis/problem/linkage/sides.h"
 #include "synthesis/report/structure/assemblies.h"
+#include "synthesis/report/structure/circuits.h"
 #include "synthesis/report/text/table.h"
 
 namespace mechwright {
@@ -211,6 +212,15 @@ Json assemblies_of(const Linkage& l, double at) {
     return {{"crank", shown_input(l, at)}, {"assemblies", std::move(list)}};
 }
 
+/// Where it is shown if nothing says where: 0, or in the middle of the first branch where slides or stops limit it.
+double usual_input(const Linkage& l, const Json& circuits) {
+    const linkage::Drive& master = l.structure.drives.front();
+    if ((!master.of_slide && !master.stops.any()) || circuits.is_null() || circuits.empty()) return 0;
+    const Json& branch = circuits[0]["branches"][0];
+    const double middle = 0.5 * (branch["from"].get<double>() + branch["to"].get<double>());
+    return master.of_slide || !l.units.degrees ? middle : middle * std::numbers::pi / 180;
+}
+
 std::string list_text(const Json& names) {
     std::vector<std::string> words;
     for (const Json& name : names)
@@ -292,7 +302,11 @@ Json structure_of(const Linkage& l, std::optional<double> at) {
                         {"redundant", redundant_names(l)}};
     json["drives"] = drives_of(l);
     json["groups"] = groups_of(l);
-    if (is_placed(l)) json.update(assemblies_of(l, at.value_or(l.at.value_or(0))));
+    if (is_placed(l)) {
+        Json circuits = circuits_of(l);
+        json.update(assemblies_of(l, at.value_or(l.at.value_or(usual_input(l, circuits)))));
+        if (!circuits.is_null()) json["circuits"] = std::move(circuits);
+    }
     return json;
 }
 
@@ -322,6 +336,7 @@ std::string structure_text(const Linkage& l, std::optional<double> at, bool colo
                                                          drive["on"].get<std::string>()));
     text += folded("drives     ", drives) + "\nOrder of solution\n" + groups_text(json["groups"]);
     if (json.contains("assemblies")) text += assemblies_text(json, l);
+    if (json.contains("circuits")) text += circuits_text(l, json["circuits"]);
     return text;
 }
 

@@ -11,7 +11,8 @@
 namespace mechwright {
 
 /// Links, joints, mobility, drives, groups in solving order; where all dimensions are given and all groups are dyads
-/// all assemblies at an input of the master (radians, or a displacement), by default that which the file names, or 0.
+/// all assemblies at an input of the master (radians, or a displacement), by default that which the file names, or 0,
+/// or the middle of what a slide or stops allow; and all circuits with their branches.
 nlohmann::ordered_json structure_of(const Linkage& linkage, std::optional<double> at);
 
 /// The same as text.

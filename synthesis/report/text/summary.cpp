@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "synthesis/document/document.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
@@ -99,7 +100,7 @@ std::string obstacle(const Problem& problem, const Solution& best) {
     if (!(motion.from <= motion.to))
         text += "It does not assemble.";
     else if (!assembles_over_range(problem, best.design))
-        text += "It does not assemble throughout the range of crank angles.";
+        text += fmt::format("It does not assemble throughout the range of {}s.", input_word(*problem.mechanism));
     else if (const Requirement* worst = most_missed(problem, best.design))
         text += fmt::format("It fails most at {}.", how_missed(problem, *worst, best.design));
     else if (std::isfinite(best.violation))
@@ -226,11 +227,12 @@ std::string front_section(const Problem& problem, const Result& result, bool col
 
 std::string motion_line(const Problem& problem, const Design& design) {
     const Motion motion = motion_of(problem, design);
-    if (!(motion.from <= motion.to)) return "\nIt does not assemble at any crank angle.\n";
+    const std::string_view input = input_word(*problem.mechanism);
+    const Unit unit = input_unit(*problem.mechanism);
+    if (!(motion.from <= motion.to)) return fmt::format("\nIt does not assemble at any {}.\n", input);
     if (motion.full_turn) return "\nThe crank turns fully.\n";
-    return fmt::format("\nMotion: crank angles from {} to {}.\n",
-                       value_with_unit(motion.from, Unit::angle, problem.units),
-                       value_with_unit(motion.to, Unit::angle, problem.units));
+    return fmt::format("\nMotion: {}s from {} to {}.\n", input, value_with_unit(motion.from, unit, problem.units),
+                       value_with_unit(motion.to, unit, problem.units));
 }
 
 /// Where the design stands close to a singular position.
