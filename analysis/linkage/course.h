@@ -7,12 +7,14 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <span>
 #include <vector>
 
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/travel.h"
+#include "analysis/linkage/turning_point.h"
 #include "analysis/numbers/dual.h"
 #include "analysis/numbers/resolved.h"
 #include "analysis/numbers/second_dual.h"
@@ -54,22 +56,25 @@ public:
 
     Measured(const Structure& s, const Order& order, std::span<const T> numbers, std::span<const std::int8_t> sides,
              std::span<const DriveLaw> laws, std::span<const Signal> signals, const Placing<T>& placing,
-             double rate = 1)
+             double rate = 1, std::span<const std::shared_ptr<const Way>> ways = {})
         : driven_(s, order, series(numbers), sides, laws),
           values_(s, signals, std::span<const Value>(series(numbers)),
                   {{placing.origin.x, placing.origin.y}, placing.tilt, placing.scale}),
           rate_(rate) {
         driven_.shortfall = 1e-13 * size_of(driven_);
+        driven_.set_ways(ways);
     }
 
-    /// A signal at an input of the master. At a limit its dyad is placed exactly there. Not a number where the linkage
-    /// does not close.
+    /// A signal at an input of the master. At a limit its dyad or larger group is placed exactly there. Not a number
+    /// where the linkage does not close.
     Value value(std::size_t signal, double master, std::span<const double> near, const Limit& limit = {}) {
         if (!place(master, near, limit)) return Value(T(std::numeric_limits<double>::quiet_NaN()));
         return values_.value(signal, driven_, near);
     }
-    /// A margin there; another one can be held at its limit.
+    /// A margin there; another one can be held at its limit. Of a larger group that is not held it is how far the
+    /// master is beyond the limit, times its rate.
     Value margin(const Limit& limit, double master, std::span<const double> near, const Limit& held = {}) {
+        if (!held.exists() && step_together(driven_.order, limit.margin) != nullptr) return beyond_limit(limit, master);
         const Margin<Value>& both = margins(limit.margin, master, near, held);
         return limit.inner ? both.inner : both.outer;
     }
@@ -77,6 +82,10 @@ public:
                                  const Limit& held = {}) {
         place(master, near, held, margin);
         return driven_.pose.margins[margin];
+    }
+    /// The same of the limit of a larger group.
+    Value beyond_limit(const Limit& limit, double master) {
+        return Value::variable(T(master), T(rate_)) - turning(limit, master).at;
     }
 
     void start_at(const Course& course) { values_.start_at(course.turns.near(course.travel.from)); }
@@ -88,6 +97,12 @@ private:
     bool place(double master, std::span<const double> near, const Limit& limit, std::size_t last_margin = none) {
         if (held_ != none) driven_.sides[held_] = held_side_;
         held_ = none;
+        for (GroupSolver<Value>& group : driven_.groups)
+            group.held.clear();
+        if (const Step* step = limit.exists() ? step_together(driven_.order, limit.margin) : nullptr) {
+            std::vector<Value> places = turning(limit, master).places;
+            driven_.groups[step->joint].held = std::move(places);
+        }
         for (const Step& step : driven_.order.steps)
             if (limit.exists() && step.margin == limit.margin) held_ = step.choice;
         if (held_ != none) {
@@ -95,6 +110,23 @@ private:
             driven_.sides[held_] = 0;
         }
         return driven_.place(Value::variable(T(master), T(rate_)), near, last_margin);
+    }
+    /// Where a larger group turns back: its limit next to an input.
+    TurningPoint<Value> turning(const Limit& limit, double master) {
+        const GroupSolver<Value>& group = driven_.groups[step_together(driven_.order, limit.margin)->joint];
+        const WayEnd& end = limit.inner ? group.way->last : group.way->first;
+        const double period = group.way->period;
+        const double shift = period > 0 ? period * std::round((master - end.at) / period) : 0;
+        TurningPoint<Value> found;
+        if constexpr (K > 0)
+            found = turning_point(driven_, static_cast<std::size_t>(&group - driven_.groups.data()), end.at, end.places,
+                                  end.along);
+        if (!found.found) {
+            found.at = Value(T(end.at));
+            found.places.assign(end.places.begin(), end.places.end());
+        }
+        found.at = found.at + Value(T(shift));
+        return found;
     }
     static std::vector<Value> series(std::span<const T> numbers) { return {numbers.begin(), numbers.end()}; }
 

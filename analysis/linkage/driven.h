@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,8 +38,10 @@ public:
     std::vector<std::int8_t> sides;
     double shortfall = 0;  ///< as of Input
     Pose<T> pose;
+    std::vector<GroupSolver<T>> groups;  ///< for each larger group of the order
 
-    /// The order must be closed, and outlive this; drives without a law have the master's input.
+    /// The order must outlive this, and larger groups need their ways (GroupSolver::way); drives without a law have the
+    /// master's input.
     Driven(const Structure& s, const Order& steps, std::span<const T> numbers, std::span<const std::int8_t> on_sides,
            std::span<const DriveLaw> drive_laws = {})
         : order(steps),
@@ -48,6 +51,8 @@ public:
           pose(empty_pose<T>(s, steps)),
           inputs_(s.drives.size(), T(0)) {
         laws.resize(s.drives.size());
+        for (const LargerGroup& group : steps.larger)
+            groups.emplace_back(s, group, numbers);
     }
 
     /// The same linkage, placed by other steps: those of its order as far as they go.
@@ -58,12 +63,19 @@ public:
           sides(other.sides),
           shortfall(other.shortfall),
           pose(other.pose),
+          groups(other.groups),
           inputs_(other.inputs_) {}
 
     /// Places all links into `pose`, or as far as to a margin; as linkage::place. `near` as of Input.
     bool place(const T& master, std::span<const double> near = {}, std::size_t last_margin = none) {
         set_inputs<T>(laws, master, inputs_);
-        return linkage::place<T>(order, sizes, {inputs_, sides, near, shortfall, last_margin}, pose);
+        return linkage::place<T>(order, sizes,
+                                 {inputs_, sides, near, shortfall, last_margin, groups, detail::plain(master)}, pose);
+    }
+    /// The ways of the larger groups; those beyond the ones given have none.
+    void set_ways(std::span<const std::shared_ptr<const Way>> ways) {
+        for (std::size_t i = 0; i < groups.size() && i < ways.size(); ++i)
+            groups[i].way = ways[i];
     }
 
     std::span<const T> inputs() const { return inputs_; }

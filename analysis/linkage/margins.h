@@ -116,7 +116,7 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
     for (std::size_t margin = 0; margin < driven.order.margins && !now.empty(); ++margin) {
         std::vector<Travel> next;
         for (const Travel& travel : now) {
-            if (!is_of_lines(driven.order, margin)) {
+            if (!is_of_lines(driven.order, margin) && step_together(driven.order, margin) == nullptr) {
                 Driven<double> moving = driven;
                 moving.shortfall = std::numeric_limits<double>::infinity();
                 const Turns turns(moving, travel.from, travel.to + (travel.whole ? 0.125 : 0));
@@ -151,6 +151,13 @@ Limit limit_at(Measured<T, K>& measured, double master, std::span<const double> 
     const double size = size_of(measured.driven());
     double least = rounding;
     for (std::size_t i = 0; i < order.margins; ++i) {
+        if (const Step* step = step_together(order, i)) {
+            if (const auto& way = measured.driven().groups[step->joint].way)
+                for (const bool last : {false, true})
+                    if ((last ? way->last : way->first).limit && way->is_at(master, (last ? way->last : way->first).at))
+                        return {i, last};
+            continue;
+        }
         if (is_of_lines(order, i)) continue;
         const double unit = is_length(order, i) ? size : 1;
         for (const bool inner : {false, true}) {

@@ -234,17 +234,49 @@ inline bool pass_any(Ordering& o) {
     return false;
 }
 
-/// The equations that are left, with a placed link first at every pin that has one.
-inline VelocityEquations<double> equations_left(const Ordering& o) {
+/// The linkage with a placed link first at every pin that has one, so that equations speak of what is placed.
+inline Structure placed_first(const Ordering& o) {
     Structure s = o.s;
     for (Pin& pin : s.pins)
         std::stable_partition(pin.points.begin(), pin.points.end(), [&](const Point& p) { return o.placed[p.link]; });
-    return velocity_equations(s, random_instant<double>(s, 1, {}));
+    return s;
+}
+
+/// The equation that a row of velocities belongs to; `second` of the two rows of a pin or slide.
+inline LoopEquation loop_equation(const Structure& s, const Equation& row, bool second) {
+    using Kind = LoopEquation::Kind;
+    const std::size_t i = row.index;
+    const auto sliding = [&](std::size_t slide) { return std::pair(s.slides[slide].link, s.slides[slide].line.on); };
+    switch (row.by) {
+        case Joined::pin: return {second ? Kind::pin_y : Kind::pin_x, i, {s.pins[i].points[0].link, row.link}};
+        case Joined::slide: {
+            const auto [link, on] = sliding(i);
+            return {second ? Kind::slide_line : Kind::slide_turn, i, {link, on}};
+        }
+        case Joined::slot: return {Kind::slot, i, {s.pins[s.slots[i].pin].points[0].link, s.slots[i].line.on}};
+        case Joined::gear: return {Kind::gear, i, {s.gears[i].first, s.gears[i].second, s.gears[i].carrier}};
+        case Joined::rack: {
+            const auto [link, on] = sliding(s.racks[i].slide);
+            return {Kind::rack, i, {link, on, s.racks[i].wheel, s.racks[i].carrier}};
+        }
+        case Joined::drive: break;
+    }
+    if (!s.drives[i].of_slide) return {Kind::drive_turn, i, {s.drives[i].link, s.drives[i].on}};
+    const auto [link, on] = sliding(s.drives[i].slide);
+    return {Kind::drive_slide, i, {link, on}};
+}
+
+/// The turns that a gear or rack reads of links that are placed already.
+inline void unwind_for(Ordering& o, const LoopEquation& equation) {
+    const bool gear = equation.kind == LoopEquation::Kind::gear, rack = equation.kind == LoopEquation::Kind::rack;
+    for (std::size_t k = gear ? 0 : 2; k < (gear ? 3 : rack ? 4 : 0); ++k)
+        if (o.turned[equation.links[k]]) o.unwind(equation.links[k]);
 }
 
 /// The least links that have to be placed together, as one group.
 inline void place_together(Ordering& o) {
-    const VelocityEquations<double> all = equations_left(o);
+    const Structure s = placed_first(o);
+    const VelocityEquations<double> all = velocity_equations(s, random_instant<double>(s, 1, {}));
     std::vector<std::size_t> names, position(all.unknowns, none);
     for (std::size_t u = 0; u < all.unknowns; ++u)
         if (u % 3 == 2 ? !o.turned[u / 3 + 1] : !o.placed[u / 3 + 1]) {
@@ -255,28 +287,47 @@ inline void place_together(Ordering& o) {
     pattern.unknowns = names.size();
     for (std::size_t i = 0; i < names.size(); ++i)
         pattern.twin.push_back(names[i] % 3 == 2 ? i : position[names[i] / 3 * 3 + 1 - names[i] % 3]);
+    std::vector<std::size_t> row_of;
     for (std::size_t i = 0; i < all.equations.size(); ++i) {
         std::vector<std::size_t> in;
         for (std::size_t u = 0; u < all.unknowns; ++u)
             if (position[u] != none && all.row(i)[u] != 0) in.push_back(position[u]);
-        if (!in.empty()) pattern.unknowns_of.push_back(std::move(in));
+        if (in.empty()) continue;
+        pattern.unknowns_of.push_back(std::move(in));
+        row_of.push_back(i);
     }
+    LargerGroup larger;
     std::vector<std::size_t> links;
-    std::vector<bool> whole(o.s.links, false);
+    std::vector<bool> whole(o.s.links, false), turning(o.s.links, false), mine(names.size(), false);
     for (const std::size_t u : first_component(pattern)) {
         const std::size_t link = names[u] / 3 + 1;
-        if (names[u] % 3 == 2)
-            o.turned[link] = true;
-        else
-            whole[link] = true;
+        mine[u] = true;
+        larger.unknowns.push_back({link, static_cast<int>(names[u] % 3)});
+        (names[u] % 3 == 2 ? turning : whole)[link] = true;
         if (links.empty() || links.back() != link) links.push_back(link);
     }
+    for (std::size_t i = 0; i < row_of.size(); ++i) {
+        const auto& in = pattern.unknowns_of[i];
+        if (!std::all_of(in.begin(), in.end(), [&](std::size_t u) { return mine[u]; })) continue;
+        const Equation& row = all.equations[row_of[i]];
+        const bool second = row_of[i] > 0 && all.equations[row_of[i] - 1].by == row.by &&
+                            all.equations[row_of[i] - 1].index == row.index &&
+                            all.equations[row_of[i] - 1].link == row.link;
+        larger.equations.push_back(loop_equation(s, row, second));
+        unwind_for(o, larger.equations.back());
+    }
+    Step& step = o.add(Step::Kind::together);
+    step.joint = o.order.larger.size();
+    step.margin = o.order.margins++;
     add_group(o, Group::Kind::larger, links);
-    for (const std::size_t link : links)
-        if (whole[link]) {
-            o.turned[link] = true;
-            o.place(link);
-        }
+    o.order.groups.back().larger = step.joint;
+    o.order.larger.push_back(std::move(larger));
+    for (const std::size_t link : links) {
+        if (turning[link]) o.turned[link] = o.unwound[link] = true;
+        if (!whole[link]) continue;
+        o.turned[link] = true;
+        o.place(link);
+    }
 }
 
 /// Groups of which a link has its direction from a link of a later one by a slide are one: an RPP.

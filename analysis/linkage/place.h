@@ -193,7 +193,8 @@ Sized<T> sized(const Structure& s, const Step& step, std::span<const T> numbers)
     Sized<T> made;
     switch (step.kind) {
         case Kind::driven:
-        case Kind::unwound: break;
+        case Kind::unwound:
+        case Kind::together: break;
         case Kind::held:
             made.first.length = numbers[s.slides[step.joint].angle];
             if (step.reversed) made.first.length = -made.first.length;
@@ -236,6 +237,9 @@ std::vector<Sized<T>> sizes_of(const Structure& s, const Order& order, std::span
     return sizes;
 }
 
+template <class T>
+class GroupSolver;
+
 /// What a pose depends on besides the dimensions.
 template <class T>
 struct Input {
@@ -244,6 +248,8 @@ struct Input {
     std::span<const double> near{};      ///< turns within half a turn of which those of links are; (-pi, pi] if empty
     double shortfall = 0;     ///< by how much margins may fall short of 0 and the dyads still count as closed
     std::size_t last = none;  ///< the margin with whose step placing ends; none: everything is placed
+    std::span<GroupSolver<T>> groups{};  ///< for each larger group of the order
+    double master = 0;                   ///< the input along which larger groups are followed
 };
 
 namespace detail {
@@ -472,7 +478,8 @@ void place_plainly(const Step& step, const Sized<T>& size, const Input<T>& input
         case Kind::tied:
         case Kind::dyad:
         case Kind::through:
-        case Kind::stopped: break;
+        case Kind::stopped:
+        case Kind::together: break;
     }
 }
 
@@ -493,7 +500,7 @@ Margin<T> stop(const Step& step, const Sized<T>& size, const Input<T>& input, co
 
 }  // namespace detail
 
-/// Places all links of an order that is closed (Order::closed). Returns whether every dyad closes; where one does not,
+/// Places all links. Returns whether every dyad and larger group closes; where one does not,
 /// `pose.margins` of the dyads up to and with it are right, and nothing after it is placed.
 template <class T>
 bool place(const Order& order, std::span<const Sized<T>> sizes, const Input<T>& input, Pose<T>& pose) {
@@ -505,7 +512,9 @@ bool place(const Order& order, std::span<const Sized<T>> sizes, const Input<T>& 
         }
         const T side = step.choice == none ? T(1) : T(static_cast<int>(input.sides[step.choice]));
         Margin<T>& margin = pose.margins[step.margin];
-        if (step.kind == Step::Kind::dyad)
+        if (step.kind == Step::Kind::together) {
+            if (!input.groups[step.joint].place(input.master, input.drives, pose, margin)) return false;
+        } else if (step.kind == Step::Kind::dyad)
             margin = step.is_extended()
                          ? detail::dyad(step, detail::extended_sizes(step, sizes[i], input.drives), side, pose)
                          : detail::dyad(step, sizes[i], side, pose);
@@ -524,3 +533,5 @@ bool place(const Order& order, std::span<const Sized<T>> sizes, const Input<T>& 
 }
 
 }  // namespace mechwright::linkage
+
+#include "analysis/linkage/group_solver.h"  // which needs what stands above

@@ -54,18 +54,20 @@ struct Step {
         through,  ///< a link on a placed pin whose line passes another one at a distance
         carried,  ///< a pin by its placed link
         unwound,  ///< the turn of a placed link from its direction
-        stopped   ///< nothing: how far a joint or a drive is from a stop
+        stopped,  ///< nothing: how far a joint or a drive is from a stop
+        together  ///< the links of a larger group (Order::larger)
     };
     Kind kind = Kind::driven;
     std::size_t link = none;     ///< that is placed or turned
     std::size_t other = none;    ///< the link against which; of `through` the link that slides, if one does
     std::size_t pin = none;      ///< that is placed; of `pinned` and `through` the placed one
     std::size_t far_pin = none;  ///< of `through` the pin that the line passes
-    std::size_t joint = none;    ///< the slide, slot, gear or rack; of `stopped` with `pin` the slot, else the slide
-    std::size_t input = none;    ///< the drive; of `racked` the rack
-    bool reversed = false;       ///< the joint names the placed link second; of `stopped` it is the greatest value
-    std::size_t choice = none;   ///< which of the sides decides
-    std::size_t margin = none;   ///< which of the margins it has
+    std::size_t joint = none;   ///< the slide, slot, gear or rack; of `stopped` with `pin` the slot, else the slide; of
+                                ///< `together` which larger group
+    std::size_t input = none;   ///< the drive; of `racked` the rack
+    bool reversed = false;      ///< the joint names the placed link second; of `stopped` it is the greatest value
+    std::size_t choice = none;  ///< which of the sides decides
+    std::size_t margin = none;  ///< which of the margins it has
     Locus first{}, second{};  ///< of a dyad: a circle before a line; of a gear its two links (`other` is its carrier);
                               ///< of `wheeled` slide and line, of `racked` wheel and carrier
 
@@ -75,6 +77,36 @@ struct Step {
     bool is_extended() const { return first.extended != none || second.extended != none; }
     /// Whether its margin is an angle: how far a drive that turns is from a stop.
     bool is_of_angle() const { return kind == Kind::stopped && joint == none; }
+};
+
+/// One equation of a larger group: what a joint or drive says of the places of its links.
+struct LoopEquation {
+    enum class Kind : std::uint8_t {
+        pin_x,  ///< the pin `joint` is at one place of both links
+        pin_y,
+        slide_turn,  ///< the slide `joint`: the first link is at its angle to the second
+        slide_line,  ///< its origin is on the line of the second
+        slot,        ///< the slot `joint`: its pin, of the first link, is on the line of the second
+        gear,        ///< first, second, carrier
+        rack,        ///< what slides, what it slides on, wheel, carrier
+        drive_turn,  ///< the drive `joint`: the angle from the second link to the first
+        drive_slide  ///< the displacement of the first link on the second
+    };
+    Kind kind = Kind::pin_x;
+    std::size_t joint = 0;
+    std::size_t links[4]{none, none, none, none};
+};
+
+/// A coordinate of a link.
+struct LinkUnknown {
+    std::size_t link = 0;
+    int part = 0;  ///< 0, 1: x and y of its origin; 2: its turn
+};
+
+/// What a larger group has to solve: as many equations as unknowns.
+struct LargerGroup {
+    std::vector<LinkUnknown> unknowns{};
+    std::vector<LoopEquation> equations{};
 };
 
 /// How some links are placed together.
@@ -88,7 +120,7 @@ struct Group {
         rpr,
         rpp,
         prp,
-        larger  ///< no dyad: not placed by closed form
+        larger  ///< no dyad: placed by solving its equations together
     };
     Kind kind = Kind::drive;
     std::vector<std::size_t> links{};
@@ -97,7 +129,9 @@ struct Group {
     std::size_t outer[2]{none, none};  ///< pins from which a side is counted: two of rrr, the first of rrp and rpr
     std::size_t joint = none;          ///< of rrp and rpr: the slide, or the slot, whose line it is
     bool by_slide = false;             ///< the joint is a slide, else a slot
+    std::size_t larger = none;         ///< which of Order::larger
 
+    /// How many there are; 0 of a larger group, whose number depends on the dimensions and the input.
     int assemblies() const { return kind == Kind::larger ? 0 : choice == none ? 1 : 2; }
 };
 
@@ -109,16 +143,15 @@ struct Order {
     std::size_t margins = 0;
     std::size_t stops =
         0;  ///< of the margins the last so many, which have only one side each: `outer` and `inner` are it
+    std::vector<LargerGroup> larger{};
 
+    /// Those of larger groups are among them.
     std::size_t margins_of_dyads() const { return margins - stops; }
     bool is_stop(std::size_t margin) const { return margin >= margins_of_dyads(); }
+    bool has_dyad_margins() const { return margins_of_dyads() > larger.size(); }
 
-    /// Whether every group is placed by closed form, so that `steps` places all links.
-    bool closed() const {
-        for (const Group& group : groups)
-            if (group.kind == Group::Kind::larger) return false;
-        return true;
-    }
+    /// Whether every group is placed by closed form.
+    bool closed() const { return larger.empty(); }
 };
 
 /// The margin that a group has, none if it has none.
@@ -139,12 +172,19 @@ inline const Step& step_of(const Order& order, std::size_t margin) {
                          [margin](const Step& step) { return step.margin == margin; });
 }
 
+/// The step of a larger group that has this margin; null if it is another's.
+inline const Step* step_together(const Order& order, std::size_t margin) {
+    for (const Step& step : order.steps)
+        if (step.margin == margin && margin != none) return step.kind == Step::Kind::together ? &step : nullptr;
+    return nullptr;
+}
+
 inline bool is_of_lines(const Order& order, std::size_t margin) { return step_of(order, margin).is_of_lines(); }
 
 /// Whether a margin is a length.
 inline bool is_length(const Order& order, std::size_t margin) {
     const Step& step = step_of(order, margin);
-    return !step.is_of_lines() && !step.is_of_angle();
+    return !step.is_of_lines() && !step.is_of_angle() && step.kind != Step::Kind::together;
 }
 
 /// Whether some dyad closes by lengths, or some displacement has stops: of two lines there is a point but where they

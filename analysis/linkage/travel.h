@@ -22,7 +22,7 @@ namespace mechwright::linkage {
 /// What ends a motion: a margin that vanishes, or nothing but the interval that was asked for.
 struct Limit {
     std::size_t margin = none;
-    bool inner = false;     ///< Margin::inner, else Margin::outer
+    bool inner = false;     ///< Margin::inner, else Margin::outer; of a larger group Way::last, else Way::first
     bool parallel = false;  ///< of two lines that become parallel: places beyond all bounds, no pose
     bool stop = false;      ///< of a joint or a drive: nothing is singular there
 
@@ -121,7 +121,7 @@ inline std::optional<std::vector<Vanishing>> vanishing(MarginAlong& margin, std:
 
 /// The input next to the end of a travel, on the side of `inside`, at which its margin is not negative by rounding.
 inline double closing_end(const Driven<double>& driven, const Travel& travel, const Limit& limit, double end) {
-    if (!limit.exists() || limit.parallel) return end;
+    if (!limit.exists() || limit.parallel || step_together(driven.order, limit.margin) != nullptr) return end;
     constexpr int most = 40;
     MarginAlong margin(driven, limit.margin);
     margin.follow(travel.from, travel.to);
@@ -133,11 +133,36 @@ inline double closing_end(const Driven<double>& driven, const Travel& travel, co
     return x;
 }
 
+/// The part of a travel that the way of a larger group goes along, if it does anywhere.
+inline void split_by_way(const Way& way, std::size_t margin, const Travel& travel, std::vector<Travel>& parts) {
+    constexpr double beside = 1e-6;  // within which a way comes to the end of what it hangs on
+    if (way.whole) return parts.push_back(travel);
+    Travel part = travel;
+    part.whole = false;
+    // Of a whole travel the way is where it is; else it is counted in the turn in which it meets the travel.
+    const double middle = 0.5 * (way.from() + way.to()), centre = 0.5 * (travel.from + travel.to);
+    const double shift = travel.whole || way.period == 0 ? 0 : way.period * std::round((centre - middle) / way.period);
+    const double from = way.from() + shift, to = way.to() + shift;
+    if (travel.whole || (way.first.limit && from > travel.from) || from > travel.from + beside) {
+        part.from = from;
+        part.first = way.first.limit ? Limit{margin, false} : Limit{};
+    }
+    if (travel.whole || (way.last.limit && to < travel.to) || to < travel.to - beside) {
+        part.to = to;
+        part.last = way.last.limit ? Limit{margin, true} : Limit{};
+    }
+    if (part.from < part.to) parts.push_back(part);
+}
+
 /// The parts of a travel in which one more margin is not negative. A margin that vanishes without becoming negative but
 /// for rounding ends nothing.
 inline void split(const Driven<double>& driven, std::size_t index, double size, const Travel& travel,
                   std::vector<Travel>& parts) {
     constexpr double rounding = 8e-15, overlap = 0.125;
+    if (const Step* step = step_together(driven.order, index)) {
+        if (const auto& way = driven.groups[step->joint].way) split_by_way(*way, index, travel, parts);
+        return;
+    }
     MarginAlong margin(driven, index);
     const double period = travel.to - travel.from;
     const double to = travel.to + (travel.whole ? overlap : 0);

@@ -1,6 +1,7 @@
 #include "synthesis/document/result_schema.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -89,9 +90,14 @@ Json of_kinds(const Kinds& kinds) {
 /// Where the file itself makes the names.
 Json table_of_any(const Json& value) { return {{"type", "object"}, {"additionalProperties", value}}; }
 
+/// Which assembly a larger group of links is in.
+constexpr std::array larger_group{
+    Key{"group", Shape::text, "The links that are placed together.", true},
+    Key{"index", Shape::whole_number, "Which of its assemblies, from 1, for the start dimensions.", true}};
+
 Json of_linkages() {
     Json design = table_of(fields::design);
-    design["properties"]["assembly"].update(table_of_any(table_of(fields::side)));
+    design["properties"]["assembly"].update(table_of_any(any_of({table_of(fields::side), table_of(larger_group)})));
     design["additionalProperties"] = number();
     Json properties{{"design", design},
                     {"quantities", table_of_any(number())},

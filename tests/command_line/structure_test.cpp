@@ -68,7 +68,9 @@ TEST(Structure, ExplainsWhatIsRedundantAndWhatIsNoDyad) {
     const Outcome larger = run({"structure", triad});
     EXPECT_EQ(larger.exit_code, 0) << larger.err;
     expect_has(larger.out, "larger group  one, two, three, plate");
-    expect_has(larger.out, "not solved here");
+    expect_has(larger.out, "one, two, three, plate  ");
+    expect_has(larger.out, " assemblies\n");
+    expect_has(larger.out, "one+two+three+plate is a larger group");
 }
 
 /// Its longest and shortest links together are longer than the others: the crank turns until the dyad is folded, where

@@ -70,7 +70,7 @@ struct AssembledAt {
 };
 
 AssembledAt find_assemblies(const Linkage& linkage, std::optional<double> at) {
-    const double named = at.value_or(linkage.at.value_or(0));
+    const double named = at.value_or(usual_input(linkage));
     AssembledAt best{named, assemblies_at(linkage, named)};
     constexpr int inputs = 72;
     if (at || !best.assemblies.empty() || linkage.structure.drives.front().of_slide) return best;
@@ -95,10 +95,8 @@ Drawn draw_assemblies(const DrawOptions& options, double width, Console& console
     if (const int outcome = read_and_report(options.file, false, console, read); outcome != exit_code::solved)
         return {{}, outcome};
     const Linkage& linkage = read.linkage;
-    if (!linkage.order.closed() || linkage.structure.drives.empty()) {
-        complain(console, options.file +
-                              ": a group of its links is no dyad, so that they cannot be placed; "
-                              "'mechwright structure' names it, --skeleton draws the links apart");
+    if (linkage.structure.drives.empty()) {
+        complain(console, options.file + ": nothing drives this linkage; --skeleton draws its links apart");
         return {{}, exit_code::invalid_file};
     }
     if (at && linkage.units.degrees && !linkage.structure.drives.front().of_slide) *at *= std::numbers::pi / 180;

@@ -152,6 +152,22 @@ std::optional<double> lost_at(const LinkageModel& model, std::span<const Digits5
     return {};
 }
 
+/// Where larger groups, as the joints' equations lead them, are not on the branch on which they were measured; absent
+/// where they are everywhere.
+std::optional<double> astray_at(const LinkageModel& model, linkage::Driven<double>& moving,
+                                const std::vector<std::pair<double, LoopPose<double>>>& poses) {
+    constexpr double within = 1e-5;  // near a limit places are as exact as the root of the digits
+    for (const auto& [at, pose] : poses) {
+        if (!moving.place(at)) return at;
+        for (const linkage::LargerGroup& group : model.order.larger)
+            for (const linkage::LinkUnknown& unknown : group.unknowns) {
+                const Vector<double> apart = moving.pose.links[unknown.link].along - pose.along(unknown.link);
+                if (!(std::hypot(apart.x, apart.y) <= within)) return at;
+            }
+    }
+    return {};
+}
+
 std::string input_text(const LinkageModel& model, double input) {
     return model.driven_by_slide() ? fmt::format("displacement {:.9g}", input)
                                    : fmt::format("crank angle {:.9g} deg", input * 180 / std::numbers::pi);
@@ -213,6 +229,12 @@ std::vector<Check> check_linkage_motion(const Motion& motion, std::span<const Di
         checks.push_back({"comes back to where it began", apart < end_within,
                           fmt::format("to {:.2g} of its size after {} of the drive", apart,
                                       model.turns == 1 ? "a turn" : fmt::format("{} turns", model.turns))});
+    }
+    if (!model.order.closed()) {
+        const auto astray = astray_at(model, followed.moving, some);
+        checks.push_back({"larger groups stay on their branch", !astray,
+                          astray ? "not at " + input_text(model, *astray)
+                                 : fmt::format("at {} poses that the joints' equations lead to", some.size())});
     }
     if (model.sides[motion.assembly].empty()) return checks;
     std::string names;

@@ -32,13 +32,14 @@ double least_margin(const linkage::Pose<double>& pose) {
 
 /// Where the linkage does not close, its dyads stand at their limits. `body` is the angle from the link to the body.
 template <class T>
-Guided<T> guided(const LinkageModel& model, std::size_t assembly, std::span<const T> dimensions, const T& crank_angle,
-                 const T& body) {
+Guided<T> guided(const LinkageModel& model, std::size_t assembly, const Ways& ways, std::span<const T> dimensions,
+                 const T& crank_angle, const T& body) {
     using std::cos, std::sin;
     const std::vector<T> numbers = numbers_of(model, dimensions);
     linkage::Driven<T> driven(model.structure, model.order, std::span<const T>(numbers), model.sides[assembly],
                               laws_of(model));
     driven.shortfall = std::numeric_limits<double>::infinity();
+    driven.set_ways(ways);
     driven.place(crank_angle);
     const T tilt = model.placement[2].at(dimensions);
     const Vector<T> across{cos(tilt), sin(tilt)}, turn{cos(body), sin(body)};
@@ -67,8 +68,9 @@ double miss(Form form, std::span<const double> dimensions, double crank_angle, c
     std::vector<double> arguments(dimensions.begin(), dimensions.end());
     arguments.push_back(crank_angle);
     const std::size_t n = arguments.size(), lengths = n - (faces ? 2 : 1);
+    const Ways ways = ways_of(model, std::span(arguments).first(lengths), form.assembly);
     const auto place = [&]<class T>(std::span<const T> x) {
-        return guided<T>(model, form.assembly, x.first(lengths), x[n - 1], faces ? x[n - 2] : T(0));
+        return guided<T>(model, form.assembly, ways, x.first(lengths), x[n - 1], faces ? x[n - 2] : T(0));
     };
     const Guided<double> here = place(std::span<const double>(arguments));
     for (std::size_t c = 0; c < Count; ++c)
@@ -184,7 +186,9 @@ PointGuidance linkage_point_guidance(const LinkageModel& model, std::size_t dime
 }
 
 Vector<double> guided_point_of_linkage(Form form, std::span<const double> dimensions, double crank_angle) {
-    const auto at = guided(linkage_of(form.model), form.assembly, dimensions, crank_angle, 0.0).coordinates;
+    const LinkageModel& model = linkage_of(form.model);
+    const Ways ways = ways_of(model, dimensions, form.assembly);
+    const auto at = guided(model, form.assembly, ways, dimensions, crank_angle, 0.0).coordinates;
     return {at[0], at[1]};
 }
 

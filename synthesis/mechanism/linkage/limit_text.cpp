@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace mechwright {
 
 std::string stop_text(const linkage::Step& step, std::span<const std::string> pins,
@@ -21,6 +23,14 @@ std::string limit_text(const linkage::Order& order, const linkage::Limit& limit,
     using Kind = linkage::Step::Kind;
     if (!limit.exists()) return {};
     const linkage::Step& step = linkage::step_of(order, limit.margin);
+    if (step.kind == Kind::together) {
+        std::string names;
+        std::size_t last = linkage::none;
+        for (const linkage::LinkUnknown& unknown : order.larger[step.joint].unknowns)
+            if (unknown.link != std::exchange(last, unknown.link))
+                names += fmt::format("{}'{}'", names.empty() ? "" : ", ", links[unknown.link]);
+        return fmt::format("where {} turn back together", names);
+    }
     if (step.kind == Kind::stopped) return "at " + stop_text(step, pins, slides);
     if (step.is_of_lines())
         return step.kind == Kind::tied ? fmt::format("where the lines that hold '{}' become parallel", links[step.link])

@@ -336,6 +336,7 @@ Digits50 full_turn_margin(const LinkageModel& model, std::size_t assembly, std::
     for (const Digits50& d : dimensions)
         rounded.push_back(d.convert_to<double>());
     linkage::Driven<double> plain = driven(model, rounded, assembly);
+    precise.set_ways(ways_of(model, rounded, assembly));
     const auto least_at = [&]<class T>(linkage::Driven<T>& moving, const T& at) {
         T least(std::numeric_limits<double>::infinity());
         const bool whole = moving.place(at);

@@ -2,6 +2,7 @@
 /// \file
 /// What a quantity of a linkage is measured on: the linkage, its motion and its signals; and the lengths of its links.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -54,6 +55,13 @@ struct Over {
     linkage::Driven<double> driven(std::span<const double> dimensions) const {
         return mechwright::driven(model, dimensions, motion.assembly);
     }
+    /// Whether larger groups, if there are any, are on their branch all over a travel.
+    bool stays(std::span<const double> dimensions, const linkage::Travel& travel) const {
+        if (model.order.larger.empty()) return true;
+        const Ways all = ways_of(model, dimensions, motion.assembly);
+        return !all.empty() && std::all_of(all.begin(), all.end(),
+                                           [&](const auto& way) { return way && way->covers(travel.from, travel.to); });
+    }
     double period() const { return turn * model.turns; }
     linkage::Travel travel() const {
         return {model.input_of(motion.from), motion.full_turn ? motion.from + period() : model.input_of(motion.to),
@@ -77,7 +85,8 @@ inline std::vector<Signal> own_signals(const LinkageModel& model, Kind kind) {
     }
     if (kind == Kind::transmission_angle_worst)
         for (std::size_t margin = 0; margin < model.order.margins_of_dyads(); ++margin)
-            signals.push_back({Signal::Kind::transmission_angle, margin});
+            if (linkage::step_together(model.order, margin) == nullptr)
+                signals.push_back({Signal::Kind::transmission_angle, margin});
     if (kind != Kind::joint_distance_least) return signals;
     for (std::size_t a = 0; a < s.pins.size(); ++a)
         for (std::size_t b = a + 1; b < s.pins.size(); ++b)
@@ -111,6 +120,9 @@ template <class T, std::size_t K>
 linkage::Measured<T, K> measured(const Over& over, std::span<const T> arguments, std::span<const Signal> signals) {
     const LinkageModel& m = over.model;
     const std::span<const T> dimensions = over.dimensions_of(arguments);
+    std::vector<double> plain;
+    for (std::size_t i = 0; !m.order.larger.empty() && i < dimensions.size(); ++i)
+        plain.push_back(number_as<double>(value_of(dimensions[i])));
     return {m.structure,
             m.order,
             numbers_of(m, dimensions),
@@ -118,7 +130,8 @@ linkage::Measured<T, K> measured(const Over& over, std::span<const T> arguments,
             over.laws,
             signals,
             placing_of(over, dimensions, over.shape_of(arguments)),
-            m.input_of(over.rate)};
+            m.input_of(over.rate),
+            ways_of(m, plain, over.motion.assembly)};
 }
 
 /// Distances of links' origins to their pins, but those that are 0, in the drawing.

@@ -77,7 +77,7 @@ std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimen
         all.push_back(linkage_quantity(std::move(name), unit, std::move(meaning), std::move(measure), dimensions));
         all.back().measure_again = measure_linkage_again;
     };
-    if (model.order.margins_of_dyads() > 0)
+    if (model.order.has_dyad_margins())
         add("transmission-angle-worst", Unit::angle, "least transmission angle of all dyads, folded at a right angle",
             {Kind::transmission_angle_worst});
     add("total-length", Unit::length, "sum of the distances of links' origins to their pins", {Kind::total_length});

@@ -7,12 +7,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "analysis/linkage/driven.h"
+#include "analysis/linkage/follow_way.h"
 #include "analysis/linkage/inputs.h"
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/steps.h"
@@ -65,6 +67,10 @@ struct LinkageModel {
     /// Of a driven slide the displacement, not divided, that counts as much as a radian does: a power of two, so that
     /// inputs of the analysis are of order one and no digit is lost. 1 where the master turns.
     double input_length = 1;
+    std::vector<linkage::Assembled> starts{};  ///< [assembly] of larger groups, with the dimensions `sketched`
+    std::vector<double> sketched{};
+    std::vector<bool> sketched_lengths{};                                   ///< which of these are lengths
+    std::shared_ptr<const char> identity = std::make_shared<const char>();  ///< of models whose ways are the same
 
     bool driven_by_slide() const { return structure.drives.front().of_slide; }
     /// The master's input as the analysis has it, for one of a motion, and back.
@@ -93,6 +99,11 @@ LinkageModel over_unit(LinkageModel model, double unit);
 std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives);
 /// By which they follow an input of the analysis (LinkageModel::input_of).
 std::vector<linkage::DriveLaw> laws_of(const LinkageModel& model);
+
+/// The ways of its larger groups along the motion of a design, for the inputs of its cycle: what its assembly becomes
+/// where the dimensions change from `sketched`. Empty where there are no such groups.
+using Ways = std::vector<std::shared_ptr<const linkage::Way>>;
+Ways ways_of(const LinkageModel& model, std::span<const double> dimensions, std::size_t assembly);
 
 /// The linkage of some dimensions in one assembly, driven by its master's input of the analysis. Lengths are before
 /// `scale`.

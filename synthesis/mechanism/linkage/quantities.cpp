@@ -222,6 +222,7 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
         const linkage::Travel all = kind == Kind::full_turn_margin && !over.model.driven_by_slide()
                                         ? linkage::Travel{0, over.period(), true}
                                         : course.travel;
+        if (kind == Kind::assembly_margin && !over.stays(dimensions, all)) return false;
         found.margins = linkage::margin_places(plain, driven, all);
         std::erase_if(found.margins, [&](const linkage::MarginPlace& place) {
             return kind == Kind::full_turn_margin ? !linkage::is_length(over.model.order, place.margin.margin)

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/linkage/mobility.h"
@@ -60,6 +61,20 @@ struct LinkageAnchor {
     std::optional<Affine> sum{};  ///< of dimensions
 };
 
+/// Points of [sketch], in the frame's axes.
+struct LinkageSketch {
+    double input = 0;                                              ///< of the master, radians or a length
+    std::vector<std::pair<std::size_t, Vector<double>>> points{};  ///< by pins
+};
+
+/// Larger groups in one assembly, with the sides of the dyads that they hang on.
+struct LargerAssembly {
+    std::vector<std::int8_t> sides{};
+    std::vector<std::size_t> indices{};  ///< for each larger group: which it is, from 1, of those that it has there
+    linkage::Assembled assembled{};
+    linkage::Pose<double> pose{};
+};
+
 struct Linkage {
     std::string file;
     std::string title;
@@ -81,8 +96,14 @@ struct Linkage {
     Followed followed = Followed::nothing;  ///< by [line] or [arc]
     linkage::Mobility mobility;
     linkage::Order order;
-    std::vector<std::int8_t> sides;      ///< for each choice of the order 1, -1, or 0 for either
-    std::vector<std::size_t> redundant;  ///< links that are left out of order: the others place what they join
+    std::vector<std::int8_t> sides;  ///< for each choice of the order 1, -1, or 0 for either
+    std::optional<LinkageSketch> sketch{};
+    std::optional<double> motion_at{};         ///< of [motion], as `at`
+    std::vector<std::optional<int>> larger;    ///< which assembly of each larger group, from 1; 0 for either
+    std::vector<LargerAssembly> assembled{};   ///< those that it can be in, with its usual dimensions
+    std::vector<std::size_t> larger_counts{};  ///< how many each larger group was found to have at that input
+    std::string unassembled{};                 ///< why none is settled, where it has larger groups and none is
+    std::vector<std::size_t> redundant;        ///< links that are left out of order: the others place what they join
     std::vector<std::size_t> kept_by_redundant{};  ///< inner pins of dyads whose side these decide
 
     /// Whether every dimension is a number.

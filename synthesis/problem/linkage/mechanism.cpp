@@ -11,6 +11,7 @@
 
 #include "analysis/linkage/travel.h"
 #include "synthesis/mechanism/linkage/mechanism.h"
+#include "synthesis/problem/linkage/larger_groups.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/linkage/sides.h"
 #include "synthesis/problem/schema/keys.h"
@@ -26,7 +27,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_open_sides = 6;
 constexpr double fastest_link = 1e4;  ///< turns of a link for one of the drive: it is followed in small steps
 
 /// Numbers of a file in the program's units, as sums of the mechanism's dimensions.
@@ -126,9 +126,12 @@ struct Assemblies {
     std::vector<std::vector<std::int8_t>> sides{};
     std::vector<std::string> names{};
     std::vector<std::string> documents{};
+    std::vector<linkage::Assembled> starts{};  ///< of larger groups
 };
 
-void add_assembly(const Linkage& linkage, const std::vector<std::int8_t>& sides, Assemblies& all) {
+/// `larger` is null where there are no larger groups.
+void add_assembly(const Linkage& linkage, const std::vector<std::int8_t>& sides, const LargerAssembly* larger,
+                  Assemblies& all) {
     std::string name;
     Json document = Json::object();
     for (const linkage::Group& group : linkage.order.groups) {
@@ -138,7 +141,13 @@ void add_assembly(const Linkage& linkage, const std::vector<std::int8_t>& sides,
         name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, word_of(group, side));
         document[key] = side_document(linkage, group, side);
     }
+    for (std::size_t i = 0; larger != nullptr && i < larger->indices.size(); ++i) {
+        const std::string key = name_of_larger(linkage, i);
+        name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, larger->indices[i]);
+        document[key] = larger_document(linkage, i, larger->indices[i]);
+    }
     all.sides.push_back(sides);
+    if (larger != nullptr) all.starts.push_back(larger->assembled);
     if (name.empty()) return;
     all.names.push_back(std::move(name));
     all.documents.push_back(document.dump());
@@ -146,8 +155,11 @@ void add_assembly(const Linkage& linkage, const std::vector<std::int8_t>& sides,
 
 Assemblies assemblies_of(const Linkage& linkage) {
     Assemblies all;
-    for_each_assembly(linkage.sides, most_open_sides,
-                      [&](const std::vector<std::int8_t>& sides) { add_assembly(linkage, sides, all); });
+    for (const LargerAssembly& one : linkage.assembled)
+        add_assembly(linkage, one.sides, &one, all);
+    if (linkage.order.closed())
+        for_each_assembly(linkage.sides, most_open_sides,
+                          [&](const std::vector<std::int8_t>& sides) { add_assembly(linkage, sides, nullptr, all); });
     return all;
 }
 
@@ -207,24 +219,48 @@ double greatest_turn(const LinkageModel& model, std::span<const double> dimensio
     return greatest;
 }
 
+/// Whether all links have the same directions.
+bool faces_alike(const linkage::Pose<double>& a, const linkage::Pose<double>& b) {
+    constexpr double within = 1e-9;
+    for (std::size_t i = 0; i < a.links.size(); ++i)
+        if (!(std::hypot(a.links[i].along.x - b.links[i].along.x, a.links[i].along.y - b.links[i].along.y) <= within))
+            return false;
+    return true;
+}
+
 /// After how many turns of the drive it closes, by the usual dimensions; 0 where it never does.
-int turns_of_cycle(const LinkageModel& model, std::span<const double> dimensions) {
+int turns_of_cycle(LinkageModel model, std::span<const double> dimensions) {
     if (greatest_turn(model, dimensions) > fastest_link) return 0;
-    return linkage::turns_of_cycle(model.structure, driven(model, dimensions, 0)).value_or(0);
+    const int turns = linkage::turns_of_cycle(model.structure, driven(model, dimensions, 0)).value_or(0);
+    if (model.order.closed() || model.driven_by_slide()) return turns;
+    // A larger group may be in another assembly after a turn, and links geared to it elsewhere.
+    for (model.turns = turns; model.turns > 0 && model.turns <= linkage::most_turns; model.turns += turns) {
+        model.identity = std::make_shared<const char>();
+        linkage::Driven<double> moving = driven(model, dimensions, 0);
+        const auto goes_round = [](const auto& group) { return group.way && group.way->whole; };
+        const bool limited = std::any_of(moving.groups.begin(), moving.groups.end(), [](const auto& group) {
+            return !group.way || group.way->to() - group.way->from() < group.way->period;
+        });
+        if (limited) return turns;
+        if (!std::all_of(moving.groups.begin(), moving.groups.end(), goes_round)) continue;
+        const double start = model.starts[0].input;
+        if (!moving.place(start)) return turns;
+        const linkage::Pose<double> before = moving.pose;
+        if (moving.place(start + 2 * std::numbers::pi * model.turns) && faces_alike(before, moving.pose))
+            return model.turns;
+    }
+    return 0;
 }
 
 }  // namespace
 
 std::string why_no_mechanism(const Linkage& linkage) {
-    if (!linkage.order.closed()) {
-        std::string names;
-        for (const linkage::Group& group : linkage.order.groups)
-            if (group.kind == linkage::Group::Kind::larger)
-                for (const std::size_t link : group.links)
-                    names += (names.empty() ? "'" : ", '") + linkage.links[link] + "'";
-        return fmt::format("{} are placed together and form no dyad; such groups are not placed by this version",
-                           names);
-    }
+    if (!linkage.unassembled.empty()) return linkage.unassembled;
+    if (!linkage.order.closed() && linkage.structure.drives.front().of_slide)
+        return fmt::format(
+            "the links {} are placed together; such groups are followed by the angle of a driven link, "
+            "not by a slide, in this version",
+            name_of_larger(linkage, 0));
     for (const LinkageSignal& signal : linkage.signals)
         if (signal.value.kind == linkage::Signal::Kind::transmission_angle &&
             margin_at(linkage, signal.value.of) == linkage::none)
@@ -252,6 +288,13 @@ std::shared_ptr<const Mechanism> mechanism_of(const Linkage& linkage, std::strin
     Assemblies assemblies = assemblies_of(linkage);
     LinkageModel model = model_of(linkage);
     model.sides = std::move(assemblies.sides);
+    if (!linkage.order.closed()) {
+        const std::vector<DimensionRange> ranges = ranges_of(linkage);
+        model.starts = std::move(assemblies.starts);
+        model.sketched = usual(ranges);
+        for (const Dimension& dimension : dimensions_of(linkage))
+            model.sketched_lengths.push_back(scales(dimension.kind));
+    }
     model.turns = model.driven_by_slide() ? 1 : turns_of_cycle(model, usual(ranges_of(linkage)));
     std::vector<NamedMeasure> asked;
     std::string fault;

@@ -21,7 +21,8 @@ double input(const LinkageReading& reading, double value) {
 void read_linkage_motion(LinkageReading& reading) {
     std::optional<Section> section = read_section(reading.file, "motion", reading.messages);
     if (!section) return;
-    if (const auto at = read_number(*section, "at", reading.messages)) reading.made.at = input(reading, *at);
+    if (const auto at = read_number(*section, "at", reading.messages))
+        reading.made.at = reading.made.motion_at = input(reading, *at);
     if (const auto range = read_numbers(*section, "crank_range", reading.messages)) {
         if (range->size() != 2 || !((*range)[0] < (*range)[1]))
             add_error(
@@ -40,18 +41,25 @@ void read_sketch(LinkageReading& reading) {
     if (!section) return;
     if (!has(*section, "crank"))
         add_error(reading.messages, section->place, "'crank' in [sketch] is missing: the input at which it is drawn");
-    if (const auto crank = read_number(*section, "crank", reading.messages); crank && !reading.made.at)
-        reading.made.at = input(reading, *crank);
+    LinkageSketch sketch;
+    if (const auto crank = read_number(*section, "crank", reading.messages)) {
+        sketch.input = input(reading, *crank);
+        if (!reading.made.at) reading.made.at = sketch.input;
+    }
     std::optional<Section> points = read_section(*section, "points", reading.messages);
     report_unknown_keys(*section, reading.messages);
     if (!points) return;
     for (const auto& [name, node] : in_order(*points->table)) {
-        find_pin(reading, name, key_place(*points, name), "[sketch]");
+        const auto pin = find_pin(reading, name, key_place(*points, name), "[sketch]");
         const toml::array* place = node->as_array();
         if (place == nullptr || place->size() != 2 || !place->get(0)->is_number() || !place->get(1)->is_number())
             add_error(reading.messages, place_of(*node),
                       fmt::format("'{}' in [sketch] must be two numbers [x, y] in the frame's axes", name));
+        else if (pin)
+            sketch.points.emplace_back(
+                *pin, Vector<double>{*place->get(0)->value<double>(), *place->get(1)->value<double>()});
     }
+    reading.made.sketch = std::move(sketch);
 }
 
 void read_placement(LinkageReading& reading) {

@@ -82,6 +82,7 @@ void read_linkage_table(const toml::table& table, Linkage& made, Messages& messa
     conclude_dimensions(reading);
     if (!messages.failed) settle(reading);
     read_assembly(reading);
+    if (!messages.failed) assemble_larger(reading);
     report_unknown_keys(file, messages);
 }
 

@@ -24,6 +24,7 @@ struct LinkageReading {
     std::vector<FilePlace> pin_places{};  ///< where a point is first named
     std::vector<FilePlace> link_places{};
     std::vector<FilePlace> drive_places{};
+    std::vector<FilePlace> larger_places{};  ///< where the assemblies of larger groups are said
 
     /// Limits on what one file describes, far above any mechanism: hostile files end at once.
     static constexpr std::size_t most_links = 100, most_points = 400, most_joints = 100;
@@ -87,7 +88,11 @@ void read_signals(LinkageReading& reading);
 void read_linkage_targets(LinkageReading& reading);
 /// Mobility, order and, where all dimensions are given, whether it closes: only of a structure without errors.
 void settle(LinkageReading& reading);
-/// The sides of dyads; after `settle`.
+/// The sides of dyads, and which assemblies larger groups are in; after `settle`.
 void read_assembly(LinkageReading& reading);
+/// { group, index } or "either" of the larger group that a key names. Returns whether it names one.
+bool read_larger_assembly(LinkageReading& reading, std::string_view key, const toml::node& node);
+/// Finds the assemblies of larger groups; after `read_assembly`.
+void assemble_larger(LinkageReading& reading);
 
 }  // namespace mechwright::reading

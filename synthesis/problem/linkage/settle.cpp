@@ -450,9 +450,7 @@ std::optional<std::int8_t> side_between(LinkageReading& reading, const toml::tab
     if (has(section, "group") || has(section, "index")) {
         add_error(
             reading.messages, section.place,
-            fmt::format("{}: groups are told by their inner pin here; {{ group, index }} is of groups that are no "
-                        "dyads, which this version does not place",
-                        what));
+            fmt::format("{}: a dyad is told by its side; {{ group, index }} is of groups that are no dyads", what));
         return {};
     }
     const toml::node* node = find(section, "side");
@@ -479,6 +477,8 @@ std::optional<std::int8_t> side_between(LinkageReading& reading, const toml::tab
 void read_assembly(LinkageReading& reading) {
     Linkage& made = reading.made;
     made.sides.assign(made.order.choices, 1);
+    made.larger.assign(made.order.larger.size(), std::nullopt);
+    reading.larger_places.assign(made.order.larger.size(), place_of(reading.file, "links"));
     std::optional<Section> section = read_section(reading.file, "assembly", reading.messages);
     if (reading.messages.failed) return;
     if (section)
@@ -489,6 +489,7 @@ void read_assembly(LinkageReading& reading) {
                 if (node->is_string()) to_choice(*node, what, "side", any_side, reading.messages);
                 continue;
             }
+            if (group == nullptr && read_larger_assembly(reading, key, *node)) continue;
             if (group == nullptr) {
                 const auto known = keys_of_dyads(made);
                 add_error(reading.messages, key_place(*section, key),

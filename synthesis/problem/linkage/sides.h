@@ -28,6 +28,9 @@ nlohmann::ordered_json side_document(const Linkage& linkage, const linkage::Grou
 /// `C = "ahead"`.
 std::string assembly_line(const Linkage& linkage, const linkage::Group& group, int side);
 
+/// Of how many dyads both sides can be left open.
+inline constexpr std::size_t most_open_sides = 6;
+
 /// Calls `use` with every assembly that the sides allow (0: either); of more than `most` open sides the last are left
 /// at 1, so that it ends.
 void for_each_assembly(const std::vector<std::int8_t>& sides, std::size_t most,

@@ -222,6 +222,10 @@ Json of_linkage() {
               {"properties", {{"side", sides}, {"from", {{"type", "string"}}}, {"to", {{"type", "string"}}}}},
               {"required", {"side"}},
               {"additionalProperties", false}};
+    Json larger{{"type", "object"},
+                {"properties", {{"group", {{"type", "string"}}}, {"index", {{"type", "integer"}, {"minimum", 1}}}}},
+                {"required", {"index"}},
+                {"additionalProperties", false}};
     Json tie = table_of(keys::tie);
     tie["properties"]["of"].update(Json{{"type", "string"}});
     Json dimension = range_of();
@@ -231,7 +235,7 @@ Json of_linkage() {
     points["minItems"] = points["maxItems"] = 2;
     Json properties{{"dimensions", named(name_pattern, std::move(dimension))},
                     {"links", named(name_pattern, named(name_pattern, coordinates()))},
-                    {"assembly", named(name_pattern, any_of({std::move(sides), std::move(side)}))},
+                    {"assembly", named(name_pattern, any_of({std::move(sides), std::move(side), std::move(larger)}))},
                     {"sketch", {{"properties", {{"points", named(name_pattern, std::move(points))}}}}},
                     {"signals", named(name_pattern, signal())}};
     properties["links"]["required"] = {"frame"};

@@ -9,6 +9,7 @@
 
 #include "synthesis/mechanism/drawing/outlines.h"
 #include "synthesis/mechanism/linkage/link_bodies.h"
+#include "synthesis/problem/linkage/larger_groups.h"
 #include "synthesis/problem/linkage/sides.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/drawing/svg.h"
@@ -194,6 +195,8 @@ std::vector<std::string> assembly_block(const Linkage& linkage, const LinkageAss
     std::vector<std::string> lines{fmt::format("# {}{}", number, assembly.as_in_file ? ", as in the file" : "")};
     for (const linkage::Group* group : chosen_dyads(linkage))
         lines.push_back(assembly_line(linkage, *group, assembly.sides[group->choice]));
+    for (std::size_t i = 0; i < assembly.larger.size(); ++i)
+        lines.push_back(larger_line(linkage, i, assembly.larger[i]));
     return lines;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "synthesis/problem/linkage/larger_groups.h"
 #include "synthesis/problem/linkage/sides.h"
 #include "synthesis/report/structure/assemblies.h"
 #include "synthesis/report/structure/circuits.h"
@@ -186,7 +187,11 @@ Json groups_of(const Linkage& l) {
             one["closed-at"] = l.pins[group.pin];
             one["side"] = side_of(l, group, l.sides[group.choice]);
         }
-        if (group.kind != Kind::larger) one["assemblies"] = one.contains("redundant") ? 1 : group.assemblies();
+        if (group.kind == Kind::larger) {
+            one["name"] = name_of_larger(l, group.larger);
+            if (l.given() && !l.larger_counts.empty()) one["assemblies"] = l.larger_counts[group.larger];
+        } else
+            one["assemblies"] = one.contains("redundant") ? 1 : group.assemblies();
         one["dimensions"] = dimensions_read(l, i);
         groups.push_back(std::move(one));
     }
@@ -201,9 +206,14 @@ double shown_input(const Linkage& l, double at) {
 Json assemblies_of(const Linkage& l, double at) {
     Json list = Json::array();
     for (const LinkageAssembly& assembly : assemblies_at(l, at)) {
-        Json one{{"sides", Json::object()}, {"points", Json::object()}, {"as-in-file", assembly.as_in_file}};
+        Json one{{"sides", Json::object()}};
+        if (!assembly.larger.empty()) one["indices"] = Json::object();
+        one["points"] = Json::object();
+        one["as-in-file"] = assembly.as_in_file;
         for (const Group* group : chosen_dyads(l))
             one["sides"][l.pins[group->pin]] = word_of(*group, assembly.sides[group->choice]);
+        for (std::size_t i = 0; i < assembly.larger.size(); ++i)
+            one["indices"][name_of_larger(l, i)] = assembly.larger[i];
         for (std::size_t i = 0; i < l.pins.size(); ++i)
             if (!linkage::is_on(l.structure.pins[i], 0))
                 one["points"][l.pins[i]] = {assembly.pose.pins[i].x, assembly.pose.pins[i].y};
@@ -245,18 +255,16 @@ std::string groups_text(const Json& groups) {
     std::string larger, reads;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const Json& group = groups[i];
-        const bool dyad = group.contains("assemblies");
+        const bool counted = group.contains("assemblies") && group["assemblies"] != 1;
         table.rows.push_back({std::to_string(i + 1), group["kind"].get<std::string>(), list_text(group["links"]),
                               side_text(group),
-                              !dyad                      ? "not solved here"
-                              : group["assemblies"] == 2 ? "2 assemblies"
-                                                         : ""});
+                              counted ? fmt::format("{} assemblies", group["assemblies"].get<std::size_t>()) : ""});
         if (!group["dimensions"].empty())
             reads += folded(fmt::format("  {:>2}  ", i + 1), "reads " + list_text(group["dimensions"]));
-        if (!dyad)
-            larger = folded("",
-                            "A larger group is no dyad: its links have to be placed together, which this version "
-                            "does not do.");
+        if (group.contains("name"))
+            larger += folded("", fmt::format("{} is a larger group: its links are placed together. A [sketch], or "
+                                             "[assembly] with its index among the assemblies below, says how.",
+                                             group["name"].get<std::string>()));
     }
     return to_text(table, 2) + (reads.empty() ? "" : "\nDimensions\n" + reads) + (larger.empty() ? "" : "\n" + larger);
 }
@@ -271,6 +279,9 @@ std::string assemblies_text(const Json& all, const Linkage& l) {
         std::string sides, points;
         for (const auto& [pin, side] : one["sides"].items())
             sides += fmt::format("{}{}{}{}", sides.empty() ? "" : ", ", pin, tied_space, side.get<std::string>());
+        const Json indices = one.contains("indices") ? one["indices"] : Json::object();
+        for (const auto& [group, index] : indices.items())
+            sides += fmt::format("{}{}{}{}", sides.empty() ? "" : ", ", group, tied_space, index.get<std::size_t>());
         for (const auto& [pin, at] : one["points"].items())
             points += fmt::format("{}{}{}({},{}{})", points.empty() ? "" : ", ", pin, tied_space,
                                   number_text(at[0].get<double>(), 6), tied_space, number_text(at[1].get<double>(), 6));
@@ -280,7 +291,7 @@ std::string assemblies_text(const Json& all, const Linkage& l) {
     return text;
 }
 
-bool is_placed(const Linkage& l) { return l.given() && l.order.closed() && !l.structure.drives.empty(); }
+bool is_placed(const Linkage& l) { return l.given() && !l.structure.drives.empty(); }
 
 }  // namespace
 
@@ -303,8 +314,9 @@ Json structure_of(const Linkage& l, std::optional<double> at) {
     json["drives"] = drives_of(l);
     json["groups"] = groups_of(l);
     if (is_placed(l)) {
-        Json circuits = circuits_of(l);
-        json.update(assemblies_of(l, at.value_or(l.at.value_or(usual_input(l, circuits)))));
+        Json circuits = l.order.closed() ? circuits_of(l) : Json();
+        const double usual = l.order.closed() ? l.at.value_or(usual_input(l, circuits)) : usual_input(l);
+        json.update(assemblies_of(l, at.value_or(usual)));
         if (!circuits.is_null()) json["circuits"] = std::move(circuits);
     }
     return json;
