@@ -448,7 +448,8 @@ T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, c
 }
 
 /// The mean of what is asked over [from, to], or of its square, as a function of the dimensions; ends that are limits
-/// of the motion move with them. To rounding.
+/// of the motion move with them. To rounding. Infinite where what is asked has no integral because of how it grows at a
+/// limit.
 template <class T, std::size_t K, std::size_t L>
 T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& asked, const Course& course, double from,
           double to, bool squared, const MovingEnds<T>& ends = {}) {
@@ -458,6 +459,13 @@ T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& ask
         const bool limit = last ? to == all.to : from == all.from;
         return {last ? to : from, 0, false, !limit ? Limit{} : last ? all.last : all.first};
     };
+    // Speeds grow like the inverse root of the way from a limit, accelerations like its third power.
+    const std::size_t grows = (asked.derivative + order_of(plain.signals(), asked.signal)) * (squared ? 2 : 1);
+    for (const bool last : {false, true}) {
+        if (grows < 2 || !(last ? stretch.root_at_to : stretch.root_at_from)) continue;
+        const double at_limit = value_at_limit(plain, asked, course, last);
+        if (std::isinf(at_limit)) return T(squared ? std::abs(at_limit) : at_limit);
+    }
     const T shift_from = shift_of(measured, asked, course, end(false), ends),
             shift_to = shift_of(measured, asked, course, end(true), ends);
     if (asked.derivative > 0 && !squared) {

@@ -129,12 +129,12 @@ std::vector<double> padded(const Mechanism& mechanism, std::vector<double> lengt
     return lengths;
 }
 
-const MadeLinkage bars = four_bar_linkage({dimension_at, dimension_at + 1, dimension_at + 2, dimension_at + 3});
+const MadeLinkage four_bars = four_bar_linkage({dimension_at, dimension_at + 1, dimension_at + 2, dimension_at + 3});
 
 TEST(LinkageQuantities, AreTheFourBars) {
     const auto four_bar = find_mechanism("four-bar");
     for (const std::vector<double>& lengths : {std::vector<double>{4, 1, 3.5, 3}, {6, 2.1, 5, 3.9}, {10, 3, 8.5, 5}}) {
-        const Design design(bars, lengths);
+        const Design design(four_bars, lengths);
         const Motion its = motion_of(*four_bar, padded(*four_bar, lengths), 0, nullptr);
         ASSERT_TRUE(its.full_turn);
         const std::vector<Signal> rocker{angle_of(3)};
@@ -159,7 +159,7 @@ TEST(LinkageQuantities, AreTheFourBars) {
 TEST(LinkageQuantities, AreTheLimitedFourBars) {
     const auto four_bar = find_mechanism("four-bar");
     const std::vector<double> lengths{5, 3, 4, 3.2};
-    const Design design(bars, lengths);
+    const Design design(four_bars, lengths);
     const auto range = assembled_range(FourBar<double>{5, 3, 4, 3.2});
     ASSERT_FALSE(range.full_turn);
     const Worth worst =

@@ -16,11 +16,13 @@
 #include "synthesis/report/text/summary.h"
 #include "synthesis/solve/solve.h"
 #include "synthesis/verify/verify.h"
+#include "tests/replaced.h"
 
 namespace mechwright {
 
 namespace {
 
+using testing::replaced;
 constexpr double degree_of_drive = std::numbers::pi / 180;
 
 std::string text_of_linkage(const std::string& name) {
@@ -28,12 +30,6 @@ std::string text_of_linkage(const std::string& name) {
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-    const std::size_t at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    return text.replace(at, what.size(), by);
 }
 
 Problem driven_problem(const std::string& text) {

@@ -12,12 +12,14 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/solve/solve.h"
 #include "tests/checked.h"
+#include "tests/replaced.h"
 #include "tests/triad.h"
 
 namespace mechwright {
 
 namespace {
 
+using testing::replaced;
 using Json = nlohmann::ordered_json;
 using testing::expect_verified;
 using testing::is_refused;
@@ -97,10 +99,6 @@ TEST(LinkageProblems, AnAnalysisIsVerifiedFromItsDocumentAlone) {
     changed = document;
     changed["linkage"]["links"]["coupler"]["P"][1] = 30.0001;
     EXPECT_TRUE(is_refused(changed));
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
 }
 
 /// With a rocker and a crank to be found.

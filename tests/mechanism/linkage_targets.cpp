@@ -19,6 +19,7 @@ namespace mechwright {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
 using testing::expect_verified;
 using testing::is_refused;
 

@@ -12,10 +12,12 @@
 #include "synthesis/verify/proofs/proof_checks.h"
 #include "synthesis/verify/verify.h"
 #include "tests/known_optima/solved.h"
+#include "tests/replaced.h"
 
 namespace mechwright {
 namespace {
 
+using testing::replaced;
 using Json = nlohmann::ordered_json;
 using testing::shipped;
 using testing::Solved;
@@ -260,12 +262,6 @@ Json said_to_be_bounded(const Solved& s) {
     json["search"]["certificate"] = {{"kind", "bound"}};
     json["search"]["bound"] = json["objective"]["value"].get<double>() * (1 - 1e-6);
     return json;
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-    const auto at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    return at == std::string::npos ? text : text.replace(at, what.size(), by);
 }
 
 TEST(Certificates, OfBoundsThatOtherLinkagesUndercutDoNotHold) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/constants/constants.hpp>
-#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -56,8 +56,9 @@ struct Measured {
     /// Its derivative of some order by the input; -1: its integral, where it is a derivative itself.
     std::function<Digits50(SignalsAgain<Digits50>&, int, const Digits50&)> measure;
 
-    double seen(double input) const {
+    double seen(double input, bool finely = false) const {
         SignalsAgain<double> signals = scan.plain(scan.nearest(input));
+        signals.finely = finely;
         return look(signals, input);
     }
     Digits50 at(double input, int order = 0) const {
@@ -118,6 +119,21 @@ Extreme polished(const Measured& f, double left, double middle, double right, do
     return by_golden_section(f, signals, {left, right}, sign);
 }
 
+/// At an end of a part of the motion, or between it and its neighbour among the samples where that is better.
+Extreme polished_end(const Measured& f, double end, double neighbour, double sign) {
+    const Extreme at_end{end, f.at(end)};
+    const double seen_at_end = sign * f.seen(end);
+    double best = end, most = seen_at_end;
+    for (const double share : {0x1p-12, 0x1p-6, 0.25})
+        if (const double at = end + share * (neighbour - end), seen = sign * f.seen(at); seen > most) {
+            best = at;
+            most = seen;
+        }
+    if (best == end) return at_end;
+    const Extreme inside = polished(f, std::min(end, neighbour), best, std::max(end, neighbour), sign);
+    return sign * inside.value > sign * at_end.value || isnan(at_end.value) ? inside : at_end;
+}
+
 /// The greatest value over parts of the motion, of f or of its negative.
 Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, double sign) {
     struct Candidate {
@@ -155,25 +171,45 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
         if (c.seen < best - near_best * (best - worst) - 1e-12) continue;
         const bool end = c.left == c.at || c.right == c.at;
         if (!end && i % every != 0) continue;
-        const Extreme one = end ? Extreme{c.at, f.at(c.at)} : polished(f, c.left, c.at, c.right, sign);
-        if (isfinite(one.value) && (!isfinite(found.value) || sign * one.value > sign * found.value)) found = one;
+        const Extreme one = end ? polished_end(f, c.at, c.left == c.at ? c.right : c.left, sign)
+                                : polished(f, c.left, c.at, c.right, sign);
+        if (!isnan(one.value) && (isnan(found.value) || sign * one.value > sign * found.value)) found = one;
     }
     return found;
 }
 
-/// The integral of a power of it over the parts, over their length. Ends are approached as the square of the way, so
-/// that what has a root there is smooth.
-double mean_power(const Measured& f, const std::vector<Vector<double>>& parts, int power) {
-    constexpr int panels = 48;
-    double sum = 0, length = 0;
-    for (const auto& [from, to] : parts) {
-        length += to - from;
-        for (int k = 0; k < panels; ++k)
-            sum += boost::math::quadrature::gauss<double, 15>::integrate(
-                [&, start = from, way = to - from](double u) {
-                    return std::pow(f.seen(start + way * u * u * (3 - 2 * u)), power) * 6 * u * (1 - u) * way;
-                },
-                static_cast<double>(k) / panels, static_cast<double>(k + 1) / panels);
+/// The integral over a part of the motion of a power of it. Ends are approached as the square of the way, so that what
+/// has a root there is smooth. Not a number where it does not settle, as what grows beyond all bounds does not.
+double integral_of_power(const Measured& f, const Vector<double>& part, int power) {
+    constexpr unsigned deepest = 24;
+    constexpr double within = 1e-10, settled = 1e-9;
+    const double from = part.x, way = part.y - part.x,
+                 turns = f.scan.model.driven_by_slide() ? 1 : std::ceil(way / (2 * std::numbers::pi));
+    // Beside an end differences of doubles have no digits left.
+    const double beside = 1e-3 * (f.scan.model.driven_by_slide() ? way : 1);
+    const auto term = [&](double u) -> double {
+        const double passed = way * u * u * (3 - 2 * u), input = from + passed;
+        const bool precise = std::min(passed, way - passed) < beside;
+        const double value = precise ? f.at(input).convert_to<double>() : f.seen(input, true);
+        return (power == 2 ? value * value : value) * 6 * u * (1 - u) * way;
+    };
+    double sum = 0, missed = 0, size = 0;
+    for (double turn = 0; turn < turns; ++turn) {
+        double error = 0, of_sizes = 0;
+        sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(term, turn / turns, (turn + 1) / turns,
+                                                                             deepest, within, &error, &of_sizes);
+        missed += error;
+        size += of_sizes;
+    }
+    return missed <= settled * size ? sum : missing;
+}
+
+/// That over the parts, over their length.
+Digits50 mean_power(const Measured& f, const std::vector<Vector<double>>& parts, int power) {
+    Digits50 sum = 0, length = 0;
+    for (const Vector<double>& part : parts) {
+        length += part.y - part.x;
+        sum += integral_of_power(f, part, power);
     }
     return sum / length;
 }
@@ -204,7 +240,7 @@ Digits50 reduced(const Measured& f, const LinkageMeasure& q) {
         case Kind::mean:
             if (q.asked.derivative > 0) return mean_of_derivative(f, parts);
             return mean_power(f, parts, 1);
-        case Kind::rms: return std::sqrt(mean_power(f, parts, 2));
+        case Kind::rms: return sqrt(mean_power(f, parts, 2));
         case Kind::time_ratio: {
             if (!f.scan.full_turn()) return missing;
             const Digits50 period = f.scan.to() - f.scan.from();

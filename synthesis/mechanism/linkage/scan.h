@@ -26,10 +26,13 @@ public:
     bool empty() const { return at.empty(); }
     SignalsAgain<double> plain(std::size_t sample) const { return begun<double>(rounded_, sample); }
     SignalsAgain<Digits50> precise(std::size_t sample) const { return begun<Digits50>(dimensions_, sample); }
+    /// The sample from which an input is reached: at a limit itself velocities lead anywhere.
     std::size_t nearest(double input) const {
         const auto next = static_cast<std::size_t>(std::lower_bound(at.begin(), at.end(), input) - at.begin());
-        if (next == 0) return 0;
-        return next == at.size() || input - at[next - 1] < at[next] - input ? next - 1 : next;
+        const std::size_t close = next == 0                                                      ? 0
+                                  : next == at.size() || input - at[next - 1] < at[next] - input ? next - 1
+                                                                                                 : next;
+        return full_turn() || at.size() < 3 ? close : std::clamp<std::size_t>(close, 1, at.size() - 2);
     }
 
     const LinkageModel& model;
@@ -39,14 +42,9 @@ public:
     /// The pose at an end of the motion, or where it ends by itself before it or a little after it.
     SignalsAgain<Digits50> at_end(bool last) const {
         SignalsAgain<Digits50> signals = precise(last ? at.size() - 1 : 0);
-        Follower<Digits50>& follower = signals.follower;
-        const Digits50 unit = follower.unit();
-        const Digits50 end = last ? motion_.to : motion_.from, way = last ? 1 : -1, little = 1e-9 * unit;
-        Follower<Digits50> beyond = follower;
-        if (follower.at == end || (beyond.step(end) && follower.step(end) && beyond.step(end + way * little)))
-            return signals;
-        for (Digits50 step = 2 * little + abs(end - follower.at); step > 1e-42 * unit; step /= 2)
-            follower.step(follower.at + way * step);
+        if (!full_turn()) signals.inside.emplace(precise(nearest(last ? at.back() : at.front())).follower);
+        reach_end(last, signals.follower);
+        if (!full_turn()) (last ? signals.last_input : signals.first_input) = signals.follower.at;
         return signals;
     }
     double from() const { return motion_.from; }
@@ -54,10 +52,23 @@ public:
     bool full_turn() const { return motion_.full_turn; }
 
 private:
+    /// Goes to an end of the motion from its last sample.
+    void reach_end(bool last, Follower<Digits50>& follower) const {
+        const Digits50 unit = follower.unit();
+        const Digits50 end = last ? motion_.to : motion_.from, way = last ? 1 : -1, little = 1e-9 * unit;
+        Follower<Digits50> beyond = follower;
+        if (follower.at == end || (beyond.step(end) && follower.step(end) && beyond.step(end + way * little))) return;
+        for (Digits50 step = 2 * little + abs(end - follower.at); step > 1e-42 * unit; step /= 2)
+            follower.step(follower.at + way * step);
+    }
     /// At a sample; where it is a limit and no pose is there within rounding, at the next one from which it goes on.
     template <class T>
     SignalsAgain<T> begun(const std::vector<T>& dimensions, std::size_t sample) const {
         SignalsAgain<T> signals(model, std::span<const T>(dimensions), poses.front().turns);
+        if (!full_turn()) {
+            signals.first_input = T(from());
+            signals.last_input = T(to());
+        }
         const std::size_t middle = at.size() / 2;
         for (std::size_t i = sample; !signals.follower.start(at[i], pose_as<T>(poses[i])) && i != middle;)
             i < middle ? ++i : --i;

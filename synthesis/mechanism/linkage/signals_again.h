@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -77,10 +78,12 @@ public:
     /// Calls use(at, pose) with the pose at an input near that of the follower; false where there is none.
     template <class Use>
     bool at_pose(const T& input, const Use& use) {
-        Follower<T> there = follower;
+        const Follower<T>& here = from_inside_ && inside ? *inside : follower;
+        Follower<T> there = here;
         there.heeds_stops = false;
         if (there.pose.turns.empty()) return false;
-        if (!(there.at == input) && !there.step(input) && !there.start(input, follower.pose)) return false;
+        constexpr double least = 1e-9;
+        if (!(there.at == input) && !there.step(input) && !there.follow(input, least, [](const auto&) {})) return false;
         use(there.pose);
         return true;
     }
@@ -95,20 +98,68 @@ public:
     const T& scale() const { return scale_; }
 
 private:
-    /// The central difference of some order.
+    /// The derivative of some order from values at a few inputs about one, so close together as the nearest end of the
+    /// motion lets them be; at an end, beyond which there is no pose, from inside.
     template <class Function>
-    T difference(const Function& f, int order, const T& at) const {
-        const T h = difference_step();
-        T sum(0), power(1);
-        double binomial = 1;
-        for (int k = 0; k <= order; ++k) {
-            const T there = order == 0 ? at : T(at + T(0.5 * order - k) * h);
-            sum += T(k % 2 == 0 ? binomial : -binomial) * f(there);
-            binomial = binomial * (order - k) / (k + 1);
+    auto difference(const Function& f, int order, const T& at) {
+        if (order == 0) return f(at);
+        constexpr bool doubles = std::is_same_v<T, double>;
+        const T before = at - first_input, after = last_input - at, nearest = before < after ? before : after;
+        const int count = order + (finely ? 7 : 1);
+        const T farthest = (doubles ? T(1) / T(count) : T(1e-5)) * nearest;
+        if (doubles && !finely ? nearest < T(count) * difference_step() : !(nearest > T(0))) {
+            from_inside_ = true;
+            auto slope = from_inside(f, order, at, before < after ? follower.unit() : T(-follower.unit()));
+            from_inside_ = false;
+            return slope;
         }
-        for (int k = 0; k < order; ++k)
-            power *= h;
-        return sum / power;
+        const T h = farthest < difference_step() ? farthest : difference_step();
+        return slope_of_polynomial(f, order, at, h, count, 0.5 * (count - 1));
+    }
+
+    /// The same at an end, with a `way` towards the motion of the size of inputs. Infinite where shorter steps make it
+    /// much steeper, as what goes like the root of the distance.
+    template <class Function>
+    static auto from_inside(const Function& f, int order, const T& at, const T& way) {
+        // Differences of doubles are for a first look.
+        if constexpr (std::is_same_v<T, double>)
+            return slope_of_polynomial(f, order, at, way * 1e-3, order + 1, -1);
+        else
+            return unless_it_grows(slope_of_polynomial(f, order, at, T(way * T(1e-7)), order + 5, -1),
+                                   slope_of_polynomial(f, order, at, T(way * T(1e-8)), order + 5, -1));
+    }
+    static T unless_it_grows(const T& longer, const T& shorter) {
+        using std::abs;
+        constexpr double steep = 1e-6;
+        if (!(abs(shorter) > T(2) * abs(longer)) || !(abs(shorter) > T(steep))) return longer;
+        return T(shorter > T(0) ? 1 : -1) * T(std::numeric_limits<double>::infinity());
+    }
+    static Vector<T> unless_it_grows(const Vector<T>& longer, const Vector<T>& shorter) {
+        return {unless_it_grows(longer.x, shorter.x), unless_it_grows(longer.y, shorter.y)};
+    }
+
+    /// The derivative of the polynomial through the values at some inputs that are h apart, of which the first lies
+    /// `shift` steps before `at`: by Newton's forward differences.
+    template <class Function>
+    static auto slope_of_polynomial(const Function& f, int order, const T& at, const T& h, int count, double shift) {
+        std::vector<decltype(f(at))> differences;
+        for (int i = 0; i < count; ++i)
+            differences.push_back(f(T(at + T(i - shift) * h)));
+        for (int level = 1; level < count; ++level)
+            for (int i = count - 1; i >= level; --i)
+                differences[i] = differences[i] - differences[i - 1];
+        // Coefficients by powers of s of (s + shift) (s + shift - 1) ... (s + shift - j + 1) / j!.
+        std::vector<T> power(count + 1, T(0));
+        power[0] = T(1);
+        auto sum = T(0) * differences[0];
+        for (int j = 0; j < count; ++j) {
+            sum = sum + power[order] * differences[j];
+            for (int k = j + 1; k >= 0; --k)
+                power[k] = ((k > 0 ? power[k - 1] : T(0)) + T(shift - j) * power[k]) / T(j + 1);
+        }
+        for (int k = 1; k <= order; ++k)
+            sum = T(T(k) / h) * sum;
+        return sum;
     }
 
     Vector<T> pin_at(std::size_t pin, const T& input) {
@@ -117,9 +168,7 @@ private:
         return at;
     }
     T magnitude(std::size_t pin, int order, const T& input) {
-        Vector<T> by;
-        by.x = difference([&](const T& x) { return pin_at(pin, x).x; }, order, input);
-        by.y = difference([&](const T& x) { return pin_at(pin, x).y; }, order, input);
+        const Vector<T> by = difference([&](const T& x) { return pin_at(pin, x); }, order, input);
         return scale_ * hypotenuse(by.x, by.y);
     }
 
@@ -192,11 +241,17 @@ private:
 
 public:
     Follower<T> follower;
+    /// Between these inputs there are poses, as far as that is known.
+    T first_input{-std::numeric_limits<double>::infinity()}, last_input{std::numeric_limits<double>::infinity()};
+    bool finely = false;  ///< whether derivatives in doubles are to have as many digits as there can be
+    /// Where the follower stands at an end: one that stands before it.
+    std::optional<Follower<T>> inside{};
 
 private:
     Vector<T> origin_, tilt_;
     T scale_;
     T rate_;  ///< of the input, by time
+    bool from_inside_ = false;
 };
 
 }  // namespace mechwright

@@ -1,0 +1,141 @@
+// Means and extremes of linkages where verification is hard: over motions that end at limits, at which speeds grow
+// beyond all bounds, and beside the seam of a full turn.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "synthesis/document/document.h"
+#include "synthesis/problem/reader.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/solve/solve.h"
+#include "tests/checked.h"
+
+namespace mechwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::expect_verified;
+using testing::is_refused;
+
+Json analysed_means(const std::string& text, const std::vector<std::string>& asked) {
+    std::string all = text;
+    for (const std::string& quantity : asked)
+        all += "[[require]]\nquantity = \"" + quantity + "\"\nmin = -1e9\n";
+    const ReadProblem read = parse_problem(all, "means.toml");
+    EXPECT_TRUE(read.ok());
+    return read.ok() ? analysis_document(read.problem, evaluate_given(read.problem)) : Json();
+}
+
+/// An isosceles slider-crank: its crank turns fully, and the slide's displacement is 2 cos(angle) exactly.
+const std::string isosceles = R"(
+schema = 1
+mechanism = "linkage"
+[links]
+frame = { A = [0, 0] }
+crank = { A = [0, 0], B = [1, 0] }
+lever = { B = [0, 0], S = [1, 0], P = [-1, 0] }
+ram   = { S = [0, 0] }
+[[slide]]
+name = "bed"
+link = "ram"
+on = "frame"
+point = "A"
+direction = 0
+[drive]
+link = "crank"
+[motion]
+crank_range = [-60, 75]
+[signals]
+way   = { slide = "bed" }
+speed = { speed-of = "S" }
+)";
+
+TEST(LinkageMeans, AreThoseOfTheClosedForm) {
+    const Json document = analysed_means(
+        isosceles, {"way.mean", "way.rms", "speed.mean", "speed.rms", "way.speed.mean", "way.acceleration.rms"});
+    const Json& found = document["quantities"];
+    constexpr double degree = 3.14159265358979323846 / 180, from = -60 * degree, to = 75 * degree, length = to - from;
+    const auto expect = [&](const char* name, double value) {
+        EXPECT_NEAR(found[name].get<double>(), value, 1e-12) << name;
+    };
+    const double squares = 2 * length + std::sin(2 * to) - std::sin(2 * from);  // of 2 cos, integrated
+    expect("way.mean", 2 * (std::sin(to) - std::sin(from)) / length);
+    expect("way.rms", std::sqrt(squares / length));
+    expect("speed.mean", 2 * (2 - std::cos(to) - std::cos(from)) / length);
+    expect("speed.rms", std::sqrt((4 * length - squares) / length));
+    expect("way.speed.mean", 2 * (std::cos(to) - std::cos(from)) / length);
+    expect("way.acceleration.rms", std::sqrt(squares / length));
+    expect_verified(document);
+    Json changed = document;
+    changed["quantities"]["speed.mean"] = found["speed.mean"].get<double>() * (1 + 1e-7);
+    EXPECT_TRUE(is_refused(changed));
+}
+
+/// A rocker that swings between two limits of its dyad.
+const std::string rocking = R"(
+schema = 1
+mechanism = "linkage"
+[links]
+frame   = { A = [0, 0], D = [5, -0.1] }
+crank   = { A = [0, 0], B = [3.5, 0] }
+coupler = { B = [0, 0], C = [2.8, 0], P = [-1.7, -0.5] }
+rocker  = { D = [0, 0], C = [2.9, 0] }
+[drive]
+link = "crank"
+[signals]
+swing = { angle = "rocker" }
+speed = { speed-of = "P" }
+place = { x = "P" }
+)";
+
+TEST(LinkageMeans, AreVerifiedOverMotionsThatEndAtLimits) {
+    const Json document =
+        analysed_means(rocking, {"swing.mean", "swing.rms", "speed.mean", "place.mean", "speed.least"});
+    for (const char* name : {"swing.mean", "swing.rms", "speed.mean", "place.mean", "speed.least"})
+        EXPECT_TRUE(document["quantities"][name].is_number()) << name;
+    expect_verified(document);
+}
+
+/// A speed grows like the inverse root of the way from a limit: its square has no integral.
+TEST(LinkageMeans, OfSquaresOfSpeedsAreNotThereWhereMotionsEndAtLimits) {
+    for (const char* quantity : {"speed.rms", "swing.speed.rms"}) {
+        const ReadProblem read =
+            parse_problem(rocking + "[[require]]\nquantity = \"" + quantity + "\"\nmin = 0\n", "means.toml");
+        ASSERT_TRUE(read.ok());
+        const Json found = document(read.problem, solve(read.problem, {}));
+        EXPECT_EQ(found["status"], "infeasible");
+        EXPECT_FALSE(found["quantities"].contains(quantity));
+        expect_verified(found);
+    }
+}
+
+/// Its point nearly comes to rest 0.134 degrees before the end of the turn (brute force over 720 000 crank angles:
+/// 0.04938717 at 359.866 degrees).
+TEST(LinkageMeans, AnExtremeBesideTheSeamOfATurnIsVerified) {
+    const Json document = analysed_means(R"(
+schema = 1
+mechanism = "linkage"
+[links]
+frame   = { A = [0, 0], D = [4.5, -0.36] }
+crank   = { A = [0, 0], B = [0.5, 0] }
+coupler = { B = [0, 0], C = [3.541, 0], P = [3.13, 2.285] }
+rocker  = { D = [0, 0], C = [1.885, 0] }
+[drive]
+link = "crank"
+[assembly]
+C = "right"
+[signals]
+speed = { speed-of = "P" }
+)",
+                                         {});
+    EXPECT_NEAR(document["quantities"]["speed.least"].get<double>(), 0.04938717, 1e-7);
+    expect_verified(document);
+}
+
+}  // namespace
+
+}  // namespace mechwright
