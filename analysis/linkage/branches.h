@@ -38,18 +38,40 @@ inline std::size_t only_difference(const std::vector<std::int8_t>& a, const std:
     return found;
 }
 
-/// Whether two branches that differ by the side of one dyad meet at an end: at its limit, at one input.
-inline bool meet_at_limit(const Branch& a, const Branch& b, std::size_t margin, const Inputs& inputs) {
+/// Calls use(x, limit, y, limit) for the ends, of the same sense, at which two branches end by dyads' limits at one
+/// input.
+template <class Use>
+void for_common_ends(const Branch& a, const Branch& b, const Inputs& inputs, const Use& use) {
     constexpr double same_within = 1e-6;
     const double period = inputs.to - inputs.from;
-    const auto same = [&](double x, const Limit& first, double y, const Limit& second) {
-        if (first.margin != margin || second.margin != margin || first.inner != second.inner) return false;
+    const auto compare = [&](double x, const Limit& first, double y, const Limit& second) {
+        if (!first.is_singular() || !second.is_singular() || first.parallel || second.parallel) return;
         double apart = std::abs(x - y);
         if (inputs.cyclic) apart = std::abs(apart - period * std::round(apart / period));
-        return apart < same_within;
+        if (apart < same_within) use(x, first, y, second);
     };
-    return same(a.travel.from, a.travel.first, b.travel.from, b.travel.first) ||
-           same(a.travel.to, a.travel.last, b.travel.to, b.travel.last);
+    compare(a.travel.from, a.travel.first, b.travel.from, b.travel.first);
+    compare(a.travel.to, a.travel.last, b.travel.to, b.travel.last);
+}
+
+/// Whether all links are in the same places at an end of each of two assemblies: where several dyads come to their
+/// limits at once more than one side changes.
+inline bool same_places(Driven<double>& moving, const std::vector<std::int8_t>& a, double x,
+                        const std::vector<std::int8_t>& b, double y) {
+    constexpr double same_within = 1e-6;
+    const double size = size_of(moving);
+    moving.shortfall = 1e-13 * size;
+    moving.sides = a;
+    if (!moving.place(x)) return false;
+    const std::vector<LinkPlace<double>> first = moving.pose.links;
+    moving.sides = b;
+    if (!moving.place(y)) return false;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const Vector<double> way = moving.pose.links[i].origin - first[i].origin,
+                             turn = moving.pose.links[i].along - first[i].along;
+        if (std::hypot(way.x, way.y) > same_within * size || std::hypot(turn.x, turn.y) > same_within) return false;
+    }
+    return true;
 }
 
 /// Numbers circuits, whose branches have one representative, and the branches in them.
@@ -90,12 +112,16 @@ std::vector<Branch> branches_of(const Driven<double>& driven, std::span<const st
     std::iota(circuit_of.begin(), circuit_of.end(), std::size_t{0});
     for (std::size_t a = 0; a < all.size(); ++a)
         for (std::size_t b = 0; b < a; ++b) {
-            const std::size_t choice =
-                detail::only_difference(assemblies[all[a].assembly], assemblies[all[b].assembly]);
-            if (choice == none) continue;
-            const auto step = std::find_if(driven.order.steps.begin(), driven.order.steps.end(),
-                                           [&](const Step& one) { return one.choice == choice && one.margin != none; });
-            if (!detail::meet_at_limit(all[a], all[b], step->margin, inputs)) continue;
+            const std::vector<std::int8_t>&first = assemblies[all[a].assembly], &second = assemblies[all[b].assembly];
+            const std::size_t choice = detail::only_difference(first, second);
+            bool meet = false;
+            detail::for_common_ends(
+                all[a], all[b], inputs, [&](double x, const Limit& at_x, double y, const Limit& at_y) {
+                    const bool by_one_side = choice != none && at_x.margin == at_y.margin && at_x.inner == at_y.inner &&
+                                             step_of(driven.order, at_x.margin).choice == choice;
+                    meet = meet || by_one_side || detail::same_places(moving, first, x, second, y);
+                });
+            if (!meet) continue;
             const std::size_t from = circuit_of[a], to = circuit_of[b];
             std::replace(circuit_of.begin(), circuit_of.end(), from, to);
         }

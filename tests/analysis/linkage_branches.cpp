@@ -211,6 +211,21 @@ TEST(LinkageBranches, OfACrankRockerAreItsTwoCircuitsAndOfATripleRockerTheTwoBra
     EXPECT_FALSE(rocking[0].travel.whole);
 }
 
+/// Two couplers and rockers of the same lengths on the same pins come to their toggle together.
+TEST(LinkageBranches, MeetWhereSeveralDyadsAreAtTheirLimitsAtOnce) {
+    MadeLinkage made = four_bar_linkage({100, 85, 90, 120});
+    made.link({{"B", 0, 0}, {"E", 90, 0}});
+    made.link({{"D", 0, 0}, {"E", 120, 0}});
+    const linkage::Order order = linkage::order_of(made.s);
+    ASSERT_EQ(order.choices, 2u);
+    const auto all = linkage::branches_of(
+        {made.s, order, std::span<const double>(made.numbers), all_sides[0], std::vector<linkage::DriveLaw>{{}}},
+        all_sides, {});
+    ASSERT_EQ(all.size(), 4u);
+    EXPECT_EQ(all[3].circuit, 1);
+    EXPECT_EQ(all[3].branch, 4);
+}
+
 /// Stops part what toggles join: of a rocking four-bar whose crank is stopped before them there are two circuits.
 TEST(LinkageBranches, OfWhatIsStoppedBeforeItsToggleDoNotMeet) {
     MadeLinkage made = four_bar_linkage({100, 85, 90, 120});

@@ -275,6 +275,8 @@ TEST(DrivenSlides, AreToldWhatIsWrong) {
     expect_message(replaced(replaced(text, "min   = 300 ", "min   = 1300 "), "\"arm - 50\"", "1400"),
                    "with these dimensions");
     const std::string crank = text_of_linkage("stopped-slider");
+    expect_message(replaced(crank, "speed = 60 ", "min = 0\nmax = 1e9\nspeed = 60 "),
+                   "the stops of its drive are more than 64 turns apart");
     expect_message(replaced(crank, "speed = 60 ", "min = 10\nspeed = 60 "),
                    "one stop does not end the turning of [drive]: give both 'min' and 'max'");
     expect_message(replaced(crank, "min       = 90", "min       = 400\n#"), "");

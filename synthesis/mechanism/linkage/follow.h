@@ -67,15 +67,17 @@ public:
     bool follow(const T& end, double least, const Use& use) {
         using std::abs;
         constexpr double usual = std::numbers::pi / 180, crossing = 1e-3;
+        constexpr double most_steps = 1e5;  // where nothing keeps them short
         const double unit = number_as<double>(this->unit());
-        double length = usual * unit;
+        const double longest = std::max(usual * unit, number_as<double>(T(abs(T(end - at)))) / most_steps);
+        double length = longest;
         while (at != end) {
             const T rest = end - at;
             const bool last = abs(rest) <= T(length);
             const T to = last ? end : T(at + (rest > T(0) ? T(length) : T(-length)));
             if (step(to)) {
                 use(*this);
-                length = std::min(usual * unit, 2 * length);
+                length = std::min(longest, 2 * length);
             } else {
                 length = std::min(length, number_as<double>(abs(rest))) / 2;
                 if (length >= least * unit) continue;

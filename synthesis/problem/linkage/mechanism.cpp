@@ -178,7 +178,13 @@ LinkageModel model_of(const Linkage& linkage) {
     model.drives = linkage.drives;
     if (model.driven_by_slide()) {
         const std::vector<double> numbers = numbers_of(linkage, usual_dimensions(linkage));
-        const double size = linkage::farthest_point(model.structure, numbers);
+        double size = linkage::farthest_point(model.structure, numbers);
+        // Inputs that stops or a range allow are of order one, however far these are.
+        const linkage::Stops& stops = model.structure.drives.front().stops;
+        for (const auto& stop : {stops.min, stops.max})
+            if (stop) size = std::max(size, std::abs(numbers[*stop]));
+        if (linkage.crank_range)
+            size = std::max({size, std::abs(linkage.crank_range->x), std::abs(linkage.crank_range->y)});
         if (size > 0) model.input_length = std::exp2(std::round(std::log2(size)));
     }
     model.guided = linkage.guided;
@@ -252,6 +258,14 @@ int turns_of_cycle(LinkageModel model, std::span<const double> dimensions) {
     return 0;
 }
 
+/// How far the stops of a master that turns are apart, for the usual dimensions; 0 where it has none.
+double stops_apart(const Linkage& linkage) {
+    const linkage::Drive& master = linkage.structure.drives.front();
+    if (master.of_slide || !master.stops.min || !master.stops.max) return 0;
+    const std::vector<double> numbers = numbers_of(linkage, usual_dimensions(linkage));
+    return numbers[*master.stops.max] - numbers[*master.stops.min];
+}
+
 }  // namespace
 
 std::string why_no_mechanism(const Linkage& linkage) {
@@ -266,6 +280,9 @@ std::string why_no_mechanism(const Linkage& linkage) {
             margin_at(linkage, signal.value.of) == linkage::none)
             return fmt::format("the signal '{}' is the transmission angle of a dyad, and none is closed at '{}'",
                                signal.name, linkage.pins[signal.value.of]);
+    if (stops_apart(linkage) > 2 * std::numbers::pi * linkage::most_turns)
+        return fmt::format("the stops of its drive are more than {} turns apart: bring them nearer, or leave them out",
+                           linkage::most_turns);
     const auto open = static_cast<std::size_t>(std::count(linkage.sides.begin(), linkage.sides.end(), 0));
     if (open > most_open_sides)
         return fmt::format("{} dyads are closed on 'either' side: say the sides of all but {}", open, most_open_sides);

@@ -41,7 +41,10 @@ std::optional<AllBranches> branches_of(const Linkage& l) {
     if (!turns && !l.structure.drives.front().stops.any()) return {};
     linkage::Inputs inputs = linkage::inputs_of(l.structure, numbers, size, turns.value_or(1));
     // Inputs of order one, as radians are.
-    const double length = slide && size > 0 ? std::exp2(std::round(std::log2(size))) : 1;
+    constexpr double sizes = 4;  // where nothing stops it
+    const double far = std::max({size, std::abs(inputs.from) / sizes, std::abs(inputs.to) / sizes});
+    if (!slide && inputs.to - inputs.from > 4 * std::numbers::pi * linkage::most_turns) return {};
+    const double length = slide && far > 0 ? std::exp2(std::round(std::log2(far))) : 1;
     for (linkage::DriveLaw& law : moving.laws)
         law.ratio *= length;
     inputs.from /= length;
