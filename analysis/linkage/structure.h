@@ -73,6 +73,14 @@ struct Slot {
     Stops stops{};       ///< of its displacement
 };
 
+/// A circular slot is a link like others, from its centre on the link that has it to its pin; it looks otherwise.
+struct CircularSlot {
+    std::size_t link = 0;    ///< what stands for it
+    std::size_t on = 0;      ///< what has it
+    std::size_t centre = 0;  ///< a pin of both
+    std::size_t pin = 0;
+};
+
 /// The turn of `second` against `carrier` is `ratio` times that of `first`, plus `phase`: gears, and belts, which
 /// differ in nothing but how they look.
 struct Gear {
@@ -108,6 +116,7 @@ struct Structure {
     std::vector<Pin> pins{};
     std::vector<Slide> slides{};
     std::vector<Slot> slots{};
+    std::vector<CircularSlot> circular{};
     std::vector<Gear> gears{};
     std::vector<Rack> racks{};
     std::vector<Drive> drives{};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "synthesis/mechanism/drawing/body.h"
 
@@ -46,6 +47,26 @@ inline Outline slot(const Vector<double>& a, const Vector<double>& b, double hal
     const double length = std::hypot(along.x, along.y);
     const Vector<double> side = length > 0 ? (half_width / length) * left_of(along) : Vector<double>{0, half_width};
     return {layer, {{a - side, 0}, {b - side, 1}, {b + side, 0}, {a + side, 1}}, true};
+}
+
+/// What is at most `half_width` from an arc about a centre, from one angle to a greater one; two circles, an outline
+/// each, where that is a full turn.
+inline std::vector<Outline> arc_slot(const Vector<double>& centre, double radius, double from, double to,
+                                     double half_width, Layer layer) {
+    if (to - from >= 2 * std::numbers::pi)
+        return {circle(centre, radius + half_width, layer), circle(centre, radius - half_width, layer)};
+    const auto at = [&](double angle, double length) {
+        return centre + length * Vector<double>{std::cos(angle), std::sin(angle)};
+    };
+    // In pieces, so that the vertices show how far it reaches.
+    const int pieces = 1 + static_cast<int>((to - from) / 0.5);
+    const double bulge = std::tan(0.25 * (to - from) / pieces), step = (to - from) / pieces;
+    Outline outline{layer, {}, true};
+    for (int i = 0; i <= pieces; ++i)
+        outline.vertices.push_back({at(from + i * step, radius + half_width), i < pieces ? bulge : 1});
+    for (int i = pieces; i >= 0; --i)
+        outline.vertices.push_back({at(from + i * step, radius - half_width), i > 0 ? -bulge : 1});
+    return {outline};
 }
 
 inline Outline rectangle(double half_length, double half_height, Layer layer) {

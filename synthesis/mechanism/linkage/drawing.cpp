@@ -38,8 +38,10 @@ LinkageShape shape_of(const MovingDesign& design, std::span<const double> number
                        .scale = placement_of(model, design.dimensions).scale,
                        .first_body = driven_link(model),
                        .slides = {model.structure.slides.size(), Extent{infinity, -infinity}},
-                       .slots = {model.structure.slots.size(), Extent{infinity, -infinity}}};
-    if (shape.slides.empty() && shape.slots.empty()) return shape;
+                       .slots = {model.structure.slots.size(), Extent{infinity, -infinity}},
+                       .arcs = {model.structure.circular.size(), Extent{infinity, -infinity}}};
+    if (shape.slides.empty() && shape.slots.empty() && shape.arcs.empty()) return shape;
+    std::vector<double> directions(shape.arcs.size(), 0);
     const auto widen = [](Extent& stretch, double at) {
         stretch = {std::min(stretch.from, at), std::max(stretch.to, at)};
     };
@@ -48,8 +50,12 @@ LinkageShape shape_of(const MovingDesign& design, std::span<const double> number
             widen(shape.slides[i], slide_displacement(shape, i, pose));
         for (std::size_t i = 0; i < shape.slots.size(); ++i)
             widen(shape.slots[i], slot_displacement(shape, i, pose));
+        for (std::size_t i = 0; i < shape.arcs.size(); ++i) {
+            directions[i] = arc_direction(shape, i, pose, directions[i]);
+            widen(shape.arcs[i], directions[i]);
+        }
     });
-    for (std::vector<Extent>* stretches : {&shape.slides, &shape.slots})
+    for (std::vector<Extent>* stretches : {&shape.slides, &shape.slots, &shape.arcs})
         for (Extent& stretch : *stretches)
             if (!(stretch.from <= stretch.to)) stretch = {};
     return shape;

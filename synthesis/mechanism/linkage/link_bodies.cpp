@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "synthesis/mechanism/drawing/outlines.h"
 
@@ -63,11 +64,21 @@ Vector<double> seen_from_slider(const LinkageShape& shape, const linkage::Slide&
     return turned(vector, conjugate(unit(shape.numbers[slide.angle])));
 }
 
-/// A link that moves of those that have a pin, else the frame.
-std::size_t bearer_of(const linkage::Pin& pin) {
+bool is_circular(const LinkageShape& shape, std::size_t link) {
+    const auto& all = shape.structure.circular;
+    return std::any_of(all.begin(), all.end(), [link](const linkage::CircularSlot& slot) { return slot.link == link; });
+}
+
+/// A link that moves of those that have a pin and are seen, else the frame.
+std::size_t bearer_of(const LinkageShape& shape, const linkage::Pin& pin) {
     for (const linkage::Point& point : pin.points)
-        if (point.link != 0) return point.link;
+        if (point.link != 0 && !is_circular(shape, point.link)) return point.link;
     return 0;
+}
+
+double arc_radius(const LinkageShape& shape, std::size_t slot) {
+    const linkage::CircularSlot& s = shape.structure.circular[slot];
+    return distance({}, shape.at(coordinates_on(shape.structure.pins[s.pin], s.link)));
 }
 
 /// What is drawn of a link, one after the other.
@@ -85,12 +96,15 @@ struct LinkDrawing {
             const linkage::Pin& pin = shape.structure.pins[i];
             if (!is_on(pin, link)) continue;
             const Vector<double> at = shape.at(coordinates_on(pin, link));
+            const auto seen = std::count_if(pin.points.begin(), pin.points.end(), [&](const linkage::Point& point) {
+                return !is_circular(shape, point.link);
+            });
+            // The middle of a circular slot is nothing to be seen.
+            if (is_middle(i) && seen == 1) continue;
             const bool joint = pin.points.size() > 1 || in_a_slot(shape, i);
             if (joint || link != 0) (joint ? body.pins : body.points).push_back(at);
             corners.push_back(at);
-            // What stands for a circular slot has a name that is a phrase.
-            if (link == bearer_of(pin) && shape.pins[i].find(' ') == std::string::npos)
-                body.labels.push_back({shape.pins[i], at});
+            if (link == bearer_of(shape, pin)) body.labels.push_back({shape.pins[i], at});
         }
     }
 
@@ -110,11 +124,48 @@ struct LinkDrawing {
             }
             add_slot(from, to, line.direction);
             const linkage::Pin& pin = shape.structure.pins[slot.pin];
-            const std::size_t bearer = bearer_of(pin);
+            const std::size_t bearer = bearer_of(shape, pin);
             body.guides.push_back({line.at(passed.from - 3 * symbol),
                                    line.at(passed.to + 3 * symbol),
                                    body_of(shape.first_body, bearer),
                                    {shape.at(coordinates_on(pin, bearer))}});
+        }
+    }
+
+    bool is_middle(std::size_t pin) const {
+        const auto& all = shape.structure.circular;
+        return std::any_of(all.begin(), all.end(),
+                           [pin](const linkage::CircularSlot& slot) { return slot.centre == pin; });
+    }
+
+    /// As far as their pins go, with what the plate needs about them.
+    void add_circular_slots() {
+        for (std::size_t i = 0; i < shape.structure.circular.size(); ++i) {
+            const linkage::CircularSlot& slot = shape.structure.circular[i];
+            if (slot.on != link) continue;
+            const Vector<double> centre = shape.at(coordinates_on(shape.structure.pins[slot.centre], link));
+            const double half_width = 0.55 * symbol, wall = 0.6 * symbol, radius = arc_radius(shape, i);
+            for (Outline& outline : outlines::arc_slot(centre, radius, shape.arcs[i].from, shape.arcs[i].to, half_width,
+                                                       layer(Layer::link)))
+                body.outlines.push_back(std::move(outline));
+            constexpr int places = 24;
+            for (int k = 0; k <= places; ++k) {
+                const double angle = shape.arcs[i].from + (shape.arcs[i].to - shape.arcs[i].from) * k / places;
+                for (const double length : {radius - half_width - wall, radius + half_width + wall})
+                    corners.push_back(centre + length * unit(angle));
+            }
+        }
+    }
+
+    /// What stands for a circular slot is seen nowhere, but says the distance of the pin from the centre.
+    void add_radius() {
+        for (std::size_t i = 0; i < shape.structure.circular.size(); ++i) {
+            const linkage::CircularSlot& slot = shape.structure.circular[i];
+            if (slot.link != link) continue;
+            body.guides.push_back({{},
+                                   {arc_radius(shape, i), 0},
+                                   body_of(shape.first_body, slot.on),
+                                   {shape.at(coordinates_on(shape.structure.pins[slot.centre], slot.on))}});
         }
     }
 
@@ -251,6 +302,13 @@ double slot_displacement(const LinkageShape& shape, std::size_t slot, const link
     return along_line(shape, slot_line(shape, slot), pose.links[s.line.on], pose.pins[s.pin]);
 }
 
+double arc_direction(const LinkageShape& shape, std::size_t slot, const linkage::Pose<double>& pose, double near) {
+    const linkage::CircularSlot& s = shape.structure.circular[slot];
+    const Vector<double> own = linkage::place_of(coordinates_on(shape.structure.pins[s.pin], s.link), shape.numbers);
+    const Vector<double> seen = turned(turned(own, pose.links[s.link].along), conjugate(pose.links[s.on].along));
+    return near + std::remainder(std::atan2(seen.y, seen.x) - near, 2 * std::numbers::pi);
+}
+
 std::optional<std::array<Wheel, 2>> wheels_of(const LinkageShape& shape, const linkage::Gear& gear) {
     const auto first = shared_pin(shape, gear.first, gear.carrier);
     const auto second = shared_pin(shape, gear.second, gear.carrier);
@@ -287,8 +345,13 @@ std::size_t body_of(std::size_t first, std::size_t link) {
 Body link_body(const LinkageShape& shape, std::size_t link, double symbol) {
     LinkDrawing drawing{shape, link, symbol};
     drawing.body.name = shape.links[link];
+    if (is_circular(shape, link)) {
+        drawing.add_radius();
+        return std::move(drawing.body);
+    }
     drawing.add_points();
     drawing.add_slots();
+    drawing.add_circular_slots();
     drawing.add_slides();
     drawing.add_wheels();
     if (link != 0) drawing.add_plate();

@@ -32,6 +32,7 @@ struct LinkageShape {
     std::size_t first_body = 1;    ///< the link that is body 0
     std::vector<Extent> slides{};  ///< of each the displacements
     std::vector<Extent> slots{};   ///< of each where its pin goes, from the line's place `through`
+    std::vector<Extent> arcs{};    ///< of each circular slot the directions of its pin on the link that has it, radians
 
     Vector<double> at(const linkage::Coordinates& own) const { return scale * linkage::place_of(own, numbers); }
 };
@@ -50,6 +51,10 @@ GuidingLine slot_line(const LinkageShape& shape, std::size_t slot);
 /// The displacement of a slide, and how far the pin of a slot is along its line, in a pose (before `scale`).
 double slide_displacement(const LinkageShape& shape, std::size_t slide, const linkage::Pose<double>& pose);
 double slot_displacement(const LinkageShape& shape, std::size_t slot, const linkage::Pose<double>& pose);
+
+/// The direction, from a circular slot's centre on the link that has it, in which its pin is in a pose; within half a
+/// turn of `near`.
+double arc_direction(const LinkageShape& shape, std::size_t slot, const linkage::Pose<double>& pose, double near = 0);
 
 /// A wheel on a link.
 struct Wheel {

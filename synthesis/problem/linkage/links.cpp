@@ -136,6 +136,7 @@ void read_circle(LinkageReading& reading, Section& section, std::size_t pin, std
     }
     made.structure.pins[middle].points.push_back({link, {zero, zero}});
     made.structure.pins[pin].points.push_back({link, {reach, zero}});
+    made.structure.circular.push_back({link, in, middle, pin});
 }
 
 std::optional<std::size_t> read_pin(LinkageReading& reading, Section& section, std::string_view key) {

@@ -27,6 +27,7 @@ struct LinkagePanel {
 };
 
 constexpr double sheet_symbol = 0.03, line_height = 15, least_panel = 260;
+constexpr double shown_arc = 0.35;  ///< to either side of the pin of a circular slot
 
 /// All panels in as many columns as there is room for, in one scale.
 std::string sheet(const std::string& title, const std::vector<LinkagePanel>& panels, double width) {
@@ -100,6 +101,10 @@ LinkageShape shape_at(const Linkage& l, std::span<const double> numbers, const l
         const double room = is_redundant(l, l.structure.slots[i].line.on) ? 0 : reach;
         shape.slots.push_back({at - room, at + room});
     }
+    for (std::size_t i = 0; i < l.structure.circular.size(); ++i) {
+        const double at = arc_direction(shape, i, pose);
+        shape.arcs.push_back({at - shown_arc, at + shown_arc});
+    }
     return shape;
 }
 
@@ -145,6 +150,7 @@ LinkageShape shape_apart(const Linkage& l, std::span<const double> numbers) {
         shape.slots.push_back(nominal(shape, slot.line));
         if (is_redundant(l, slot.line.on)) shape.slots.back().from = shape.slots.back().to;
     }
+    shape.arcs.assign(l.structure.circular.size(), {-shown_arc, shown_arc});
     return shape;
 }
 
@@ -252,8 +258,10 @@ std::string skeleton_picture(const Linkage& linkage, double width) {
     const LinkageShape shape = shape_apart(linkage, numbers);
     const double symbol = sheet_symbol * size_of(shape);
     std::vector<LinkagePanel> panels;
+    const auto& circular = linkage.structure.circular;
     for (std::size_t link = 0; link < linkage.links.size(); ++link)
-        panels.push_back(apart(linkage, shape, link, symbol));
+        if (std::none_of(circular.begin(), circular.end(), [&](const auto& slot) { return slot.link == link; }))
+            panels.push_back(apart(linkage, shape, link, symbol));
     return sheet(linkage.title.empty() ? std::string("links") : linkage.title + ", links", panels, width);
 }
 
