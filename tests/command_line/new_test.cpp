@@ -58,7 +58,8 @@ TEST(New, EveryTaskIsSolvedAndVerifiedWithItsPresets) {
 
 TEST(New, ThereIsATaskForEveryMechanism) {
     const std::vector<Task> all = tasks();
-    for (const char* mechanism : {"four-bar", "slider-crank", "crank-shaper", "whitworth", "drag-link", "cam"})
+    for (const char* mechanism :
+         {"four-bar", "slider-crank", "crank-shaper", "whitworth", "drag-link", "cam", "linkage"})
         EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Task& t) { return t.mechanism == mechanism; }))
             << mechanism;
 }

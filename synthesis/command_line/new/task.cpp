@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "synthesis/mechanism/linkage/tasks.h"
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/text/table.h"
@@ -157,6 +158,9 @@ std::vector<Task> tasks() {
     std::vector<Task> all;
     for (const auto& mechanism : mechanisms())
         all.insert(all.end(), mechanism->tasks.begin(), mechanism->tasks.end());
+    // A linkage is none of the list: its file makes it.
+    const std::vector<Task> linkages = linkage_tasks();
+    all.insert(all.end(), linkages.begin(), linkages.end());
     return all;
 }
 
