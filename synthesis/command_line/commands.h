@@ -26,6 +26,7 @@ Command add_analyse(CLI::App& program);
 Command add_profile(CLI::App& program);
 Command add_study(CLI::App& program);
 Command add_structure(CLI::App& program);
+Command add_expand(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_draw(CLI::App& program);

@@ -29,12 +29,13 @@ std::string version_text() {
 std::vector<Command> add_commands(CLI::App& program) {
     program.get_formatter()->label("SUBCOMMAND", "COMMAND");
     program.get_formatter()->column_width(26);
-    std::vector<Command> commands{
-        add_new(program),          add_check(program),   add_solve(program),      add_compare(program),
-        add_study(program),        add_analyse(program), add_structure(program),  add_verify(program),
-        add_report(program),       add_draw(program),    add_export(program),     add_profile(program),
-        add_quantities(program),   add_explain(program), add_methods(program),    add_schema(program),
-        add_start_system(program), add_bench(program),   add_completion(program), add_man_page(program)};
+    std::vector<Command> commands{add_new(program),       add_check(program),      add_solve(program),
+                                  add_compare(program),   add_study(program),      add_analyse(program),
+                                  add_structure(program), add_expand(program),     add_verify(program),
+                                  add_report(program),    add_draw(program),       add_export(program),
+                                  add_profile(program),   add_quantities(program), add_explain(program),
+                                  add_methods(program),   add_schema(program),     add_start_system(program),
+                                  add_bench(program),     add_completion(program), add_man_page(program)};
     for (const Command& command : commands)
         if (!command.options->get_group().empty()) command.options->group("Commands");
     return commands;

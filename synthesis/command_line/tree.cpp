@@ -69,6 +69,7 @@ const std::vector<Known>& known_values() {
                                 {"", "DOCUMENT", {words, {"problem", "result"}}},
                                 {"start-system", "PROBLEM", {words, start_system_names()}},
                                 {"", "RESULT", {files, {"json"}}},
+                                {"", "--result", {files, {"json"}}},
                                 {"", "PARAMETERS", {files, {}}},
                                 {"", "RESULTS", {files, {}}},
                                 {"", "--start-system", {files, {}}},
@@ -78,8 +79,8 @@ const std::vector<Known>& known_values() {
                                 {"report", "--out", {files, {"html"}}},
                                 {"", "--out", {folders, {}}},
                                 {"", "DIR", {folders, {}}}};
-        for (const std::string_view command :
-             {"new", "check", "solve", "compare", "study", "plan", "analyse", "structure", "methods", "driver"})
+        for (const std::string_view command : {"new", "check", "solve", "compare", "study", "plan", "analyse",
+                                               "structure", "expand", "methods", "driver"})
             rows.push_back({command, "FILE", {files, {"toml"}}});
         rows.push_back({"", "FILE", {files, {"toml", "json"}}});
         return rows;

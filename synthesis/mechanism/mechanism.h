@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analysis/geometry/vector.h"
+#include "synthesis/mechanism/as_linkage.h"
 #include "synthesis/mechanism/drawing/body.h"
 #include "synthesis/mechanism/path_screening.h"
 #include "synthesis/mechanism/quantity.h"
@@ -274,6 +275,7 @@ struct Mechanism {
     std::vector<QuantityFormula> formulas{};
     std::vector<Task> tasks{};
     std::optional<Drawing> drawing{};
+    std::optional<AsLinkage> as_linkage{};
 
     std::optional<PointGuidance> point{};
     std::optional<BodyGuidance> body{};

@@ -11,12 +11,15 @@
 #include "synthesis/command_line/input.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/shown.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/problem/units.h"
 #include "synthesis/report/drawing/linkage_sheets.h"
 #include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
 #include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/files/gnuplot.h"
+#include "synthesis/report/structure/centres.h"
 
 namespace mechwright {
 
@@ -32,13 +35,16 @@ struct DrawOptions {
     bool plots = false;
     bool assemblies = false;
     bool skeleton = false;
+    bool centres = false;
     std::optional<std::uint64_t> alternative;
     std::optional<std::uint64_t> width;
 };
 
-std::string picture_of(const ShownDesign& shown, const DrawOptions& options) {
+std::string picture_of(const ShownDesign& shown, const DrawOptions& options, const SvgPicture& with_marks) {
     const int width = static_cast<int>(options.width.value_or(default_width));
-    SvgPicture picture{.title = shown.title, .width = static_cast<double>(width), .below = {}, .below_height = 0};
+    SvgPicture picture = with_marks;
+    picture.title = shown.title;
+    picture.width = width;
     if (options.plots) {
         const MotionPlots plots = motion_plots(shown.design, shown.document, plot_steps);
         const int height = plots_height(plots, width);
@@ -55,11 +61,45 @@ struct Drawn {
     int outcome = exit_code::solved;
 };
 
+/// Marks at the instant centres, where the linkage is drawn: the frames of drawings of built-in kinds are those of
+/// their slides, which the driven body tells from the linkage's. Returns the exit code.
+int mark_centres(const DrawOptions& options, const FinishedDesign& design, Console& console, SvgPicture& picture) {
+    if (!is_of_links(*design.mechanism)) {
+        complain(console, fmt::format("{}: a {} has no links and joints, of which instant centres are", options.file,
+                                      design.mechanism->name));
+        return exit_code::invalid_file;
+    }
+    const double master = picture.at.value_or(pictured_angle(design));
+    const auto centres = centres_of({design.mechanism, design.dimensions, design.motion.assembly}, master);
+    const auto frame = frame_of_centres(design, master);
+    if (!centres || !frame) {
+        complain(console, fmt::format("{}: at {} it does not close, or stands at a dead position: links are infinitely "
+                                      "fast there",
+                                      options.file, in_file_unit(master, input_unit(*design.mechanism), design.units)));
+        return exit_code::infeasible;
+    }
+    for (const auto& [first, second, centre] : *centres)
+        if (centre.kind == linkage::InstantCentre::Kind::place)
+            picture.marks.push_back({first + ", " + second, in_drawing(*frame, centre.at)});
+    return exit_code::solved;
+}
+
 Drawn draw_design(const DrawOptions& options, Console& console) {
     ShownDesign shown;
     if (const int outcome = read_shown(options.file, options.alternative.value_or(0), console, shown))
         return {{}, outcome};
-    return {picture_of(shown, options)};
+    SvgPicture picture;
+    if (!options.at.empty()) {
+        const std::optional<double> at = decimal(options.at);
+        if (!at) {
+            complain(console, "--at must be a number, not " + reading::quoted(options.at));
+            return {{}, exit_code::wrong_usage};
+        }
+        picture.at = from_file_unit(*at, input_unit(*shown.design.mechanism), shown.design.units);
+    }
+    if (options.centres)
+        if (const int outcome = mark_centres(options, shown.design, console, picture)) return {{}, outcome};
+    return {picture_of(shown, options, picture)};
 }
 
 /// An input at which the linkage closes, with all assemblies there: that which is asked for, or which the file names,
@@ -130,7 +170,10 @@ Drawn draw_skeleton(const DrawOptions& options, double width, Console& console) 
 /// Why options do not go together; empty if they do.
 std::string why_not_together(const DrawOptions& options) {
     if (options.assemblies && options.skeleton) return "either --assemblies or --skeleton";
-    if (!options.at.empty() && !options.assemblies) return "--at is for --assemblies";
+    if (!options.at.empty() && !options.assemblies && !options.centres)
+        return "--at is for --assemblies and --instant-centres";
+    if (options.centres && (options.assemblies || options.skeleton))
+        return "--instant-centres are of a design: leave --assemblies and --skeleton out";
     if ((options.assemblies || options.skeleton) && (options.plots || options.alternative))
         return "--assemblies and --skeleton are of a problem file: leave --plots and --alternative out";
     return "";
@@ -174,7 +217,8 @@ Command add_draw(CLI::App& program) {
     command->add_flag("--plots", options->plots, "The curves of the motion below it (with gnuplot)");
     command->add_flag("--assemblies", options->assemblies,
                       "All sides on which a linkage closes, with what [assembly] says of them");
-    command->add_option("--at", options->at, "Crank angle, or displacement, of --assemblies")->option_text("NUMBER");
+    command->add_flag("--instant-centres", options->centres, "With the instant centres of all pairs of links");
+    command->add_option("--at", options->at, "Crank angle, or displacement, of these two")->option_text("NUMBER");
     command->add_flag("--skeleton", options->skeleton, "The links of a linkage apart, even where it does not close");
     add_whole_number(*command, "--alternative", options->alternative, 1, 1'000'000, "Draw this alternative");
     add_whole_number(*command, "--width", options->width, 100, 10'000, "Width in pixels (640)");

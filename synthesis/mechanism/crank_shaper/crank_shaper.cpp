@@ -85,7 +85,8 @@ std::shared_ptr<const Mechanism> crank_shaper_mechanism() {
                   .table = {slotted_columns(), slotted_units(), slotted_row<CrankShaper>},
                   .formulas = crank_shaper_formulas(),
                   .tasks = crank_shaper_tasks(),
-                  .drawing = crank_shaper_drawing()});
+                  .drawing = crank_shaper_drawing(),
+                  .as_linkage = crank_shaper_as_linkage()});
     return mechanism;
 }
 

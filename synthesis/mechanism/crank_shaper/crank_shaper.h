@@ -17,4 +17,7 @@ std::vector<Task> crank_shaper_tasks();
 /// How it is drawn: turned so that its ram is above the lever's pivot.
 Drawing crank_shaper_drawing();
 
+/// How a file says it as a linkage.
+AsLinkage crank_shaper_as_linkage();
+
 }  // namespace mechwright

@@ -121,7 +121,8 @@ std::shared_ptr<const Mechanism> drag_link_mechanism() {
                   .table = {columns(), units(), motion_row},
                   .formulas = drag_link_formulas(),
                   .tasks = drag_link_tasks(),
-                  .drawing = drag_link_drawing()});
+                  .drawing = drag_link_drawing(),
+                  .as_linkage = drag_link_as_linkage()});
     return mechanism;
 }
 

@@ -17,4 +17,7 @@ std::vector<Task> drag_link_tasks();
 /// How it is drawn: in the frame of its slide.
 Drawing drag_link_drawing();
 
+/// How a file says it as a linkage.
+AsLinkage drag_link_as_linkage();
+
 }  // namespace mechwright

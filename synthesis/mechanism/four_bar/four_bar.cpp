@@ -6,6 +6,7 @@
 #include "analysis/four_bar.h"
 #include "analysis/four_bar/exact_turn.h"
 #include "analysis/numbers/interval.h"
+#include "synthesis/mechanism/four_bar/as_linkage.h"
 #include "synthesis/mechanism/four_bar/cognates.h"
 #include "synthesis/mechanism/four_bar/coupler_path.h"
 #include "synthesis/mechanism/four_bar/drawing.h"
@@ -247,6 +248,7 @@ std::shared_ptr<const Mechanism> four_bar_mechanism() {
                   .formulas = four_bar_formulas(),
                   .tasks = four_bar_tasks(),
                   .drawing = four_bar_drawing(),
+                  .as_linkage = four_bar_as_linkage(),
                   .point = PointGuidance{.reads = CouplerPath::reads,
                                          .roles = {4, 5, 6, 7, 8},
                                          .miss = path_miss_by<CouplerPath>,

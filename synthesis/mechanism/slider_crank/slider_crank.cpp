@@ -145,6 +145,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism() {
                   .formulas = slider_crank_formulas(),
                   .tasks = slider_crank_tasks(),
                   .drawing = slider_crank_drawing(),
+                  .as_linkage = slider_crank_as_linkage(),
                   .point = PointGuidance{.reads = RodPath::reads,
                                          .roles = {3, 4, 5, 6, 7},
                                          .miss = path_miss_by<RodPath>,

@@ -20,4 +20,7 @@ std::vector<Task> slider_crank_tasks();
 /// How it is drawn, in the frame of the problem.
 Drawing slider_crank_drawing();
 
+/// How a file says it as a linkage.
+AsLinkage slider_crank_as_linkage();
+
 }  // namespace mechwright

@@ -82,7 +82,8 @@ std::shared_ptr<const Mechanism> whitworth_mechanism() {
                   .table = {slotted_columns(), slotted_units(), slotted_row<Whitworth>},
                   .formulas = whitworth_formulas(),
                   .tasks = whitworth_tasks(),
-                  .drawing = whitworth_drawing()});
+                  .drawing = whitworth_drawing(),
+                  .as_linkage = whitworth_as_linkage()});
     return mechanism;
 }
 

@@ -20,4 +20,7 @@ std::vector<Task> whitworth_tasks();
 /// How it is drawn: in the frame of its slide.
 Drawing whitworth_drawing();
 
+/// How a file says it as a linkage.
+AsLinkage whitworth_as_linkage();
+
 }  // namespace mechwright

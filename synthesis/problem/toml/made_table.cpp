@@ -64,6 +64,15 @@ std::string scalar_text(const toml::node& node) {
     return text.str();
 }
 
+std::string lines_of(const toml::table& table) {
+    std::string text;
+    for (const auto& [key, value] : in_order(table))
+        text += fmt::format("{} = {}\n", key_text(key), value_text(*value));
+    return text;
+}
+
+}  // namespace
+
 std::string key_text(std::string_view key) {
     const bool bare = !key.empty() && key.find_first_not_of(
                                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -71,7 +80,6 @@ std::string key_text(std::string_view key) {
     return bare ? std::string(key) : scalar_text(toml::value<std::string>(key));
 }
 
-/// A value on one line, the keys of a table in their order.
 std::string value_text(const toml::node& node) {
     std::string text;
     if (const toml::table* table = node.as_table()) {
@@ -85,15 +93,6 @@ std::string value_text(const toml::node& node) {
         text += (text.empty() ? "" : ", ") + value_text(value);
     return fmt::format("[{}]", text);
 }
-
-std::string lines_of(const toml::table& table) {
-    std::string text;
-    for (const auto& [key, value] : in_order(table))
-        text += fmt::format("{} = {}\n", key_text(key), value_text(*value));
-    return text;
-}
-
-}  // namespace
 
 std::string name_in(const std::string& name, std::string_view key) {
     constexpr std::size_t longest_key = 100;

@@ -24,6 +24,10 @@ MadeTable made_table(const nlohmann::ordered_json& object);
 /// TOML that reads back as the same table.
 std::string text_of(const toml::table& table);
 
+/// The same of a value, on one line, and of a key.
+std::string value_text(const toml::node& node);
+std::string key_text(std::string_view key);
+
 /// A name one level down, as messages show it: "require" and "min" make "require.min", an index "require[0]".
 std::string name_in(const std::string& name, std::string_view key);
 std::string name_in(const std::string& name, std::size_t index);

@@ -225,11 +225,52 @@ std::string svg_file(std::string_view title, double width, double height, std::s
            "</g>\n</svg>\n";
 }
 
+namespace {
+
+/// The marks that are not farther from the drawing than it is large, for which it is made larger.
+std::vector<Label> shown_marks(const std::vector<Label>& marks, Scene& scene) {
+    const double room = scene.extent();
+    const Vector<double> low = scene.low - Vector<double>{room, room}, high = scene.high + Vector<double>{room, room};
+    std::vector<Label> shown;
+    for (const Label& mark : marks) {
+        if (mark.at.x < low.x || mark.at.x > high.x || mark.at.y < low.y || mark.at.y > high.y) continue;
+        shown.push_back(mark);
+        scene.low = {std::min(scene.low.x, mark.at.x), std::min(scene.low.y, mark.at.y)};
+        scene.high = {std::max(scene.high.x, mark.at.x), std::max(scene.high.y, mark.at.y)};
+    }
+    return shown;
+}
+
+/// Rings, with one name for all that are at one place.
+std::string mark_elements(const std::vector<Label>& marks, const SvgView& view) {
+    constexpr double one_place = 3;
+    std::vector<Label> joined;
+    for (const Label& mark : marks) {
+        const Vector<double> at = view.pixels(mark.at);
+        const auto other = std::find_if(joined.begin(), joined.end(), [&](const Label& one) {
+            return std::hypot(one.at.x - at.x, one.at.y - at.y) < one_place;
+        });
+        if (other == joined.end())
+            joined.push_back({mark.text, at});
+        else
+            other->text += "; " + mark.text;
+    }
+    std::string text;
+    for (const Label& mark : joined)
+        text += circle("target", mark.at, 7) + name_element({mark.text, mark.at}, mark.at, {1, 0});
+    return text;
+}
+
+}  // namespace
+
 std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture) {
-    const Scene scene = scene_of(design, fineness);
+    Scene scene = scene_of(design, fineness);
+    const std::vector<Label> marks = shown_marks(picture.marks, scene);
     const SvgView view = view_of(scene, picture.width, picture.width);
-    std::string text = svg_fixed(design, scene, view) + "\n" + svg_ghosts(design, scene, view) + "\n" +
-                       svg_bodies(design, scene, view, pictured_angle(design), design.motion.assembly);
+    std::string text =
+        svg_fixed(design, scene, view) + "\n" + svg_ghosts(design, scene, view) + "\n" +
+        svg_bodies(design, scene, view, picture.at.value_or(pictured_angle(design)), design.motion.assembly) +
+        mark_elements(marks, view);
     if (!picture.below.empty())
         text += fmt::format("<g transform=\"translate(0 {})\">{}</g>\n", px(view.height), picture.below);
     return svg_file(picture.title, picture.width, view.height + picture.below_height, text);

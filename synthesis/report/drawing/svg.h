@@ -2,8 +2,10 @@
 /// \file
 /// Pictures of a mechanism as SVG.
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "synthesis/report/drawing/scene.h"
 
@@ -53,6 +55,8 @@ struct SvgPicture {
     double width = 640;
     std::string below;
     double below_height = 0;
+    std::optional<double> at{};  ///< the crank angle; else pictured_angle
+    std::vector<Label> marks{};  ///< places in the drawing; those that are too far away to be shown are left out
 };
 std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture);
 
