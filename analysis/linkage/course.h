@@ -88,6 +88,10 @@ public:
         return Value::variable(T(master), T(rate_)) - turning(limit, master).at;
     }
 
+    /// What is asked of signals whose errors are measured.
+    void ask(const Wanted<T>& wanted) {
+        values_.wanted = {Value(wanted.from), Value(wanted.way), Value(wanted.start), Value(wanted.range), wanted.part};
+    }
     void start_at(const Course& course) { values_.start_at(course.turns.near(course.travel.from)); }
     std::span<const Signal> signals() const { return values_.signals; }
     const Driven<Value>& driven() const { return driven_; }
@@ -168,7 +172,9 @@ template <std::size_t K>
 double rounding_of(Measured<double, K>& measured, const Asked& asked, std::size_t derivative, const Course& course,
                    const Stretch& stretch) {
     constexpr int samples = 8;
-    const Signal::Kind kind = measured.signals()[asked.signal].kind;
+    const auto kind_of = [&](std::size_t signal) { return measured.signals()[signal].kind; };
+    const bool error = kind_of(asked.signal) == Signal::Kind::error;
+    const Signal::Kind kind = kind_of(error ? measured.signals()[asked.signal].of : asked.signal);
     const bool angle = kind == Signal::Kind::angle || kind == Signal::Kind::transmission_angle;
     const double size = angle ? 1 : size_of(measured.driven());
     double greatest = size * std::pow(std::abs(measured.rate()), static_cast<double>(derivative));
@@ -445,6 +451,18 @@ T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, c
     const T value = detail::after_shift(f, asked.derivative, shift);
     if (!exactly || !detail::others_at_limit(measured, place.limit)) return value;
     return value + T(place.value - number_as<double>(value_of(value)));
+}
+
+/// What is asked at a place that keeps its share of the motion where the ends move. K must be `order_for` it.
+template <class T, std::size_t K>
+T value_at_share(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place,
+                 const MovingEnds<T>& ends) {
+    const Travel& travel = course.travel;
+    if (place.at == travel.from || place.at == travel.to) return value_at(measured, asked, course, place, ends);
+    const double share = (place.at - travel.from) / (travel.to - travel.from);
+    const T shift = T(1 - share) * ends.from + T(share) * ends.to;
+    return detail::after_shift(measured.value(asked.signal, place.at, course.turns.near(place.at)), asked.derivative,
+                               shift);
 }
 
 /// The mean of what is asked over [from, to], or of its square, as a function of the dimensions; ends that are limits

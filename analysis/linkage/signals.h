@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/linkage/driven.h"
+#include "analysis/numbers/chebyshev.h"
 #include "analysis/numbers/series.h"
 
 namespace mechwright::linkage {
@@ -30,7 +31,8 @@ struct Signal {
         acceleration,        ///< of its acceleration
         transmission_angle,  ///< of the dyad that has the margin `of` (margin_of), in (0, pi)
         sum,                 ///< of signals times factors
-        ratio                ///< of the signal `of` to the signal `to`
+        ratio,               ///< of the signal `of` to the signal `to`
+        error                ///< the signal `of` less what is asked of it (Wanted)
     };
     Kind kind = Kind::angle;
     std::size_t of = none;
@@ -52,6 +54,7 @@ inline std::size_t order_of(std::span<const Signal> signals, std::size_t signal)
         case Signal::Kind::speed: return 1;
         case Signal::Kind::acceleration: return 2;
         case Signal::Kind::ratio: return std::max(order_of(signals, s.of), order_of(signals, s.to));
+        case Signal::Kind::error: return order_of(signals, s.of);
         case Signal::Kind::sum: {
             std::size_t most = 0;
             for (const Signal::Term& term : s.terms)
@@ -61,6 +64,32 @@ inline std::size_t order_of(std::span<const Signal> signals, std::size_t signal)
         default: return 0;
     }
 }
+
+/// Whether a signal is an angle that is the same where it is a whole turn more: of a link, or a sum of such with whole
+/// factors.
+inline bool turns_are_alike(std::span<const Signal> signals, std::size_t signal) {
+    const Signal& s = signals[signal];
+    if (s.kind == Signal::Kind::angle) return true;
+    return s.kind == Signal::Kind::sum && std::all_of(s.terms.begin(), s.terms.end(), [&](const Signal::Term& term) {
+               return term.factor == std::round(term.factor) && turns_are_alike(signals, term.signal);
+           });
+}
+
+/// What a signal is asked to be over a stretch of the master's inputs: start + range part(share), where share is the
+/// part of the stretch that is passed, and part a sum of Chebyshev polynomials of 2 share - 1.
+template <class T>
+struct Wanted {
+    T from = T(0);  ///< the input at which the stretch begins
+    T way = T(1);   ///< how far it goes, of either sign
+    T start = T(0);
+    T range = T(0);
+    std::span<const double> part{};  ///< as long as this is used
+
+    T at(const T& input) const {
+        const T share = (input - from) / way;
+        return start + range * chebyshev_value(part, T(T(2.0) * share - T(1.0)));
+    }
+};
 
 /// How a linkage stands in the drawing: its frame's origin there, the angle of its x axis, the size of its unit.
 template <class T>
@@ -153,6 +182,7 @@ public:
                 return sum;
             }
             case Kind::ratio: return value(s.of, driven, near) / value(s.to, driven, near);
+            case Kind::error: return value(s.of, driven, near) - wanted.at(driven.inputs().front());
         }
         return T(0);
     }
@@ -167,6 +197,7 @@ public:
     }
 
     std::span<const Signal> signals;
+    Wanted<T> wanted{};  ///< of signals that are errors
 
 private:
     struct Line {

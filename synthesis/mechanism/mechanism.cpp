@@ -76,8 +76,7 @@ std::string why_not_whole(const Mechanism& m) {
     if (m.input && (!m.input->margin.measure || !can_read(m, m.input->reads, PointGuidance::most_reads - 1)))
         return "its input range has no margin of assembly";
     if ((m.function || m.line || m.arc) && !m.input) return "it generates or follows without an input range";
-    if (m.function && (!m.function->fit || !m.function->extremes || !m.function->loop_row))
-        return "its function cannot be fitted, judged or bounded";
+    if (m.function && (!m.function->fit || !m.function->extremes)) return "its function cannot be fitted or judged";
     for (const auto* shape : {&m.line, &m.arc})
         if (*shape && (!m.point || !(*shape)->extremes || !(*shape)->fit)) return "what it follows cannot be judged";
     for (const auto& [target, can] : {std::pair{"path", m.point.has_value()},

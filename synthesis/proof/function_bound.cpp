@@ -1,5 +1,7 @@
 #include "synthesis/proof/function_bound.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -74,6 +76,8 @@ double penalty(const Influence& v) {
 
 std::string FunctionBound::why_not(const Problem& problem) {
     if (!problem.function) return "the problem has no [function]";
+    if (problem.mechanism->function->loop_row == nullptr)
+        return fmt::format("no bound is known for functions of a {}", problem.mechanism->name);
     if (!problem.objective || problem.objective->terms.size() != 1 || problem.objective->terms.front().maximize ||
         &problem.mechanism->quantities[problem.objective->terms.front().quantity] !=
             &deviation_from(*problem.mechanism, "function"))

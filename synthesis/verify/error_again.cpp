@@ -42,6 +42,7 @@ Digits50 ErrorAgain::of_function(double share, std::vector<Digits50> d) const {
     here.parts = {{0, 0}};
     Motion motion = design_->motion;
     motion.function = &here;
+    motion.from = motion.to = d[scale].convert_to<double>();
     const Quantity& deviation = deviation_from(mechanism, "function");
     const Digits50 size = measure_again(deviation, motion, d);
     d[scale + 2] -= shift_;

@@ -101,12 +101,11 @@ bool fit_function(const FunctionTarget& f, std::span<double> dimensions, std::sp
 
 /// The rocker angle by the pose of linkage_again.h (target/function/formulas_again.h).
 struct RockerAngleAgain {
-    static constexpr std::size_t scales = 4;
     again::Linkage<Digits50> fine;
     again::Linkage<double> rough;
 
-    RockerAngleAgain(std::size_t assembly, std::span<const Digits50> arguments)
-        : fine(again::linkage(assembly, arguments)), rough(again::rounded<double>(fine)) {}
+    RockerAngleAgain(const Motion& motion, std::span<const Digits50> arguments)
+        : fine(again::linkage(motion.assembly, arguments)), rough(again::rounded<double>(fine)) {}
 
     template <class T>
     T error(const T& input, const T& asked) const {

@@ -29,6 +29,7 @@ struct Term {
     Extreme place{};
     double factor = 1;
     double constant = 0;
+    std::size_t sample = 0;  ///< of a function: which of its samples, or of its extremes along the motion
 
     double value() const { return constant + factor * place.value; }
 };
@@ -39,6 +40,8 @@ struct Found {
     std::vector<Term> minus{};  ///< of a range: those that are taken away
     std::vector<linkage::MarginPlace> margins{};
     bool possible = true;
+    double whole_turns = 0;  ///< by which the output of a function is counted on
+    bool samples = false;    ///< of a function, not extremes: they keep their share of the motion
 };
 
 /// The least first; not a number before all.

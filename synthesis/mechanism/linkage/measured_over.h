@@ -39,17 +39,27 @@ struct Over {
         if (!model.driven_by_slide() && model.drives.front().speed) rate = *model.drives.front().speed * turn / 60;
     }
     bool is_followed() const { return measure.kind == Kind::distance_greatest || measure.kind == Kind::extent; }
+    bool is_of_function() const {
+        return measure.kind == Kind::function_greatest || measure.kind == Kind::function_rms;
+    }
     /// Of the arguments those that are numbers of what is followed.
     std::size_t shape_numbers() const {
         return !is_followed() ? 0 : model.followed == Followed::line ? LineShape::parameters : ArcShape::parameters;
     }
     template <class T>
     std::span<const T> dimensions_of(std::span<const T> arguments) const {
-        return arguments.first(arguments.size() - shape_numbers() - (over_input ? 2 : 0));
+        return arguments.first(arguments.size() - shape_numbers() - (is_of_function() ? 2 : 0) - (over_input ? 2 : 0));
     }
     template <class T>
     std::span<const T> shape_of(std::span<const T> arguments) const {
         return arguments.last(shape_numbers());
+    }
+    /// What is asked of the output of a function whose arguments end with start and range of the input and the output;
+    /// it is counted on by so many whole turns.
+    template <class T>
+    linkage::Wanted<T> wanted_of(std::span<const T> arguments, double whole_turns, std::span<const double> part) const {
+        const std::span<const T> scales = arguments.last(4);
+        return {scales[0], scales[1], scales[2] + T(turn * whole_turns), scales[3], part};
     }
     const std::vector<std::int8_t>& sides() const { return model.sides[motion.assembly]; }
     linkage::Driven<double> driven(std::span<const double> dimensions) const {

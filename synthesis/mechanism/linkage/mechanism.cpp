@@ -9,6 +9,7 @@
 #include "synthesis/mechanism/linkage/again.h"
 #include "synthesis/mechanism/linkage/drawing.h"
 #include "synthesis/mechanism/linkage/followed.h"
+#include "synthesis/mechanism/linkage/function.h"
 #include "synthesis/mechanism/linkage/guidance.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/linkage/table.h"
@@ -150,6 +151,13 @@ void add_guidance(const LinkageModel& model, Mechanism& made) {
     made.targets = {"poses"};
 }
 
+void add_function(const LinkageModel& model, Mechanism& made) {
+    const std::size_t count = made.dimensions.size();
+    made.input = input_range(made.quantities, count);
+    made.function = linkage_function(model, count);
+    made.targets = {"function"};
+}
+
 }  // namespace
 
 Motion motion_of_linkage(Form form, std::span<const double> dimensions, const double* crank_range) {
@@ -203,6 +211,7 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     if (has_own_lengths(model))
         made.model_over = [](const Model& m, double unit) { return Model(over_unit(*m.as<LinkageModel>(), unit)); };
     if (model.guided) add_guidance(model, made);
+    if (model.output) add_function(model, made);
     made.model = Model(std::move(model));
     made.size = size_of_linkage;
     made.motion = motion_of_linkage;

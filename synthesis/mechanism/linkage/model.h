@@ -61,6 +61,7 @@ struct LinkageModel {
     std::optional<GuidedPoint> guided{};
     bool guides_body = false;               ///< the link of the guided point is a body that takes poses
     Followed followed = Followed::nothing;  ///< by the guided point
+    std::optional<std::size_t> output{};    ///< the signal that is to be a function of the input
     std::optional<double> at{};             ///< an input of the master that belongs to the motion
     int turns = 1;                          ///< of the master, after which everything is where it was; 0: never
     double unit = 1;                        ///< the length by which its lengths are divided (over_unit)

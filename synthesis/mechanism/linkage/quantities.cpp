@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "synthesis/mechanism/linkage/found_places.h"
+#include "synthesis/mechanism/linkage/generated.h"
 #include "synthesis/mechanism/linkage/seeded.h"
 
 namespace mechwright {
@@ -22,7 +22,9 @@ std::size_t component_count(Kind kind) {
         case Kind::rms:
         case Kind::at:
         case Kind::extent:
+        case Kind::function_rms:
         case Kind::total_length: return 1;
+        case Kind::function_greatest: return most_errors;
         case Kind::time_ratio: return 2;
         case Kind::range:
         case Kind::deviation:
@@ -37,7 +39,9 @@ Reduce reduce_of(Kind kind) {
         case Kind::rms:
         case Kind::at:
         case Kind::extent:
+        case Kind::function_rms:
         case Kind::total_length: return Reduce::only;
+        case Kind::function_greatest:
         case Kind::greatest:
         case Kind::distance_greatest:
         case Kind::range:
@@ -65,6 +69,8 @@ public:
           stretch_(stretch) {
         if (!course.turns.empty()) measured_.start_at(course);
         if (over.over_input) ends_ = moving_ends(seeded[seeded_.size()], seeded[seeded_.size() + 1]);
+        if (over.is_of_function()) measured_.ask(wanted(seeded, over.motion.function->series));
+        arguments_ = seeded;
     }
 
     std::vector<T> all() {
@@ -81,6 +87,7 @@ public:
             case Kind::deviation: add_differences(kind == Kind::range ? 1 : 0.5, out); break;
             case Kind::time_ratio: add_time_ratios(out); break;
             case Kind::extent: out.push_back(extent()); break;
+            case Kind::function_rms: out.push_back(root_mean_square_error()); break;
             case Kind::total_length: {
                 T sum(0);
                 for (const T& length : link_lengths(over_.model, seeded_))
@@ -108,7 +115,25 @@ public:
 private:
     /// The radius of the arc that is followed.
     T radius() const { return shape_.size() == ArcShape::parameters ? shape_.back() : T(0); }
+    linkage::Wanted<T> wanted(std::span<const T> arguments, std::span<const double> part) const {
+        return over_.wanted_of(arguments, found_.whole_turns, part);
+    }
+    T at_sample(const Term& term) {
+        measured_.ask(wanted(arguments_, {&over_.motion.function->parts[term.sample].y, 1}));
+        return T(term.factor) * linkage::value_at_share(measured_, term.asked, course_, term.place, ends_);
+    }
+    T root_mean_square_error() {
+        using std::sqrt;
+        if (!found_.samples) return sqrt(mean(true));
+        T sum(0);
+        for (const Term& term : found_.plus) {
+            const T error = at_sample(term);
+            sum = sum + error * error;
+        }
+        return sqrt(T(sum / T(static_cast<double>(found_.plus.size()))));
+    }
     T value(const Term& term) {
+        if (found_.samples) return at_sample(term);
         const bool of_arc = over_.measure.kind == Kind::distance_greatest;
         return (of_arc ? T(T(-term.factor) * radius()) : T(term.constant)) +
                T(term.factor) * linkage::value_at(measured_, term.asked, course_, term.place, ends_);
@@ -176,7 +201,7 @@ private:
     }
 
     const Over& over_;
-    std::span<const T> seeded_, shape_;
+    std::span<const T> seeded_, shape_, arguments_;
     linkage::Measured<T, K> measured_;
     linkage::Measured<double, K>& plain_;
     const Course& course_;
@@ -241,7 +266,9 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
             if (course.turns.empty() || course.turns.to() < course.travel.to) return false;
             plain.start_at(course);
         }
-        if (kind == Kind::transmission_angle_worst || kind == Kind::joint_distance_least) {
+        if (over.is_of_function()) {
+            found = found_of_error(over, plain, course, arguments);
+        } else if (kind == Kind::transmission_angle_worst || kind == Kind::joint_distance_least) {
             found = found_of_all(over, plain, course);
         } else {
             const auto asked = kind == Kind::at ? std::optional(std::array{over.measure.input, over.measure.input})

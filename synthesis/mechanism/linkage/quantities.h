@@ -36,7 +36,10 @@ struct LinkageMeasure {
         joint_distance_least,      ///< between pins that have no link in common
         // Of the guided point, over an input range, from what it follows:
         distance_greatest,  ///< without its sign
-        extent              ///< how far it follows
+        extent,             ///< how far it follows
+        // Of the signal that is to be a function of the input, over an input range; `asked` is its error:
+        function_greatest,  ///< the greatest error, without its sign
+        function_rms        ///< the root of the mean of its square
     };
     Kind kind = Kind::least;
     std::vector<linkage::Signal> signals{};          ///< those that it needs, and those that they need
@@ -60,7 +63,8 @@ Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, Link
                           std::size_t dimensions);
 
 /// The same over an input range: start and range are its last arguments, after those that it reads
-/// (InputRange::quantities); after these come the numbers of what the guided point follows, for quantities of that.
+/// (InputRange::quantities); after these come the numbers of what the guided point follows, for quantities of
+/// that, or start and range of the output, for quantities of a function.
 Quantity over_input(Quantity quantity);
 
 }  // namespace mechwright

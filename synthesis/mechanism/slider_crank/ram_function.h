@@ -79,10 +79,9 @@ struct RodTransmission {
 
 /// The position of the ram from the right triangle of rod and slide (target/function/formulas_again.h).
 struct RamPositionAgain {
-    static constexpr std::size_t scales = 3;
     std::span<const Digits50> arguments;
 
-    RamPositionAgain(std::size_t, std::span<const Digits50> all) : arguments(all) {}
+    RamPositionAgain(const Motion&, std::span<const Digits50> all) : arguments(all) {}
 
     template <class T>
     T error(const T& input, const T& asked) const {

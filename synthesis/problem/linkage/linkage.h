@@ -94,6 +94,7 @@ struct Linkage {
     std::optional<GuidedPoint> guided{};    ///< by [path] or [poses]
     bool guides_body = false;               ///< by [poses]
     Followed followed = Followed::nothing;  ///< by [line] or [arc]
+    std::optional<std::size_t> output{};    ///< the signal that [function] speaks of
     linkage::Mobility mobility;
     linkage::Order order;
     std::vector<std::int8_t> sides;  ///< for each choice of the order 1, -1, or 0 for either

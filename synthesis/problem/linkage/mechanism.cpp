@@ -190,6 +190,7 @@ LinkageModel model_of(const Linkage& linkage) {
     model.guided = linkage.guided;
     model.guides_body = linkage.guides_body;
     model.followed = linkage.followed;
+    model.output = linkage.output;
     model.at = linkage.at;
     for (const LinkageSignal& signal : linkage.signals) {
         model.signal_names.push_back({signal.name, signal.unit});
@@ -288,15 +289,15 @@ std::string why_no_mechanism(const Linkage& linkage) {
         return fmt::format("{} dyads are closed on 'either' side: say the sides of all but {}", open, most_open_sides);
     // A guided point has the crank angle, too, and a body its own.
     const std::size_t count = dimensions_of(linkage).size(),
-                      most = linkage.guided ? PointGuidance::most_reads - 2 : Reads::most;
+                      most = linkage.guided || linkage.output ? PointGuidance::most_reads - 2 : Reads::most;
     if (count > most)
         return fmt::format("it has {} dimensions with those of its placement: {} at most can be", count, most);
     const auto& steps = linkage.order.steps;
-    if (linkage.guided && std::any_of(steps.begin(), steps.end(), [](const linkage::Step& step) {
+    if ((linkage.guided || linkage.output) && std::any_of(steps.begin(), steps.end(), [](const linkage::Step& step) {
             return step.kind == linkage::Step::Kind::unwound;
         }))
         return "a gear of it follows a link that a dyad places, whose whole turns are known along a motion alone; such "
-               "a linkage guides no point or body to targets in this version";
+               "a linkage guides no point or body to targets and generates no function in this version";
     return {};
 }
 
@@ -387,9 +388,9 @@ void add_quantities(const toml::node* node, std::vector<std::string>& names) {
             add_quantities(&entry, names);
 }
 
-/// The section of the point or body that is guided.
+/// The section of the target.
 const toml::node* target_of(const toml::table& table) {
-    for (const char* target : {"path", "poses", "line", "arc"})
+    for (const char* target : {"path", "poses", "function", "line", "arc"})
         if (const toml::node* node = table.get(target)) return node;
     return nullptr;
 }
@@ -426,6 +427,8 @@ Json sections_of_linkage(const toml::table& table) {
     for (const char* target : {"path", "poses", "line", "arc"})
         for (const char* key : {"point", "link"})
             if (const auto name = table[target][key].value_exact<std::string>()) sections[target][key] = *name;
+    if (const auto name = table["function"]["signal"].value_exact<std::string>())
+        sections["function"]["signal"] = *name;
     return sections;
 }
 
@@ -449,7 +452,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
             messages, place_of(*table.get("drive")),
             "nothing ends the motion of the slide that is driven: give it stops, 'min' and 'max' in [drive], "
             "or the motion an end, [motion] crank_range = [0, 100]");
-    if (model.driven_by_slide() && linkage.guided)
+    if (model.driven_by_slide() && (linkage.guided || linkage.output))
         return add_error(messages, place_of(*target_of(table)),
                          "the targets of this section are met at crank angles, and the linkage is driven by a slide: "
                          "require values of signals at displacements instead, like quantity = \"height.at(20)\", or "
@@ -474,6 +477,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     read_solver(file, problem, once_more);
     read_path(file, problem, messages);
     read_poses(file, problem, messages);
+    read_function(file, problem, messages);
     read_followed(file, problem, messages);
     read_objective(file, problem, messages);
     read_requirements(file, problem, messages);

@@ -37,8 +37,9 @@ constexpr std::array<SignalKind, 12> kinds{
      {"sum", {"", ""}, "", linkage::Signal::Kind::sum},
      {"ratio", {"", ""}, "", linkage::Signal::Kind::ratio}}};
 
-constexpr std::array<Word, 9> of_targets{"path-sse",       "path-rms",    "path-max",      "pose-rms", "pose-max",
-                                         "line-deviation", "line-length", "arc-deviation", "arc-angle"};
+constexpr std::array<Word, 11> of_targets{"path-sse",    "path-rms",      "path-max",     "pose-rms",
+                                          "pose-max",    "function-max",  "function-rms", "line-deviation",
+                                          "line-length", "arc-deviation", "arc-angle"};
 
 struct SignalReading {
     LinkageReading& reading;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "synthesis/problem/linkage/reading.h"
+#include "synthesis/problem/text.h"
 
 namespace mechwright::reading {
 
@@ -51,6 +52,52 @@ void read_guided_point(LinkageReading& reading, std::string_view section, bool l
     reading.made.guides_body = link_needed;
 }
 
+/// Whether an angle of a link goes into a signal.
+bool has_angle(const Linkage& linkage, std::size_t signal) {
+    const linkage::Signal& s = linkage.signals[signal].value;
+    if (s.kind == linkage::Signal::Kind::angle) return true;
+    return s.kind == linkage::Signal::Kind::sum && std::any_of(s.terms.begin(), s.terms.end(), [&](const auto& term) {
+               return has_angle(linkage, term.signal);
+           });
+}
+
+/// The signal that is to be a function of the input.
+void read_output(LinkageReading& reading) {
+    std::optional<Section> function = read_section(reading.file, "function", reading.messages);
+    if (!function) return;
+    const auto name = read_string(*function, "signal", reading.messages);
+    if (!name) {
+        if (!has(*function, "signal"))
+            add_error(reading.messages, function->place,
+                      "'signal' in [function] is missing: name the signal that is the output, like "
+                      "signal = \"swing\" with [signals] swing = { angle = \"rocker\" }");
+        return;
+    }
+    std::vector<std::string_view> known;
+    for (std::size_t i = 0; i < reading.made.signals.size(); ++i) {
+        known.push_back(reading.made.signals[i].name);
+        if (known.back() == *name) reading.made.output = i;
+    }
+    if (!reading.made.output)
+        return add_error(reading.messages, place_of(*function, "signal"),
+                         fmt::format("there is no signal {}; {}", reading::quoted(*name),
+                                     known.empty() ? "signals stand in [signals]" : remedy(*name, known)));
+    if (reading.made.signals[*reading.made.output].unit == Unit::none)
+        return add_error(
+            reading.messages, place_of(*function, "signal"),
+            fmt::format("'{}' is a ratio: the output of a function is an angle or a length; name a signal that is "
+                        "one",
+                        *name));
+    std::vector<linkage::Signal> signals;
+    for (const LinkageSignal& signal : reading.made.signals)
+        signals.push_back(signal.value);
+    if (has_angle(reading.made, *reading.made.output) && !linkage::turns_are_alike(signals, *reading.made.output))
+        add_error(reading.messages, place_of(*function, "signal"),
+                  fmt::format("'{}' is a sum of angles times factors that are no whole numbers, of which a pose alone "
+                              "does not say the turns: name the angle of a link",
+                              *name));
+}
+
 }  // namespace
 
 void read_linkage_targets(LinkageReading& reading) {
@@ -59,8 +106,9 @@ void read_linkage_targets(LinkageReading& reading) {
         bool of_body;
         Followed followed;
     };
-    constexpr std::array<Target, 4> targets{{{"path", false, Followed::nothing},
+    constexpr std::array<Target, 5> targets{{{"path", false, Followed::nothing},
                                              {"poses", true, Followed::nothing},
+                                             {"function", false, Followed::nothing},
                                              {"line", false, Followed::line},
                                              {"arc", false, Followed::arc}}};
     std::string_view first;
@@ -73,16 +121,17 @@ void read_linkage_targets(LinkageReading& reading) {
             continue;
         }
         first = target.section;
+        if (first == "function") {
+            read_output(reading);
+            continue;
+        }
         read_guided_point(reading, target.section, target.of_body);
         reading.made.followed = target.followed;
     }
-    for (const char* name : {"function", "instant"}) {
-        if (find(reading.file, name) == nullptr) continue;
-        add_error(reading.messages, key_place(reading.file, name),
-                  fmt::format("a linkage cannot be designed for [{}] by this version: its targets are [path], [poses], "
-                              "[line] and [arc]; requirements on signals stand in [[require]]",
-                              name));
-    }
+    if (find(reading.file, "instant") != nullptr)
+        add_error(reading.messages, key_place(reading.file, "instant"),
+                  "[instant] is no target of a linkage: what its signals do at one crank angle is a quantity; write "
+                  "[[require]] quantity = \"NAME.speed.at(60)\", equal = ...");
 }
 
 }  // namespace mechwright::reading

@@ -122,7 +122,8 @@ inline constexpr std::array function{
     Key{"accuracy_points", Shape::value,
         "Where method = \"exact\" meets the expression: 3, 4 or 5 values of x, or only how many."},
     Key{"input", Shape::table, "The crank angle that stands for x.", true, {}, scale},
-    Key{"output", Shape::table, "The output that stands for y.", true, {}, scale}};
+    Key{"output", Shape::table, "The output that stands for y.", true, {}, scale},
+    Key{"signal", Shape::text, "Of a linkage: the signal that is the output."}};
 
 inline constexpr std::array line{
     Key{"start", Shape::range, "Crank angle at which the stretch begins.", true},

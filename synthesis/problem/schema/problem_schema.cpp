@@ -140,6 +140,7 @@ Json of_mechanism(const Mechanism& mechanism, Json condition) {
         if (auto& section = schema["properties"][std::string(target)]; !section.is_boolean())
             for (const char* key : {"point", "link", "crank-start", "body-angle"})
                 section["properties"][key] = false;
+    if (mechanism.function) schema["properties"]["function"]["properties"]["signal"] = false;
     if (is_cam(mechanism)) {
         schema["properties"]["motion"]["properties"]["crank_range"] = false;
         if (cam_kind(mechanism).contour != cam::ContourKind::none)
@@ -239,8 +240,9 @@ Json of_linkage() {
                     {"sketch", {{"properties", {{"points", named(name_pattern, std::move(points))}}}}},
                     {"signals", named(name_pattern, signal())}};
     properties["links"]["required"] = {"frame"};
-    for (const char* name : {"cam", "segment", "function", "instant"})
+    for (const char* name : {"cam", "segment", "instant"})
         properties[name] = false;
+    properties["function"]["required"] = {"signal"};
     for (const char* name : {"path", "line", "arc"})
         properties[name]["required"] = {"point"};
     properties["poses"]["required"] = {"point", "link"};

@@ -123,7 +123,7 @@ double error_at(const FinishedDesign& design, const MotionRow& row) {
     const double share = (row.values().front() - design["input-start"]) / design["input-range"];
     constexpr double end_within = 1e-12;
     if (!(share >= -end_within && share <= 1 + end_within)) return std::numeric_limits<double>::quiet_NaN();
-    return design.function ? function_error(design, row, share) : distance_from_followed(design, row);
+    return design.function ? function_error(design, share) : distance_from_followed(design, row.values().front());
 }
 
 /// The plot of that, first of all: it is what such a design is made for. Samples of a function are not joined.

@@ -11,6 +11,14 @@ namespace mechwright {
 
 namespace {
 
+/// Where the guided point is in the drawing.
+Vector<double> followed_point(const FinishedDesign& design, double crank_angle) {
+    PathMiss from_origin{};
+    miss_of_point(*design.mechanism, design.mechanism->form(design.motion.assembly), design.dimensions, crank_angle,
+                  {0, 0}, from_origin);
+    return Vector<double>{0, 0} - from_origin.miss;
+}
+
 /// The line that the guided point is to follow, beside where it is over the input range.
 Outline followed_line(const FinishedDesign& design, std::span<const Vector<double>> reached, double beyond) {
     const double angle = design["line-angle"];
@@ -51,13 +59,13 @@ void add_followed(const FinishedDesign& design, Scene& scene) {
     constexpr int steps = 64;
     std::vector<Vector<double>> reached;
     for (int i = 0; i <= steps; ++i)
-        reached.push_back(*guided_point(design, scene, design["input-start"] + design["input-range"] * i / steps));
+        reached.push_back(followed_point(design, design["input-start"] + design["input-range"] * i / steps));
     scene.fixed.push_back(design.motion.followed == Followed::line ? followed_line(design, reached, 2 * scene.symbol)
                                                                    : followed_arc(design, reached));
 }
 
-double distance_from_followed(const FinishedDesign& design, const MotionRow& row) {
-    const Vector<double> point = row.vector("point");
+double distance_from_followed(const FinishedDesign& design, double crank_angle) {
+    const Vector<double> point = followed_point(design, crank_angle);
     if (design.motion.followed == Followed::line) {
         const double angle = design["line-angle"];
         return dot(point, Vector<double>{-std::sin(angle), std::cos(angle)}) - design["line-offset"];

@@ -82,7 +82,7 @@ struct ShapeAgain {
     std::size_t assembly;
     std::span<const Digits50> arguments;
 
-    ShapeAgain(std::size_t a, std::span<const Digits50> x) : assembly(a), arguments(x) {}
+    ShapeAgain(const Motion& motion, std::span<const Digits50> x) : assembly(motion.assembly), arguments(x) {}
 
     template <class T>
     T error(const T& crank_angle, const T&) const {

@@ -1,17 +1,21 @@
 #include "synthesis/target/function/draw.h"
 
-#include <cmath>
-#include <numbers>
+#include <array>
+#include <limits>
 
 #include "synthesis/target/function/function_target.h"
 
 namespace mechwright {
 
-double function_error(const FinishedDesign& design, const MotionRow& row, double share) {
-    const double asked = design["output-start"] + design["output-range"] * part_at(*design.function, share);
-    return deviation_from(*design.mechanism, "function").unit == Unit::angle
-               ? std::remainder(row["rocker-angle"] - asked, 2 * std::numbers::pi)
-               : row["ram-position"] - asked;
+double function_error(const FinishedDesign& design, double share) {
+    const Mechanism& mechanism = *design.mechanism;
+    FunctionTarget here;
+    here.parts = {{share, part_at(*design.function, share)}};
+    std::array<double, Reads::most> room;
+    const auto errors =
+        mechanism.function->extremes(here, mechanism.form(design.motion.assembly),
+                                     deviation_from(mechanism, "function").reads.of(design.dimensions, room));
+    return errors.empty() ? std::numeric_limits<double>::quiet_NaN() : errors.front().error;
 }
 
 }  // namespace mechwright

@@ -4,10 +4,10 @@
 /// the slope, by the adaptive rule of Gauss and Kronrod over another variable in fifty digits, and by the expression
 /// itself in place of its Chebyshev series.
 ///
-/// `Again` is the generator by formulas of its own: `static constexpr std::size_t scales`, the first of its four scales
-/// among the arguments; a constructor from assembly and arguments; and `template <class T> T error(const T& input,
-/// const T& asked) const`, its output less the one asked for, in double and in fifty digits; NaN where it does not
-/// assemble.
+/// `Again` is the generator by formulas of its own: a constructor from the motion and the arguments, of which the last
+/// four are the scales, or four from `static constexpr std::size_t scales` on; and `template <class T> T error(const T&
+/// input, const T& asked) const`, its output less the one asked for, in double and in fifty digits; NaN where it does
+/// not assemble.
 
 #include <algorithm>
 #include <array>
@@ -27,6 +27,12 @@ namespace mechwright {
 
 namespace detail {
 
+template <class Again>
+std::span<const Digits50> scales_of(std::span<const Digits50> arguments) {
+    if constexpr (requires { Again::scales; }) return arguments.subspan(Again::scales, 4);
+    return arguments.last(4);
+}
+
 /// The structural error at shares of the range, by the expression itself.
 template <class Again>
 struct ErrorAgain {
@@ -38,7 +44,7 @@ struct ErrorAgain {
     double height = 1;
 
     ErrorAgain(const Motion& motion, std::span<const Digits50> d)
-        : f(motion.function), scales(d.subspan(Again::scales, 4)), generator(motion.assembly, d) {
+        : f(motion.function), scales(scales_of<Again>(d)), generator(motion, d) {
         if (f == nullptr || !f->parts.empty()) return;
         y = std::make_unique<ExpressionValues>(f->expression);
         y_from = (*y)(f->from);

@@ -171,6 +171,7 @@ void read_function(Section& file, Problem& problem, Messages& messages) {
     read_target(*function, *target, messages);
     for (const char* key : {"expression", "samples", "x"})
         find(*function, key);
+    if (!mechanism.made_from.empty()) find(*function, "signal");  // which says what is made
     read_accuracy_points(*function, *target, messages);
     const std::size_t scales = mechanism.input->start;
     read_scale_of(*function, "input", scales, problem, messages);

@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// A linkage that generates a function: one of its signals is the output (LinkageModel::output).
+
+#include <cstddef>
+
+#include "synthesis/mechanism/linkage/model.h"
+#include "synthesis/mechanism/mechanism.h"
+
+namespace mechwright {
+
+/// Its quantities read the first `dimensions` of the mechanism, then start and range of input and output.
+FunctionGeneration linkage_function(const LinkageModel& model, std::size_t dimensions);
+
+}  // namespace mechwright
