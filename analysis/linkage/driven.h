@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "analysis/linkage/group_solver.h"
 #include "analysis/linkage/place.h"
 #include "analysis/linkage/steps.h"
 

@@ -533,5 +533,3 @@ bool place(const Order& order, std::span<const Sized<T>> sizes, const Input<T>& 
 }
 
 }  // namespace mechwright::linkage
-
-#include "analysis/linkage/group_solver.h"  // which needs what stands above

@@ -11,8 +11,6 @@
 namespace mechwright::testing {
 namespace {
 
-std::string shipped_file(const std::string& name) { return MECHWRIGHT_SOURCE_DIR "/problems/" + name; }
-
 /// What --explain-search adds to the summary, with one blank for many.
 std::string search_of(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"solve", "--explain-search"});

@@ -6,6 +6,8 @@
 
 namespace mechwright::testing {
 
+inline std::string shipped_file(const std::string& name) { return MECHWRIGHT_SOURCE_DIR "/problems/" + name; }
+
 /// Solved in no time.
 inline std::string crank_rocker(const std::string& more = "") {
     return R"(schema    = 1

@@ -170,7 +170,7 @@ std::string reason_to_refuse(const std::string& name) {
     if (name.starts_with("studies/")) return "cannot carry [study]";
     if (name.starts_with("cam/")) return "a cam is no linkage";
     const bool function = text_of_file(problems + name).find("\n[function]") != std::string::npos;
-    return function ? "cannot be designed for [function]" : "";
+    return function ? "[function] is not carried over" : "";
 }
 
 TEST(Expanded, NamesWhatALinkageCannotCarryOfShippedProblems) {

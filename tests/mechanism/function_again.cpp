@@ -18,7 +18,7 @@ constexpr double ripple = 1e-6, waves = 20;
 /// Generates the root of its input but for a ripple, in as many digits as it is asked for.
 struct RippledRoot {
     static constexpr std::size_t scales = 0;
-    RippledRoot(std::size_t, std::span<const Digits50>) {}
+    RippledRoot(const Motion&, std::span<const Digits50>) {}
 
     template <class T>
     T error(const T& input, const T& asked) const {

@@ -56,7 +56,7 @@ nlohmann::ordered_json solved_text(const std::string& text, const std::string& m
     return document(read.problem, solve(read.problem, {}));
 }
 
-std::string shipped_text(const std::string& name) {
+std::string text_of_problem(const std::string& name) {
     std::ifstream file(MECHWRIGHT_SOURCE_DIR "/problems/" + name);
     return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -133,7 +133,7 @@ TEST(LinkageFunctions, ErrorsOfAFourBarAreThoseOfTheBuiltInKind) {
 }
 
 TEST(LinkageFunctions, SlopesOfErrorsAreTheirDifferences) {
-    for (const std::string& signal : {"angle = \"rocker\"", "y = \"P\""})
+    for (const std::string signal : {"angle = \"rocker\"", "y = \"P\""})
         for (const std::string& function : {power, sampled}) {
             const ReadProblem read = read_without_fault(free_four_bar + with_function(signal, function));
             ASSERT_TRUE(read.ok());
@@ -174,7 +174,7 @@ minimize = "function-max"
 [solver]
 starts = 1
 )");
-    const auto found = solved_text(text), known = solved_text(shipped_text("function/power.toml"));
+    const auto found = solved_text(text), known = solved_text(text_of_problem("function/power.toml"));
     ASSERT_EQ(found["status"], "solved");
     EXPECT_NEAR(found["objective"]["value"].get<double>(), known["objective"]["value"].get<double>(), 1e-9);
     EXPECT_NEAR(found["objective"]["value"].get<double>(), 0.610531, 5e-7);
@@ -211,7 +211,7 @@ double rocker_angle(const std::array<double, 2>& from, const std::array<double, 
 
 /// The output by the law of cosines, scanned: five dimensions are free, so that six extremes alternate.
 TEST(LinkageFunctions, AWattSixBarsErrorsAlternate) {
-    const auto found = solved_text(shipped_text("linkage/function-watt-two.toml"), "auto");
+    const auto found = solved_text(text_of_problem("linkage/function-watt-two.toml"), "auto");
     ASSERT_EQ(found["status"], "solved");
     expect_verified(found);
     const auto number = [&](const char* name) { return found["design"][name].get<double>(); };
@@ -286,7 +286,7 @@ minimize = "function-max"
 [solver]
 starts = 1
 )");
-    const auto known = solved_text(shipped_text("function/ram-square.toml"), "auto");
+    const auto known = solved_text(text_of_problem("function/ram-square.toml"), "auto");
     ASSERT_EQ(known["status"], "solved");
     // From a little beside it.
     const auto start = [&](const std::string& old, const char* name, double away) {

@@ -80,11 +80,10 @@ const AsLinkage::Target* find_carried_target(const Expanding& e, std::string_vie
 void refuse_targets(Expanding& e) {
     for (const std::string_view kind : target_sections)
         if (const toml::node* node = e.table.get(kind); node != nullptr && find_carried_target(e, kind) == nullptr)
-            add_error(
-                e.messages, place_of(*node),
-                fmt::format("a linkage cannot be designed for [{}] by this version: require signals in its place, "
-                            "at given crank angles",
-                            kind));
+            add_error(e.messages, place_of(*node),
+                      fmt::format("[{0}] is not carried over: write [{0}] with the signal that it is of, like signal = "
+                                  "\"rocker-angle\", by hand",
+                                  kind));
 }
 
 void write_targets(Expanding& e) {

@@ -86,9 +86,9 @@ std::string centres_text(const std::vector<NamedCentre>& centres, double input, 
                               centre.kind == CentreKind::place
                                   ? fmt::format("({}, {})", number_text(centre.at.x), number_text(centre.at.y))
                               : centre.kind == CentreKind::at_infinity
-                                  ? fmt::format("at infinity in the direction {}{}{}",
+                                  ? fmt::format("at infinity in the direction {} {}",
                                                 number_text(in_file_unit(direction_of(centre.at), Unit::angle, units)),
-                                                tied_space, unit_label(Unit::angle, units))
+                                                unit_label(Unit::angle, units))
                                   : "everywhere: they move alike"});
     return fmt::format("Instant centres at {}: {}\n{}", number_text(input), centres.size(), to_text(table, 2));
 }
