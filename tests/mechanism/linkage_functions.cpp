@@ -311,7 +311,7 @@ TEST(LinkageFunctions, WrongOnesAreSaidWithARemedy) {
     };
     EXPECT_NE(error("out = { angle = \"rocker\" }", "").find("'signal' in [function] is missing"), std::string::npos);
     EXPECT_EQ(error("swing = { angle = \"rocker\" }", "signal = \"swung\""),
-              "there is no signal \"swung\"; did you mean 'swing'?");
+              "there is no signal 'swung'; did you mean 'swing'?");
     EXPECT_NE(error("a = { x = \"P\" }\nb = { y = \"P\" }\nc = { ratio = [\"a\", \"b\"] }", "signal = \"c\"")
                   .find("'c' is a ratio"),
               std::string::npos);
