@@ -502,10 +502,15 @@ T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& ask
         const double value = plain.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);
         return (squared ? value * value : value) * stretch.speed(s) / stretch.length();
     };
+    // So close to a limit that the rounding of the input is much of the way from it, a speed that grows there is noise.
+    constexpr double noisy = 0x1p-8;
+    const bool rough = grows > 0 && (stretch.root_at_from || stretch.root_at_to);
     const Panels panels(f, 0, 1,
                         {.first = detail::first_panels(stretch),
-                         .within = 1e-13,
+                         .within = rough ? 1e-11 : 1e-13,
                          .floor = squared ? floor * (floor / detail::one_rounding) : floor,
+                         .narrowest_first = rough && stretch.root_at_from ? noisy : 0,
+                         .narrowest_last = rough && stretch.root_at_to ? noisy : 0,
                          .most = 512,
                          .everywhere = true});
     if (!panels.finite()) return T(std::numeric_limits<double>::quiet_NaN());

@@ -89,11 +89,13 @@ struct Panel {
 class Panels {
 public:
     struct Limits {
-        std::size_t first = 1;    ///< so many panels to begin with
-        double within = 1e-6;     ///< of the greatest value of a panel: what its last coefficients may be
-        double noise = 1e-14;     ///< of the greatest value of all: what rounding makes
-        double floor = 0;         ///< a value: what rounding makes of a function that is 0
-        double narrowest = 1e-9;  ///< where a function has a kink
+        std::size_t first = 1;       ///< so many panels to begin with
+        double within = 1e-6;        ///< of the greatest value of a panel: what its last coefficients may be
+        double noise = 1e-14;        ///< of the greatest value of all: what rounding makes
+        double floor = 0;            ///< a value: what rounding makes of a function that is 0
+        double narrowest = 1e-9;     ///< where a function has a kink
+        double narrowest_first = 0;  ///< of the first panel and of the last: more where rounding of s itself counts
+        double narrowest_last = 0;
         std::size_t most = 4096;  ///< panels
         bool everywhere = false;  ///< stop at the first value that is not finite
     };
@@ -110,7 +112,9 @@ public:
             const Panel panel = open.back();
             open.pop_back();
             const double middle = 0.5 * (panel.from + panel.to);
-            if (is_resolved(panel) || panel.to - panel.from < limits.narrowest * (to - from) ||
+            const double narrowest = std::max({limits.narrowest, panel.from == from ? limits.narrowest_first : 0,
+                                               panel.to == to ? limits.narrowest_last : 0});
+            if (is_resolved(panel) || panel.to - panel.from < narrowest * (to - from) ||
                 done_.size() + open.size() + 2 > limits.most) {
                 done_.push_back(panel);
             } else {

@@ -56,8 +56,8 @@ private:
     void reach_end(bool last, Follower<Digits50>& follower) const {
         const Digits50 unit = follower.unit();
         const Digits50 end = last ? motion_.to : motion_.from, way = last ? 1 : -1, little = 1e-9 * unit;
-        Follower<Digits50> beyond = follower;
-        if (follower.at == end || (beyond.step(end) && follower.step(end) && beyond.step(end + way * little))) return;
+        const bool there = follower.at == end || follower.step(end);
+        if (Follower<Digits50> beyond = follower; there && beyond.step(end + way * little)) return;
         for (Digits50 step = 2 * little + abs(end - follower.at); step > 1e-42 * unit; step /= 2)
             follower.step(follower.at + way * step);
     }

@@ -106,7 +106,7 @@ private:
         constexpr bool doubles = std::is_same_v<T, double>;
         const T before = at - first_input, after = last_input - at, nearest = before < after ? before : after;
         const int count = order + (finely ? 7 : 1);
-        const T farthest = (doubles ? T(1) / T(count) : T(1e-5)) * nearest;
+        const T farthest = (!doubles ? T(1e-5) : finely ? T(0.25) / T(count) : T(1) / T(count)) * nearest;
         if (doubles && !finely ? nearest < T(count) * difference_step() : !(nearest > T(0))) {
             from_inside_ = true;
             auto slope = from_inside(f, order, at, before < after ? follower.unit() : T(-follower.unit()));
