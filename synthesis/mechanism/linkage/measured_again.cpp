@@ -187,12 +187,6 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
     return found;
 }
 
-/// Where the motion ends, in fifty digits.
-std::array<Digits50, 2> exact_ends(const Scan& scan) {
-    if (scan.full_turn()) return {scan.from(), scan.to()};
-    return {scan.at_end(false).follower.at, scan.at_end(true).follower.at};
-}
-
 /// An integral, how far it may be off, and that of the integrand's size.
 struct Integral {
     double value = 0, missed = 0, of_sizes = 0;
@@ -250,7 +244,7 @@ double integral_of_power(const Measured& f, const Vector<double>& part, const st
 
 /// That over the parts, over their length.
 Digits50 mean_power(const Measured& f, const std::vector<Vector<double>>& parts, int power) {
-    const std::array<Digits50, 2> ends = exact_ends(f.scan);
+    const std::array<Digits50, 2> ends{f.scan.exact_end(false), f.scan.exact_end(true)};
     Digits50 sum = 0, length = 0;
     for (const Vector<double>& part : parts) {
         length += part.y - part.x;

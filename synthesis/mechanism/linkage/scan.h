@@ -47,19 +47,34 @@ public:
         if (!full_turn()) (last ? signals.last_input : signals.first_input) = signals.follower.at;
         return signals;
     }
+    /// Where the motion ends: at a limit not where doubles say, but where the poses end.
+    Digits50 exact_end(bool last) const {
+        if (full_turn()) return last ? motion_.to : motion_.from;
+        Follower<Digits50> follower = at_end(last).follower;
+        if (!goes_on(last, follower)) creep(last, follower, little * follower.unit());
+        return follower.at;
+    }
     double from() const { return motion_.from; }
     double to() const { return motion_.to; }
     bool full_turn() const { return motion_.full_turn; }
 
 private:
+    static constexpr double little = 1e-9;  ///< of the unit of inputs
+
     /// Goes to an end of the motion from its last sample.
     void reach_end(bool last, Follower<Digits50>& follower) const {
-        const Digits50 unit = follower.unit();
-        const Digits50 end = last ? motion_.to : motion_.from, way = last ? 1 : -1, little = 1e-9 * unit;
-        const bool there = follower.at == end || follower.step(end);
-        if (Follower<Digits50> beyond = follower; there && beyond.step(end + way * little)) return;
-        for (Digits50 step = 2 * little + abs(end - follower.at); step > 1e-42 * unit; step /= 2)
-            follower.step(follower.at + way * step);
+        const Digits50 end = last ? motion_.to : motion_.from;
+        Follower<Digits50> there = follower;
+        if (follower.at == end || (there.step(end) && follower.step(end) && goes_on(last, there))) return;
+        creep(last, follower, little * follower.unit() + abs(end - follower.at));
+    }
+    static bool goes_on(bool last, Follower<Digits50> beyond) {
+        return beyond.step(beyond.at + (last ? 1 : -1) * little * beyond.unit());
+    }
+    /// Goes as far as there are poses, by steps that are halved.
+    static void creep(bool last, Follower<Digits50>& follower, const Digits50& far) {
+        for (Digits50 step = far + little * follower.unit(); step > 1e-42 * follower.unit(); step /= 2)
+            follower.step(follower.at + (last ? 1 : -1) * step);
     }
     /// At a sample; where it is a limit and no pose is there within rounding, at the next one from which it goes on.
     template <class T>
