@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-#include "synthesis/mechanism/linkage/drawing.h"
+#include "synthesis/mechanism/linkage/drawing/drawing.h"
 #include "synthesis/mechanism/linkage/table.h"
 #include "synthesis/problem/linkage/linkage.h"
 #include "synthesis/report/drawing/finished.h"

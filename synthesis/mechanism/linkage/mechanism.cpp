@@ -6,13 +6,13 @@
 #include <numbers>
 
 #include "analysis/linkage/travel.h"
-#include "synthesis/mechanism/linkage/again.h"
-#include "synthesis/mechanism/linkage/drawing.h"
-#include "synthesis/mechanism/linkage/followed.h"
-#include "synthesis/mechanism/linkage/function.h"
-#include "synthesis/mechanism/linkage/guidance.h"
+#include "synthesis/mechanism/linkage/again/again.h"
+#include "synthesis/mechanism/linkage/drawing/drawing.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/linkage/table.h"
+#include "synthesis/mechanism/linkage/targets/followed.h"
+#include "synthesis/mechanism/linkage/targets/function.h"
+#include "synthesis/mechanism/linkage/targets/guidance.h"
 
 namespace mechwright {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "synthesis/mechanism/linkage/generated.h"
-#include "synthesis/mechanism/linkage/seeded.h"
+#include "synthesis/mechanism/linkage/targets/generated.h"
+#include "synthesis/mechanism/linkage/targets/seeded.h"
 
 namespace mechwright {
 

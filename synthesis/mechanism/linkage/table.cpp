@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "synthesis/mechanism/linkage/drawing.h"
+#include "synthesis/mechanism/linkage/drawing/drawing.h"
 
 namespace mechwright {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "synthesis/mechanism/drawing/outlines.h"
-#include "synthesis/mechanism/linkage/link_bodies.h"
+#include "synthesis/mechanism/linkage/drawing/link_bodies.h"
 #include "synthesis/problem/linkage/larger_groups.h"
 #include "synthesis/problem/linkage/sides.h"
 #include "synthesis/problem/text.h"

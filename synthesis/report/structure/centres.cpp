@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "synthesis/mechanism/linkage/centres.h"
+#include "synthesis/mechanism/linkage/drawing/centres.h"
 #include "synthesis/problem/linkage/expand.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/text/table.h"

@@ -2,7 +2,7 @@
 /// \file
 /// How linkages are drawn. The model of the design's motion is a LinkageModel.
 
-#include "synthesis/mechanism/linkage/link_bodies.h"
+#include "synthesis/mechanism/linkage/drawing/link_bodies.h"
 #include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/mechanism/mechanism.h"
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "synthesis/mechanism/linkage/signals_again.h"
+#include "synthesis/mechanism/linkage/again/signals_again.h"
 
 namespace mechwright {
 

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/linkage/output_again.h"
+#include "synthesis/mechanism/linkage/again/output_again.h"
 
 #include <algorithm>
 #include <cmath>

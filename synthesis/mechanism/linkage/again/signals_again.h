@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "synthesis/mechanism/linkage/follow.h"
+#include "synthesis/mechanism/linkage/again/follow.h"
 
 namespace mechwright {
 

@@ -1,11 +1,11 @@
-#include "synthesis/mechanism/linkage/generated.h"
+#include "synthesis/mechanism/linkage/targets/generated.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "synthesis/mechanism/linkage/function.h"
-#include "synthesis/mechanism/linkage/output_again.h"
+#include "synthesis/mechanism/linkage/again/output_again.h"
+#include "synthesis/mechanism/linkage/targets/function.h"
 #include "synthesis/target/function/formulas_again.h"
 
 namespace mechwright {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "synthesis/mechanism/linkage/scan.h"
+#include "synthesis/mechanism/linkage/again/scan.h"
 
 namespace mechwright {
 

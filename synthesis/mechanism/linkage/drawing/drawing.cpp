@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/linkage/drawing.h"
+#include "synthesis/mechanism/linkage/drawing/drawing.h"
 
 #include <algorithm>
 #include <cmath>

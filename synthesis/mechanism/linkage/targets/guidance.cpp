@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/linkage/guidance.h"
+#include "synthesis/mechanism/linkage/targets/guidance.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "analysis/linkage/driven.h"
-#include "synthesis/mechanism/linkage/follow.h"
-#include "synthesis/mechanism/linkage/seeded.h"
+#include "synthesis/mechanism/linkage/again/follow.h"
+#include "synthesis/mechanism/linkage/targets/seeded.h"
 
 namespace mechwright {
 

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/linkage/again.h"
+#include "synthesis/mechanism/linkage/again/again.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/mechanism/linkage/follow.h"
+#include "synthesis/mechanism/linkage/again/follow.h"
 #include "synthesis/mechanism/over_range.h"
 
 namespace mechwright {

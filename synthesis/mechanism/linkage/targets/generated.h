@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "synthesis/mechanism/linkage/found_places.h"
+#include "synthesis/mechanism/linkage/targets/found_places.h"
 #include "synthesis/target/function/function_target.h"
 
 namespace mechwright::measuring {

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "synthesis/mechanism/linkage/loop.h"
+#include "synthesis/mechanism/linkage/again/loop.h"
 #include "synthesis/mechanism/linkage/mechanism.h"
 
 namespace mechwright {

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/linkage/link_bodies.h"
+#include "synthesis/mechanism/linkage/drawing/link_bodies.h"
 
 #include <algorithm>
 #include <cmath>

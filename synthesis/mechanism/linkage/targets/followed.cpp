@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/linkage/followed.h"
+#include "synthesis/mechanism/linkage/targets/followed.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "synthesis/mechanism/linkage/found_places.h"
-#include "synthesis/mechanism/linkage/guidance.h"
 #include "synthesis/mechanism/linkage/mechanism.h"
 #include "synthesis/mechanism/linkage/quantities.h"
+#include "synthesis/mechanism/linkage/targets/found_places.h"
+#include "synthesis/mechanism/linkage/targets/guidance.h"
 
 namespace mechwright {
 

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/linkage/centres.h"
+#include "synthesis/mechanism/linkage/drawing/centres.h"
 
 #include <algorithm>
 

@@ -1,0 +1,92 @@
+// Means of what is measured, by adaptive quadrature.
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "synthesis/mechanism/linkage/again/measured.h"
+
+namespace mechwright::again {
+
+namespace {
+
+/// An integral, how far it may be off, and that of the integrand's size.
+struct Integral {
+    double value = 0, missed = 0, of_sizes = 0;
+};
+
+/// By one rule of Gauss and Kronrod. Over [-1, 1], where the library's error is that of the integral.
+template <class Term>
+Integral by_one_rule(const Term& term, double from, double to) {
+    const double middle = (from + to) / 2, half = (to - from) / 2;
+    Integral found;
+    found.value = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+        [&](double t) { return half * term(middle + half * t); }, -1.0, 1.0, 0, 0.0, &found.missed, &found.of_sizes);
+    return found;
+}
+
+/// By halves for so long as it may be off by more than is allowed, and as halves are left.
+template <class Term>
+Integral bisected(const Term& term, double from, double to, const Integral& whole, double allowed, int halves) {
+    if (halves == 0 || !(whole.missed > allowed)) return whole;
+    const double middle = (from + to) / 2;
+    const Integral one = bisected(term, from, middle, by_one_rule(term, from, middle), allowed / 2, halves - 1),
+                   two = bisected(term, middle, to, by_one_rule(term, middle, to), allowed / 2, halves - 1);
+    return {one.value + two.value, one.missed + two.missed, one.of_sizes + two.of_sizes};
+}
+
+/// The integral over a part of the motion of a power of it. Ends are approached as the square of the way, so that what
+/// has a root there is smooth: the way from them is exact, as rounding of the input itself would be noise. Not a number
+/// where it does not settle, as what grows beyond all bounds does not.
+double integral_of_power(const Measured& f, const Vector<double>& part, const std::array<Digits50, 2>& ends,
+                         int power) {
+    constexpr int deepest = 16;
+    constexpr double within = 1e-10, settled = 1e-9;
+    const bool by_slide = f.scan.model.driven_by_slide();
+    const double way = part.y - part.x, turns = by_slide ? 1 : std::ceil(way / (2 * std::numbers::pi));
+    const Digits50 from = part.x == f.scan.from() ? ends[0] : Digits50(part.x),
+                   to = part.y == f.scan.to() ? ends[1] : Digits50(part.y);
+    // Beside an end differences of doubles have no digits left.
+    const double beside = 1e-3 * (by_slide ? way : 1);
+    const auto term = [&](double u) -> double {
+        const double rest = 1 - u, passed = way * u * u * (3 - 2 * u), left = way * rest * rest * (1 + 2 * u);
+        const double value = std::min(passed, left) < beside
+                                 ? f.between(ends, passed < left ? from + passed : to - left).convert_to<double>()
+                                 : f.seen(part.x + passed, true);
+        return (power == 2 ? value * value : value) * 6 * u * rest * way;
+    };
+    Integral sum;
+    for (double turn = 0; turn < turns; ++turn) {
+        const double first = turn / turns, last = (turn + 1) / turns;
+        const Integral whole = by_one_rule(term, first, last);
+        const Integral one = bisected(term, first, last, whole, within * whole.of_sizes, deepest);
+        sum = {sum.value + one.value, sum.missed + one.missed, sum.of_sizes + one.of_sizes};
+    }
+    return sum.missed <= settled * sum.of_sizes ? sum.value : missing;
+}
+
+}  // namespace
+
+Digits50 mean_power(const Measured& f, const std::vector<Vector<double>>& parts, int power) {
+    const std::array<Digits50, 2> ends{f.scan.exact_end(false), f.scan.exact_end(true)};
+    Digits50 sum = 0, length = 0;
+    for (const Vector<double>& part : parts) {
+        length += part.y - part.x;
+        sum += integral_of_power(f, part, ends, power);
+    }
+    return sum / length;
+}
+
+Digits50 mean_of_derivative(const Measured& f, const std::vector<Vector<double>>& parts) {
+    Digits50 grown = 0, length = 0;
+    for (const auto& [from, to] : parts) {
+        grown += f.at(to, -1) - f.at(from, -1);
+        length += to - from;
+    }
+    return grown / length;
+}
+
+}  // namespace mechwright::again

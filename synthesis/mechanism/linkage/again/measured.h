@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// What verification measures of a linkage: one function of the input, along the motion as it is sampled (scan.h), its
+/// extremes and its means.
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "synthesis/mechanism/linkage/again/scan.h"
+
+namespace mechwright::again {
+
+inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+/// One function of the input, looked at in doubles and measured in fifty digits.
+struct Measured {
+    const Scan& scan;
+    std::function<double(SignalsAgain<double>&, double)> look;
+    /// Its derivative of some order by the input; -1: its integral, where it is a derivative itself.
+    std::function<Digits50(SignalsAgain<Digits50>&, int, const Digits50&)> measure;
+
+    double seen(double input, bool finely = false) const {
+        SignalsAgain<double> signals = scan.plain(scan.nearest(input));
+        signals.finely = finely;
+        return look(signals, input);
+    }
+    Digits50 at(double input, int order = 0) const {
+        if (input == scan.from() || input == scan.to()) {
+            SignalsAgain<Digits50> end = scan.at_end(input == scan.to());
+            return measure(end, order, end.follower.at);
+        }
+        SignalsAgain<Digits50> signals = scan.precise(scan.nearest(input));
+        return measure(signals, order, input);
+    }
+    /// Between the exact ends of the motion, so close to one of them as it may be.
+    Digits50 between(const std::array<Digits50, 2>& ends, const Digits50& input) const {
+        SignalsAgain<Digits50> signals = scan.precise(scan.nearest(input.convert_to<double>()));
+        if (!scan.full_turn()) {
+            signals.first_input = ends[0];
+            signals.last_input = ends[1];
+        }
+        return measure(signals, 0, input);
+    }
+};
+
+/// An extreme and its input; not a number where nothing was found.
+struct Extreme {
+    Digits50 at = 0;
+    Digits50 value = missing;
+};
+
+/// The greatest value over parts of the motion, of f or, with a negative sign, of its negative.
+Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, double sign);
+
+/// The mean over parts of the motion of a power of it, 1 or 2. Not a number where its integral does not settle.
+Digits50 mean_power(const Measured& f, const std::vector<Vector<double>>& parts, int power);
+
+/// The mean of a derivative: what its integral grows by, over the way.
+Digits50 mean_of_derivative(const Measured& f, const std::vector<Vector<double>>& parts);
+
+}  // namespace mechwright::again
