@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Signals along the motion of a linkage: all their extremes and those of their derivatives, means over stretches of
-/// it, and how these change with the dimensions.
+/// Signals along the motion of a linkage: all their extremes and those of their derivatives.
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +14,7 @@
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/travel.h"
 #include "analysis/linkage/turning_point.h"
-#include "analysis/numbers/dual.h"
 #include "analysis/numbers/resolved.h"
-#include "analysis/numbers/second_dual.h"
 #include "analysis/numbers/series.h"
 
 namespace mechwright::linkage {
@@ -364,167 +361,6 @@ std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked,
     }
     std::sort(found.begin(), found.end(), [](const Extreme& a, const Extreme& b) { return a.at < b.at; });
     return found;
-}
-
-namespace detail {
-
-/// The derivatives of a number alone.
-template <class T>
-T change_of(T x) {
-    if constexpr (requires { x.value; })
-        x.value = 0;
-    else
-        x = T(0);
-    return x;
-}
-
-/// By how much the time changes with the dimensions at which a derivative of f vanishes, up to second derivatives
-/// (Newton's method; each step has one order more). Zero where that place is not settled, at this rate of the input by
-/// the time.
-template <class T, std::size_t K>
-T shift_of_zero(const Series<T, K>& f, std::size_t derivative, double rate) {
-    constexpr double settled = 1e-12;
-    const T slope = derivative < K ? f.derivative(derivative + 1) : T(0);
-    double size = 0, power = 1;
-    for (std::size_t k = 0; k <= K; ++k, power *= std::abs(rate))
-        size = std::max(size, std::abs(value_of(f.derivative(k))) / power);
-    power = std::pow(std::abs(rate), static_cast<double>(derivative + 1));
-    if (!(std::abs(value_of(slope)) > settled * size * power)) return T(0);
-    const T value = change_of(f.derivative(derivative));
-    const T first = change_of(T(-(value / slope)));
-    const T curvature = derivative + 2 <= K ? f.derivative(derivative + 2) : T(0);
-    return change_of(T(first - T(0.5) * curvature * (first * first) / slope));
-}
-
-/// A derivative of f where the time has changed by derivatives alone, up to second ones.
-template <class T, std::size_t K>
-T after_shift(const Series<T, K>& f, std::size_t derivative, const T& shift) {
-    T sum = f.derivative(derivative);
-    if (derivative + 1 <= K) sum = sum + f.derivative(derivative + 1) * shift;
-    if (derivative + 2 <= K) sum = sum + T(0.5) * f.derivative(derivative + 2) * (shift * shift);
-    return sum;
-}
-
-}  // namespace detail
-
-/// By how much the time of the ends of a motion changes with what is seeded, where these are given by it: derivatives
-/// of 0.
-template <class T>
-struct MovingEnds {
-    T from = T(0);
-    T to = T(0);
-
-    /// That of a place which is an end of a motion, and no limit.
-    T at(const Extreme& place, const Travel& travel) const {
-        return place.stationary ? T(0) : place.at == travel.from ? from : place.at == travel.to ? to : T(0);
-    }
-};
-
-/// How the time at which a place is passed changes with the dimensions, as derivatives of 0: of a limit, of a
-/// stationary place of what is asked, or of an end. K must be `order_for` it, and one more for second derivatives.
-template <class T, std::size_t K>
-T shift_of(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place,
-           const MovingEnds<T>& ends = {}) {
-    const auto near = course.turns.near(place.at);
-    if (place.limit.exists())
-        return detail::shift_of_zero(measured.margin(place.limit, place.at, near), 0, measured.rate());
-    if (!place.stationary) return ends.at(place, course.travel);
-    return detail::shift_of_zero(measured.value(asked.signal, place.at, near), asked.derivative + 1, measured.rate());
-}
-
-/// What is asked at one of its extremes as a function of the dimensions: the place moves with them, or is given. K must
-/// be `order_for` it.
-template <class T, std::size_t K>
-T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place,
-           const MovingEnds<T>& ends = {}) {
-    if (!std::isfinite(place.value)) return T(place.value);
-    const auto near = course.turns.near(place.at);
-    if (!place.limit.exists()) {
-        const auto f = measured.value(asked.signal, place.at, near);
-        const T shift = place.stationary ? detail::shift_of_zero(f, asked.derivative + 1, measured.rate())
-                                         : ends.at(place, course.travel);
-        return detail::after_shift(f, asked.derivative, shift);
-    }
-    const T shift = shift_of(measured, asked, course, place);
-    const bool exactly = !place.limit.stop && asked.derivative + order_of(measured.signals(), asked.signal) == 0;
-    const auto f = measured.value(asked.signal, place.at, near, exactly ? place.limit : Limit{});
-    const T value = detail::after_shift(f, asked.derivative, shift);
-    if (!exactly || !detail::others_at_limit(measured, place.limit)) return value;
-    return value + T(place.value - number_as<double>(value_of(value)));
-}
-
-/// What is asked at a place that keeps its share of the motion where the ends move. K must be `order_for` it.
-template <class T, std::size_t K>
-T value_at_share(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place,
-                 const MovingEnds<T>& ends) {
-    const Travel& travel = course.travel;
-    if (place.at == travel.from || place.at == travel.to) return value_at(measured, asked, course, place, ends);
-    const double share = (place.at - travel.from) / (travel.to - travel.from);
-    const T shift = T(1 - share) * ends.from + T(share) * ends.to;
-    return detail::after_shift(measured.value(asked.signal, place.at, course.turns.near(place.at)), asked.derivative,
-                               shift);
-}
-
-/// The mean of what is asked over [from, to], or of its square, as a function of the dimensions; ends that are limits
-/// of the motion move with them. To rounding. Infinite where what is asked has no integral because of how it grows at a
-/// limit.
-template <class T, std::size_t K, std::size_t L>
-T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& asked, const Course& course, double from,
-          double to, bool squared, const MovingEnds<T>& ends = {}) {
-    const Stretch stretch = detail::stretch_of(course, from, to);
-    const auto end = [&](bool last) -> Extreme {
-        const Travel& all = course.travel;
-        const bool limit = last ? to == all.to : from == all.from;
-        return {last ? to : from, 0, false, !limit ? Limit{} : last ? all.last : all.first};
-    };
-    // Speeds grow like the inverse root of the way from a limit, accelerations like its third power.
-    const std::size_t grows = (asked.derivative + order_of(plain.signals(), asked.signal)) * (squared ? 2 : 1);
-    for (const bool last : {false, true}) {
-        if (grows < 2 || !(last ? stretch.root_at_to : stretch.root_at_from)) continue;
-        const double at_limit = value_at_limit(plain, asked, course, last);
-        if (std::isinf(at_limit)) return T(squared ? std::abs(at_limit) : at_limit);
-    }
-    const T shift_from = shift_of(measured, asked, course, end(false), ends),
-            shift_to = shift_of(measured, asked, course, end(true), ends);
-    if (asked.derivative > 0 && !squared) {
-        // The integral of a derivative is known.
-        const Asked integral{asked.signal, asked.derivative - 1};
-        const T length = (T(to) + shift_to * T(measured.rate())) - (T(from) + shift_from * T(measured.rate()));
-        return T(measured.rate()) *
-               (value_at(measured, integral, course, end(true), ends) -
-                value_at(measured, integral, course, end(false), ends)) /
-               length;
-    }
-    // The rounding of the input counts as much as that of the value.
-    const double floor = detail::rounding_of(plain, asked, std::min(asked.derivative + 1, L), course, stretch);
-    const auto f = [&](double s) {
-        const double at = stretch.at(s);
-        const double value = plain.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);
-        return (squared ? value * value : value) * stretch.speed(s) / stretch.length();
-    };
-    // So close to a limit that the rounding of the input is much of the way from it, a speed that grows there is noise.
-    constexpr double noisy = 0x1p-8;
-    const bool rough = grows > 0 && (stretch.root_at_from || stretch.root_at_to);
-    const Panels panels(f, 0, 1,
-                        {.first = detail::first_panels(stretch),
-                         .within = rough ? 1e-11 : 1e-13,
-                         .floor = squared ? floor * (floor / detail::one_rounding) : floor,
-                         .narrowest_first = rough && stretch.root_at_from ? noisy : 0,
-                         .narrowest_last = rough && stretch.root_at_to ? noisy : 0,
-                         .most = 512,
-                         .everywhere = true});
-    if (!panels.finite()) return T(std::numeric_limits<double>::quiet_NaN());
-    if constexpr (std::is_same_v<T, double>) return panels.integral();
-    T sum(0);
-    for (const Panel& panel : panels.all())
-        for (std::size_t i = 0; i < Panel::nodes; ++i) {
-            const double s = panel.at(i), at = stretch.at(s), share = (at - from) / stretch.length();
-            const T shift = T(1 - share) * shift_from + T(share) * shift_to;
-            const T value =
-                detail::after_shift(measured.value(asked.signal, at, course.turns.near(at)), asked.derivative, shift);
-            sum = sum + T(panel.weight(i) * stretch.speed(s) / stretch.length()) * (squared ? T(value * value) : value);
-        }
-    return sum;
 }
 
 }  // namespace mechwright::linkage

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "analysis/linkage/course.h"
+#include "analysis/linkage/moving_extremes.h"
 
 namespace mechwright::linkage {
 

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "analysis/linkage/configurations.h"
-#include "analysis/linkage/course.h"
 #include "analysis/linkage/follow_way.h"
 #include "analysis/linkage/margins.h"
+#include "analysis/linkage/moving_extremes.h"
 #include "analysis/numbers/second_dual.h"
 #include "tests/analysis/made_linkage.h"
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/linkage/means.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 #include "synthesis/mechanism/linkage/targets/seeded.h"
 
