@@ -53,6 +53,14 @@ public:
         }
         return determinant;
     }
+    /// The least size of a pivot, of rows that are unit vectors: how far they are from depending on each other. After
+    /// they are factored.
+    double least_pivot() const {
+        double least = 1;
+        for (std::size_t k = 0; k < n_; ++k)
+            least = std::min(least, std::abs(entries_[k * n_ + k]));
+        return least;
+    }
     /// Solves with the right side `b`, in place.
     void solve(std::span<double> b) const {
         for (std::size_t i = 0; i < n_; ++i)

@@ -171,6 +171,19 @@ void read_design(Reader& in, const Json& document, Claim& claim) {
         in.fail(fmt::format("a {} does not have the assembly {}", mechanism.name, reading::quoted(name)));
 }
 
+void read_motion(Reader& in, const Json& document, Claim& claim) {
+    const Json* motion = member(document, of_finding("motion"));
+    if (!motion || !in.object(motion, "motion")) return;
+    const auto count = [&](const char* name) {
+        constexpr double most = 1e6;
+        const double number = in.number(member(*motion, name), fmt::format("motion.{}", name));
+        if (number >= 1 && number <= most && number == std::floor(number)) return static_cast<int>(number);
+        in.fail(fmt::format("motion.{} is no whole number from 1", name));
+        return 0;
+    };
+    claim.motion = CircuitAndBranch{count(of_motion("circuit")), count(of_motion("branch"))};
+}
+
 void read_crank_range(Reader& in, const Json& document, Claim& claim) {
     const Json* range = member(document, of_document("crank_range"));
     if (!range) return;
@@ -274,8 +287,8 @@ ReadClaim read_claim(const Json& document) {
     if (const Json* instant = member(document, of_document("instant"))) claim.has_instant = in.flag(instant, "instant");
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
-    for (const auto read : {read_given, read_design, read_crank_range, read_settings, read_function, read_followed,
-                            read_requirements, read_objective, read_quantities, read_path})
+    for (const auto read : {read_given, read_design, read_motion, read_crank_range, read_settings, read_function,
+                            read_followed, read_requirements, read_objective, read_quantities, read_path})
         if (in.understood()) read(in, document, claim);
     return {std::move(claim), in.defect};
 }

@@ -187,9 +187,17 @@ void put_warnings(Json& json, const Problem& problem, const Design& design) {
     if (!warnings.empty()) json[of_finding("warnings")] = std::move(warnings);
 }
 
+/// Where circuits and branches are numbered, unless single quantities are all that is asked for.
+void put_circuit(Json& json, const Problem& problem, const Design& design) {
+    if (problem.wanted) return;
+    if (const auto found = circuit_of(problem, design))
+        json[of_finding("motion")] = {{of_motion("circuit"), found->circuit}, {of_motion("branch"), found->branch}};
+}
+
 /// The members that are about one design.
 void put_findings(Json& json, const Problem& problem, const Solution& solution) {
     json[of_finding("design")] = design_of(problem, solution.design);
+    put_circuit(json, problem, solution.design);
     if (problem.objective) json[of_finding("objective")] = objective_of(problem, &solution);
     if (!problem.requirements.empty()) json[of_finding("requirements")] = requirements_of(problem, &solution.design);
     json[of_finding("quantities")] = quantities_of(problem, solution.design);

@@ -104,6 +104,13 @@ struct Objection {
     std::string why;        ///< what is wrong, and what would be right
 };
 
+/// Which of its motions a linkage makes: what it can reach without being taken apart is a circuit, and of a circuit
+/// what lies between two positions in which a dyad is at its limit is a branch.
+struct CircuitAndBranch {
+    int circuit;  ///< from 1, by the least crank angle
+    int branch;   ///< of the circuit, from 1, the same
+};
+
 struct Check {
     std::string name;
     bool passed;
@@ -267,6 +274,8 @@ struct Mechanism {
     std::vector<Way> (*ways_again)(bool full_turn) = nullptr;
     /// In one phrase what kind of linkage the dimensions make ("crank-rocker", change points named).
     std::string (*describe)(Form, std::span<const double> dimensions) = nullptr;
+    /// Which circuit and branch a motion belongs to, where these are numbered; null: they have words of their own.
+    std::optional<CircuitAndBranch> (*circuit)(const Motion&, std::span<const double> dimensions) = nullptr;
     /// Checks of assembly, circuit and branch over the whole motion, in extended precision.
     std::vector<Check> (*check_motion)(const Motion&, std::span<const Digits50> dimensions) = nullptr;
 

@@ -88,6 +88,7 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     read_followed(file, problem, messages);
     read_settings(file, problem, messages);
     read_solver(file, problem, messages);
+    check_front(file, problem, messages);
     warn_of_accuracy_points(file, problem, messages);
     read_requirements(file, problem, messages);
     read_instant(file, problem, messages);

@@ -54,6 +54,12 @@ Motion motion_of(const Problem& problem, const Design& design) {
     return motion;
 }
 
+std::optional<CircuitAndBranch> circuit_of(const Problem& problem, const Design& design) {
+    const Mechanism& mechanism = *problem.mechanism;
+    if (mechanism.circuit == nullptr) return std::nullopt;
+    return mechanism.circuit(motion_of(problem, design), design.dimensions);
+}
+
 namespace {
 
 bool assembles_over(const Problem& problem, const Motion& motion, const Design& design) {

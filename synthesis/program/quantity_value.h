@@ -19,6 +19,8 @@ std::optional<std::array<double, 2>> crank_range_of(const Mechanism& mechanism,
 
 /// The motion over which the problem judges a design; from > to if it assembles nowhere.
 Motion motion_of(const Problem& problem, const Design& design);
+/// The circuit and branch of that motion, as Mechanism::circuit.
+std::optional<CircuitAndBranch> circuit_of(const Problem& problem, const Design& design);
 
 /// Whether a design assembles at every crank angle of a given range; true where none is given. Toggles at its ends
 /// count as assembled in spite of their rounding.

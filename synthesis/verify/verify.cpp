@@ -72,6 +72,21 @@ Check check_kind(const Rebuilt& design) {
         kind == stated ? kind : fmt::format("stated is {}, it is {}", reading::quoted(stated), reading::quoted(kind))};
 }
 
+/// That the motion is the circuit and the branch that are stated, as both are numbered.
+Check check_circuit(const Rebuilt& design) {
+    const Mechanism& mechanism = *design.claim->mechanism;
+    const CircuitAndBranch stated = *design.claim->motion;
+    CircuitAndBranch found{0, 0};
+    if (mechanism.circuit) found = mechanism.circuit(design.motion, design.rounded).value_or(found);
+    const auto words = [](const CircuitAndBranch& c) {
+        return c.circuit == 0 ? "no branch that has a number"
+                              : fmt::format("branch {} of circuit {}", c.branch, c.circuit);
+    };
+    const bool alike = found.circuit == stated.circuit && found.branch == stated.branch;
+    return {"moves on the circuit and the branch that are stated", alike,
+            alike ? words(stated) : fmt::format("stated is {}, it is {}", words(stated), words(found))};
+}
+
 /// Whether quantities are measured over the motion of the linkage itself, which ends where it cannot go on.
 bool ends_by_itself(const Rebuilt& design) {
     const Claim& claim = *design.claim;
@@ -274,6 +289,7 @@ std::vector<Check> checks_of(const Claim& claim, bool infeasible, Stated parts) 
     std::vector<Check> checks{check_ranges(claim)};
     const Rebuilt design = rebuilt(claim);
     if (claim.kind) checks.push_back(check_kind(design));
+    if (claim.motion) checks.push_back(check_circuit(design));
     checks.insert(checks.end(), design.of_motion.begin(), design.of_motion.end());
     if (!has_its_lengths(claim)) return checks;
     if (ends_by_itself(design) && all_passed(design.of_motion)) checks.push_back(check_whole_motion(design));

@@ -167,7 +167,6 @@ std::string reason_to_refuse(const std::string& name) {
         {"quick-return/uniform-speed-drag-link.toml", "no 'speed-variation'"},
         {"quick-return/uniform-speed-whitworth.toml", "no 'speed-variation'"},
         {"trade-off/case-4-margin.toml", "no 'grashof-margin'"},
-        {"trade-off/straightness-against-size.toml", "'pareto'"},
         {"studies/prime-radius-nomogram.toml", "a cam is no linkage"},
     };
     if (const auto reason = reasons.find(name); reason != reasons.end()) return reason->second;

@@ -7,6 +7,7 @@
 
 #include "analysis/linkage/travel.h"
 #include "synthesis/mechanism/linkage/again/again.h"
+#include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/mechanism/linkage/drawing/drawing.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/linkage/table.h"
@@ -217,6 +218,7 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     made.motion = motion_of_linkage;
     made.motion_again = linkage_motion_again;
     made.describe = describe;
+    made.circuit = circuit_of_linkage;
     made.check_motion = check_linkage_motion;
     made.drawing = linkage_drawing();
     return made;

@@ -68,6 +68,7 @@ struct LinkageModel {
     /// Of a driven slide the displacement, not divided, that counts as much as a radian does: a power of two, so that
     /// inputs of the analysis are of order one and no digit is lost. 1 where the master turns.
     double input_length = 1;
+    std::vector<std::size_t> redundant{};  ///< links that are left out of the order: the others place what they join
     std::vector<linkage::Assembled> starts{};  ///< [assembly] of larger groups, with the dimensions `sketched`
     std::vector<double> sketched{};
     std::vector<bool> sketched_lengths{};                                   ///< which of these are lengths

@@ -1,8 +1,11 @@
 #include "synthesis/mechanism/linkage/table.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "synthesis/mechanism/linkage/drawing/drawing.h"
+#include "synthesis/mechanism/linkage/measured_over.h"
 
 namespace mechwright {
 
@@ -24,9 +27,58 @@ std::string input_column(const LinkageModel& model) {
     return "crank-angle";
 }
 
-/// Whether a link has a column for its angle.
-bool has_column(const LinkageModel& model, std::size_t link) {
-    return is_named(model.links[link]) && !is_input(model, link);
+struct Column {
+    enum class Of : std::uint8_t { input, link, pin_x, pin_y, slide, signal };
+    Of of = Of::input;
+    std::size_t index = 0;
+    std::string name{};
+    Unit unit = Unit::length;
+};
+
+/// Those of the input, links, points and slides, but where a signal has the same name; then those of signals.
+std::vector<Column> columns_of(const LinkageModel& model) {
+    using Of = Column::Of;
+    std::vector<Column> columns;
+    const auto add = [&](Of of, std::size_t index, std::string name, Unit unit) {
+        const bool is_signal = of != Of::signal && of != Of::input &&
+                               std::any_of(model.signal_names.begin(), model.signal_names.end(),
+                                           [&](const NamedSignal& signal) { return signal.name == name; });
+        if (!is_signal) columns.push_back({of, index, std::move(name), unit});
+    };
+    add(Of::input, 0, input_column(model), model.driven_by_slide() ? Unit::length : Unit::angle);
+    for (std::size_t link = 1; link < model.links.size(); ++link)
+        if (is_named(model.links[link]) && !is_input(model, link))
+            add(Of::link, link, model.links[link] + "-angle", Unit::angle);
+    for (std::size_t pin = 0; pin < model.pins.size(); ++pin) {
+        if (!is_named(model.pins[pin])) continue;
+        add(Of::pin_x, pin, model.pins[pin] + "-x", Unit::length);
+        add(Of::pin_y, pin, model.pins[pin] + "-y", Unit::length);
+    }
+    for (std::size_t i = 0; i < model.slides.size(); ++i) {
+        const std::string& name = model.slides[i];
+        add(Of::slide, i, (name.empty() ? "slide-" + std::to_string(i + 1) : name) + "-displacement", Unit::length);
+    }
+    for (std::size_t i = 0; i < model.signals.size(); ++i)
+        add(Of::signal, i, model.signal_names[i].name, model.signal_names[i].unit);
+    return columns;
+}
+
+/// All signals at an input; angles are counted on from the start of the motion.
+std::vector<double> signal_values(const LinkageModel& model, const Motion& motion, std::span<const double> dimensions,
+                                  double crank_angle) {
+    constexpr std::size_t derivatives = 2;  // of the poses, which accelerations need
+    const LinkageMeasure measure{LinkageMeasure::Kind::total_length, model.signals};
+    Motion over_motion = motion;
+    over_motion.of = &measure;
+    const measuring::Over over(over_motion);
+    auto values = measuring::measured<double, derivatives>(over, dimensions, model.signals);
+    const linkage::Travel so_far{model.input_of(motion.from), model.input_of(crank_angle)};
+    const linkage::Course course = linkage::course_along(over.driven(dimensions), so_far);
+    values.start_at(course);
+    std::vector<double> all;
+    for (std::size_t i = 0; i < model.signals.size(); ++i)
+        all.push_back(values.value(i, so_far.to, course.turns.near(so_far.to)).c[0]);
+    return all;
 }
 
 bool row(const Motion& motion, std::span<const double> dimensions, double crank_angle, std::span<double> out) {
@@ -35,41 +87,33 @@ bool row(const Motion& motion, std::span<const double> dimensions, double crank_
     if (!place_within(linkage, motion, crank_angle)) return false;
     const LinkagePlacement placement = placement_of(model, dimensions);
     const linkage::Pose<double>& pose = linkage.pose;
-    auto next = out.begin();
-    *next++ = crank_angle;
-    for (std::size_t link = 1; link < model.links.size(); ++link)
-        if (has_column(model, link)) *next++ = std::atan2(pose.links[link].along.y, pose.links[link].along.x);
-    for (std::size_t i = 0; i < model.pins.size(); ++i) {
-        if (!is_named(model.pins[i])) continue;
-        const Vector<double> at = placement.in_drawing(pose.pins[i]);
-        *next++ = at.x;
-        *next++ = at.y;
-    }
     const std::vector<double> numbers = numbers_of(model, dimensions);
     const LinkageShape shape{model.structure, numbers, model.links, model.pins, placement.scale};
-    for (std::size_t i = 0; i < model.structure.slides.size(); ++i)
-        *next++ = slide_displacement(shape, i, pose);
+    std::vector<double> signals;
+    if (!model.signals.empty()) signals = signal_values(model, motion, dimensions, crank_angle);
+    auto next = out.begin();
+    for (const Column& column : columns_of(model)) {
+        const std::size_t i = column.index;
+        switch (column.of) {
+            case Column::Of::input: *next++ = crank_angle; break;
+            case Column::Of::link: *next++ = std::atan2(pose.links[i].along.y, pose.links[i].along.x); break;
+            case Column::Of::pin_x: *next++ = placement.in_drawing(pose.pins[i]).x; break;
+            case Column::Of::pin_y: *next++ = placement.in_drawing(pose.pins[i]).y; break;
+            case Column::Of::slide: *next++ = slide_displacement(shape, i, pose); break;
+            case Column::Of::signal: *next++ = signals[i]; break;
+        }
+    }
     return true;
 }
 
 }  // namespace
 
 MotionTable linkage_table(const LinkageModel& model) {
-    MotionTable table{{input_column(model)}, {model.driven_by_slide() ? Unit::length : Unit::angle}, row};
-    const auto add = [&table](std::string name, Unit unit) {
-        table.columns.push_back(std::move(name));
-        table.units.push_back(unit);
-    };
-    for (std::size_t link = 1; link < model.links.size(); ++link)
-        if (has_column(model, link)) add(model.links[link] + "-angle", Unit::angle);
-    for (const std::string& pin : model.pins) {
-        if (!is_named(pin)) continue;
-        add(pin + "-x", Unit::length);
-        add(pin + "-y", Unit::length);
+    MotionTable table{{}, {}, row};
+    for (Column& column : columns_of(model)) {
+        table.columns.push_back(std::move(column.name));
+        table.units.push_back(column.unit);
     }
-    for (std::size_t i = 0; i < model.slides.size(); ++i)
-        add((model.slides[i].empty() ? "slide-" + std::to_string(i + 1) : model.slides[i]) + "-displacement",
-            Unit::length);
     return table;
 }
 

@@ -8,7 +8,7 @@
 
 #include "analysis/linkage/inputs.h"
 #include "analysis/numbers/golden_section.h"
-#include "synthesis/problem/linkage/sides.h"
+#include "synthesis/mechanism/linkage/branches.h"
 
 namespace mechwright {
 
@@ -32,18 +32,6 @@ std::vector<double> inputs_over_motion(const Linkage& linkage, std::span<const d
 
 linkage::Driven<double> driven(const Linkage& linkage, std::span<const double> numbers) {
     return {linkage.structure, linkage.order, numbers, {}, laws_of(linkage.drives)};
-}
-
-double misfit(const Linkage& linkage, std::span<const double> numbers, const linkage::Pose<double>& pose) {
-    double greatest = 0;
-    for (const linkage::Slot& slot : linkage.structure.slots) {
-        const std::size_t link = slot.line.on;
-        if (!is_redundant(linkage, link)) continue;
-        const Vector<double> off =
-            pose.pins[slot.pin] - pose.links[link].at(linkage::place_of(slot.line.towards, numbers));
-        greatest = std::max(greatest, std::hypot(off.x, off.y));
-    }
-    return greatest;
 }
 
 namespace {
@@ -106,12 +94,12 @@ double redundant_misfit(const Linkage& linkage, std::span<const double> numbers)
     int closed = 0;
     for (const double input : inputs_over_motion(linkage, numbers, samples / 5)) {
         double best = std::numeric_limits<double>::infinity();
-        for_each_assembly(std::vector<std::int8_t>(linkage.order.choices, 0), most_open,
-                          [&](const std::vector<std::int8_t>& sides) {
-                              moving.sides = sides;
-                              if (moving.place(input))
-                                  best = std::min(best, misfit(linkage, numbers, moving.pose) / size);
-                          });
+        for_each_assembly(
+            std::vector<std::int8_t>(linkage.order.choices, 0), most_open, [&](const std::vector<std::int8_t>& sides) {
+                moving.sides = sides;
+                if (moving.place(input))
+                    best = std::min(best, misfit(linkage.structure, linkage.redundant, numbers, moving.pose) / size);
+            });
         if (!std::isfinite(best)) continue;
         ++closed;
         worst = std::max(worst, best);

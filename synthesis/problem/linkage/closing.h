@@ -13,9 +13,6 @@ namespace mechwright {
 /// The linkage of these numbers, driven by its master. Its order must be closed, and its sides have still to be said.
 linkage::Driven<double> driven(const Linkage& linkage, std::span<const double> numbers);
 
-/// The greatest distance by which a link that is left out of the order (Linkage::redundant) misses its second pin.
-double misfit(const Linkage& linkage, std::span<const double> numbers, const linkage::Pose<double>& pose);
-
 /// By how much the best assembly fails to close where it comes nearest, and where that is, from many inputs and golden
 /// section between them; 0 where one closes, and where there are too many assemblies to look at them all.
 struct Gap {

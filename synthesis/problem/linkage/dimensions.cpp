@@ -11,9 +11,9 @@ namespace mechwright::reading {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> reserved{"assembly",     "scale",      "tilt",
-                                                   "origin-x",     "origin-y",   "transmission-angle-worst",
-                                                   "total-length", "link-ratio", "full-turn-margin"};
+constexpr std::array<std::string_view, 10> reserved{
+    "assembly",     "kind",       "scale",           "tilt", "origin-x", "origin-y", "transmission-angle-worst",
+    "total-length", "link-ratio", "full-turn-margin"};
 
 void read_range(LinkageReading& reading, const toml::table& table, LinkageDimension& dimension) {
     Messages& messages = reading.messages;

@@ -10,6 +10,7 @@
 
 #include "analysis/linkage/configurations.h"
 #include "analysis/linkage/least_missing.h"
+#include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/problem/linkage/closing.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/linkage/sides.h"

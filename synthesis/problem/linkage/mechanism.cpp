@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "analysis/linkage/travel.h"
+#include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/mechanism/linkage/mechanism.h"
 #include "synthesis/problem/linkage/larger_groups.h"
 #include "synthesis/problem/linkage/reading.h"
@@ -171,6 +172,7 @@ LinkageModel model_of(const Linkage& linkage) {
     model.slides = linkage.slides;
     model.structure = linkage.structure;
     model.order = linkage.order;
+    model.redundant = linkage.redundant;
     for (const LinkageNumber& number : linkage.numbers) {
         model.numbers.push_back(convert.sum(number.value, number.measure));
         model.lengths.push_back(number.measure == Measure::length);
@@ -480,6 +482,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     read_function(file, problem, messages);
     read_followed(file, problem, messages);
     read_objective(file, problem, messages);
+    check_front(file, problem, messages);
     read_requirements(file, problem, messages);
     read_study(file, problem, messages);
 }

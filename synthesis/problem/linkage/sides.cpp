@@ -40,18 +40,4 @@ std::string assembly_line(const Linkage& linkage, const linkage::Group& group, i
                        linkage.pins[group.outer[0]], linkage.pins[group.outer[1]]);
 }
 
-void for_each_assembly(const std::vector<std::int8_t>& sides, std::size_t most,
-                       const std::function<void(const std::vector<std::int8_t>&)>& use) {
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < sides.size() && open.size() < most; ++i)
-        if (sides[i] == 0) open.push_back(i);
-    std::vector<std::int8_t> all = sides;
-    std::replace(all.begin(), all.end(), std::int8_t{0}, std::int8_t{1});
-    for (std::size_t k = 0; k < std::size_t{1} << open.size(); ++k) {
-        for (std::size_t i = 0; i < open.size(); ++i)
-            all[open[i]] = (k >> (open.size() - 1 - i) & 1) == 0 ? 1 : -1;
-        use(all);
-    }
-}
-
 }  // namespace mechwright

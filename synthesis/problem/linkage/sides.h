@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -30,10 +29,5 @@ std::string assembly_line(const Linkage& linkage, const linkage::Group& group, i
 
 /// Of how many dyads both sides can be left open.
 inline constexpr std::size_t most_open_sides = 6;
-
-/// Calls `use` with every assembly that the sides allow (0: either); of more than `most` open sides the last are left
-/// at 1, so that it ends.
-void for_each_assembly(const std::vector<std::int8_t>& sides, std::size_t most,
-                       const std::function<void(const std::vector<std::int8_t>&)>& use);
 
 }  // namespace mechwright

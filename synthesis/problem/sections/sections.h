@@ -42,6 +42,8 @@ void read_motion(Section& file, Problem& problem, Messages& messages);
 /// The sections that the mechanism's settings stand in.
 void read_settings(Section& file, Problem& problem, Messages& messages);
 void read_solver(Section& file, Problem& problem, Messages& messages);
+/// That a front has two objectives: after these and [solver].
+void check_front(const Section& file, const Problem& problem, Messages& messages);
 /// [study]: after the mechanism and the dimensions.
 void read_study(Section& file, Problem& problem, Messages& messages);
 

@@ -44,17 +44,6 @@ void check_crank_range(const Section& motion, double from, double to, double tur
                   fmt::format("crank_range goes from {} to {}: it must be one full turn at most", from, to));
 }
 
-void read_pareto(Section& solver, Problem& problem, Messages& messages) {
-    if (!has(solver, "pareto")) {
-        find(solver, "pareto");
-        return;
-    }
-    problem.solver.pareto = static_cast<int>(read_bounded(solver, "pareto", 2, messages));
-    if (!problem.objective || problem.objective->terms.size() != 2 || problem.objective->worst)
-        add_error(messages, place_of(solver, "pareto"),
-                  "'pareto' needs two objectives to trade against each other: write two [[objective]] entries");
-}
-
 }  // namespace
 
 double to_radians(const Units& units, double angle) { return units.degrees ? angle * std::numbers::pi / 180 : angle; }
@@ -101,8 +90,16 @@ void read_solver(Section& file, Problem& problem, Messages& messages) {
         static_cast<std::uint64_t>(read_bounded(*section, "seed", static_cast<std::int64_t>(solver.seed), messages));
     solver.time_limit = read_positive(*section, "time_limit", solver.time_limit, messages);
     solver.tolerance = read_positive(*section, "tolerance", solver.tolerance, messages);
-    read_pareto(*section, problem, messages);
+    if (find(*section, "pareto") != nullptr)
+        solver.pareto = static_cast<int>(read_bounded(*section, "pareto", solver.pareto, messages));
     report_unknown_keys(*section, messages);
+}
+
+void check_front(const Section& file, const Problem& problem, Messages& messages) {
+    const toml::node* pareto = file.table->at_path("solver.pareto").node();
+    if (pareto != nullptr && (!problem.objective || problem.objective->terms.size() != 2 || problem.objective->worst))
+        add_error(messages, place_of(*pareto),
+                  "'pareto' needs two objectives to trade against each other: write two [[objective]] entries");
 }
 
 }  // namespace mechwright::reading

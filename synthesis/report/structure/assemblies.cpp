@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/problem/linkage/closing.h"
 #include "synthesis/problem/linkage/larger_groups.h"
 #include "synthesis/problem/linkage/sides.h"
@@ -73,7 +74,8 @@ std::vector<LinkageAssembly> assemblies_at(const Linkage& linkage, double master
             return;
         }
         moving.sides = sides;
-        if (!moving.place(master) || misfit(linkage, numbers, moving.pose) > 1e-9 * size) return;
+        if (!moving.place(master) || misfit(linkage.structure, linkage.redundant, numbers, moving.pose) > 1e-9 * size)
+            return;
         const bool asked = std::all_of(dyads.begin(), dyads.end(), [&](const linkage::Group* group) {
             return linkage.sides[group->choice] * sides[group->choice] >= 0;
         });

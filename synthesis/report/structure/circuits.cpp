@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "analysis/linkage/branches.h"
+#include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/mechanism/linkage/limit_text.h"
 #include "synthesis/problem/linkage/closing.h"
 #include "synthesis/problem/linkage/sides.h"
@@ -20,18 +20,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_dyads = 6;
-
-/// All branches with the sides of each.
-struct AllBranches {
-    std::vector<std::vector<std::int8_t>> assemblies{};
-    std::vector<linkage::Branch> branches{};
-    double unit = 1;  ///< of inputs, as the file has them
+/// All branches, with the unit of inputs as the file has them.
+struct FileBranches {
+    AllBranches all{};
+    double unit = 1;
 };
 
-std::optional<AllBranches> branches_of(const Linkage& l) {
-    const std::vector<const linkage::Group*> dyads = chosen_dyads(l);
-    if (dyads.size() > most_dyads) return {};
+std::optional<FileBranches> branches_of(const Linkage& l) {
     const std::vector<double> numbers = numbers_of(l, usual_dimensions(l));
     const double size = linkage::farthest_point(l.structure, numbers);
     const bool slide = l.structure.drives.front().of_slide;
@@ -49,17 +44,9 @@ std::optional<AllBranches> branches_of(const Linkage& l) {
         law.ratio *= length;
     inputs.from /= length;
     inputs.to /= length;
-    AllBranches all{{}, {}, slide ? length : l.units.degrees ? 180 / std::numbers::pi : 1};
-    std::vector<std::int8_t> open(l.order.choices, 1);
-    for (const linkage::Group* group : dyads)
-        open[group->choice] = 0;
-    for_each_assembly(open, most_dyads, [&](const auto& sides) { all.assemblies.push_back(sides); });
-    all.branches = linkage::branches_of(moving, all.assemblies, inputs,
-                                        [&](linkage::Driven<double>& one, const linkage::Travel& travel) {
-                                            return one.place(travel.from + 0.5 * (travel.to - travel.from)) &&
-                                                   misfit(l, numbers, one.pose) <= 1e-9 * size;
-                                        });
-    return all;
+    auto all = all_branches(moving, l.structure, l.redundant, numbers, inputs);
+    if (!all) return {};
+    return FileBranches{std::move(*all), slide ? length : l.units.degrees ? 180 / std::numbers::pi : 1};
 }
 
 }  // namespace
@@ -68,13 +55,13 @@ Json circuits_of(const Linkage& l) {
     const auto all = branches_of(l);
     if (!all) return nullptr;
     Json circuits = Json::array();
-    for (const linkage::Branch& branch : all->branches) {
+    for (const linkage::Branch& branch : all->all.branches) {
         if (static_cast<std::size_t>(branch.circuit) > circuits.size())
             circuits.push_back({{"circuit", branch.circuit}, {"branches", Json::array()}});
         const linkage::Travel& travel = branch.travel;
         Json one{{"branch", branch.branch}, {"sides", Json::object()}};
         for (const linkage::Group* group : chosen_dyads(l))
-            one["sides"][l.pins[group->pin]] = word_of(*group, all->assemblies[branch.assembly][group->choice]);
+            one["sides"][l.pins[group->pin]] = word_of(*group, all->all.assemblies[branch.assembly][group->choice]);
         one["from"] = travel.from * all->unit;
         one["to"] = travel.to * all->unit;
         one["whole"] = travel.whole;

@@ -230,9 +230,11 @@ std::string motion_line(const Problem& problem, const Design& design) {
     const std::string_view input = input_word(*problem.mechanism);
     const Unit unit = input_unit(*problem.mechanism);
     if (!(motion.from <= motion.to)) return fmt::format("\nIt does not assemble at any {}.\n", input);
-    if (motion.full_turn) return "\nThe crank turns fully.\n";
-    return fmt::format("\nMotion: {}s from {} to {}.\n", input, value_with_unit(motion.from, unit, problem.units),
-                       value_with_unit(motion.to, unit, problem.units));
+    const auto found = circuit_of(problem, design);
+    const std::string where = found ? fmt::format(", on branch {} of circuit {}", found->branch, found->circuit) : "";
+    if (motion.full_turn) return fmt::format("\nThe crank turns fully{}.\n", where);
+    return fmt::format("\nMotion: {}s from {} to {}{}.\n", input, value_with_unit(motion.from, unit, problem.units),
+                       value_with_unit(motion.to, unit, problem.units), where);
 }
 
 /// Where the design stands close to a singular position.

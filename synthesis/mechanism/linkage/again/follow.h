@@ -124,15 +124,4 @@ private:
 /// The pose of the dyads on their sides, nearly, at an input; none where they do not close.
 std::optional<LoopPose<double>> pose_of_dyads(linkage::Driven<double>& moving, double input);
 
-/// A pose with more digits.
-template <class To, class From>
-LoopPose<To> pose_as(const LoopPose<From>& pose) {
-    LoopPose<To> made;
-    for (const Vector<From>& origin : pose.origins)
-        made.origins.push_back({number_as<To>(origin.x), number_as<To>(origin.y)});
-    for (const From& turn : pose.turns)
-        made.turns.push_back(number_as<To>(turn));
-    return made;
-}
-
 }  // namespace mechwright

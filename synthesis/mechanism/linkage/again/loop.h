@@ -8,9 +8,11 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "analysis/linkage/factors.h"
 #include "analysis/linkage/mobility.h"
 #include "analysis/linkage/structure.h"
 
@@ -30,6 +32,17 @@ struct LoopPose {
     Vector<T> at(std::size_t link, const Vector<T>& own) const { return origins[link] + turned(own, along(link)); }
 };
 
+/// A pose with more digits, or fewer.
+template <class To, class From>
+LoopPose<To> pose_as(const LoopPose<From>& pose) {
+    LoopPose<To> made;
+    for (const Vector<From>& origin : pose.origins)
+        made.origins.push_back({number_as<To>(origin.x), number_as<To>(origin.y)});
+    for (const From& turn : pose.turns)
+        made.turns.push_back(number_as<To>(turn));
+    return made;
+}
+
 /// A pose with the directions of its links, which take most of the time in fifty digits.
 template <class T>
 struct DirectedPose {
@@ -43,6 +56,21 @@ struct DirectedPose {
     }
     const Vector<T>& along(std::size_t link) const { return directions[link]; }
     Vector<T> at(std::size_t link, const Vector<T>& own) const { return origins[link] + turned(own, along(link)); }
+    /// After a step (Loop) that has been taken from the pose: directions turn by their small angles, whose sines and
+    /// cosines have few terms.
+    void turn_on(const std::vector<T>& step) {
+        for (std::size_t i = 1; i < directions.size(); ++i) {
+            const T angle = -step[3 * i - 1], square = angle * angle;
+            T term(1), cosine(1), sine = angle;
+            for (int k = 2;; k += 2) {
+                term = -term * square / T(k * (k - 1));
+                cosine += term;
+                sine += term * angle / T(k + 1);
+                if (!((term < T(0) ? T(-term) : term) > std::numeric_limits<T>::epsilon() / T(4))) break;
+            }
+            directions[i] = turned(directions[i], Vector<T>{cosine, sine});
+        }
+    }
 };
 
 namespace loop_detail {
@@ -91,7 +119,8 @@ int solve_linear(std::vector<T>& a, std::vector<T>& b) {
 template <class T>
 class Loop {
 public:
-    Loop(const linkage::Structure& structure, std::vector<T> numbers) : s_(structure), numbers_(std::move(numbers)) {
+    Loop(const linkage::Structure& structure, std::vector<T> numbers)
+        : s_(structure), numbers_(std::move(numbers)), rounded_(rounded(structure, numbers_)) {
         for (std::size_t i = 0; i < s_.links; ++i)
             for (const linkage::Pin& pin : s_.pins)
                 if (linkage::is_on(pin, i)) grow(place(linkage::coordinates_on(pin, i)));
@@ -106,8 +135,10 @@ public:
     /// there, which changes from one assembly of a dyad to the other and nowhere along a branch; 0 where Newton's
     /// method finds no pose.
     int solve(std::span<const T> inputs, LoopPose<T>& pose) const {
+        if constexpr (!plain_doubles<T>)
+            if (const int sign = solve_from_doubles(inputs, pose); sign != 0) return sign;
         constexpr int most_steps = 40;
-        const T close = std::numeric_limits<T>::epsilon() * 64, far = T(4) * size() + farthest(pose);
+        const T close = settled_within(), far = T(4) * size() + farthest(pose);
         T last = std::numeric_limits<T>::max();
         for (int step = 0; step < most_steps; ++step) {
             const DirectedPose<T> here(pose);
@@ -145,8 +176,18 @@ public:
         return true;
     }
 
-    /// Velocities of all links for unit speeds of the drives as given: origins and turns.
+    /// Velocities of all links for unit speeds of the drives as given: origins and turns. To predict with: doubles say
+    /// what they are where they can.
     bool velocities(std::span<const T> speeds, const LoopPose<T>& pose, LoopPose<T>& out) const {
+        if constexpr (!plain_doubles<T>) {
+            const LoopPose<double> near = pose_as<double>(pose);
+            linkage::Factors factors;
+            LoopPose<double> plain;
+            if (rounded_.factor(near, factors) && rounded_.velocities(in_doubles(speeds), near, plain)) {
+                out = pose_as<T>(plain);
+                return true;
+            }
+        }
         const linkage::VelocityEquations<T> rows = linkage::velocity_equations(s_, instant(DirectedPose<T>(pose)));
         std::vector<T> a = rows.rows, b(rows.equations.size(), T(0));
         for (std::size_t i = 0; i < rows.equations.size(); ++i)
@@ -158,6 +199,19 @@ public:
             out.turns[i] = b[3 * i - 1];
         }
         return true;
+    }
+
+    /// Factors the equations' derivatives in a pose, by turns times the size; false where they are singular or so
+    /// nearly that the other branch of a dyad is within the noise of doubles.
+    bool factor(const LoopPose<double>& pose, linkage::Factors& factors) const requires plain_doubles<T> {
+        constexpr double regular = 1e-4;  // what a row has of its own, of 1
+        const linkage::VelocityEquations<double> rows = linkage::velocity_equations(s_, instant(DirectedPose<T>(pose)));
+        if (rows.equations.size() != rows.unknowns) return false;
+        factors = linkage::Factors(rows.unknowns);
+        for (std::size_t i = 0; i < rows.unknowns; ++i)
+            for (std::size_t j = 0; j < rows.unknowns; ++j)
+                factors.at(i, j) = rows.rows[i * rows.unknowns + j] / (j % 3 == 2 ? size() : 1);
+        return factors.factor() != 0 && factors.least_pivot() > regular;
     }
 
     /// A point of a link by its place there.
@@ -262,8 +316,65 @@ private:
         return greatest;
     }
 
+    static T settled_within() { return std::numeric_limits<T>::epsilon() * 64; }
+
+    /// The same linkage in doubles; nothing where it is in doubles itself.
+    struct Nothing {};
+    using Rounded = std::conditional_t<plain_doubles<T>, Nothing, Loop<double>>;
+    static Rounded rounded(const linkage::Structure& structure, const std::vector<T>& numbers) {
+        if constexpr (plain_doubles<T>) {
+            return {};
+        } else {
+            return Rounded(structure, in_doubles(numbers));
+        }
+    }
+    static std::vector<double> in_doubles(std::span<const T> numbers) {
+        std::vector<double> plain;
+        for (const T& number : numbers)
+            plain.push_back(number_as<double>(number));
+        return plain;
+    }
+
+    /// As solve, by Newton's method in doubles and then by its last factors on equations of all digits, each of whose
+    /// steps adds as many digits as doubles have; 0 where that does not converge so fast, as near limits.
+    int solve_from_doubles(std::span<const T> inputs, LoopPose<T>& pose) const {
+        constexpr int most_steps = 12;
+        constexpr double gained = 1e-8;  // by each step at least
+        LoopPose<double> near = pose_as<double>(pose);
+        const int sign = rounded_.solve(in_doubles(inputs), near);
+        linkage::Factors factors;
+        if (sign == 0 || !rounded_.factor(near, factors)) return 0;
+        LoopPose<T> found = pose_as<T>(near);
+        DirectedPose<T> here(found);
+        std::vector<double> step(factors.size());
+        std::vector<T> exact(factors.size());
+        double last = 1;
+        for (int i = 0; i < most_steps; ++i) {
+            const std::vector<T> missed = residuals(inputs, here);
+            // Of order one, so that no digit of what is missed falls below the least of doubles.
+            T most(0);
+            for (const T& one : missed)
+                if (const T size = one < T(0) ? T(-one) : one; size > most) most = size;
+            if (most == T(0)) break;
+            for (std::size_t k = 0; k < step.size(); ++k)
+                step[k] = number_as<double>(T(missed[k] / most));
+            factors.solve(step);
+            for (std::size_t k = 0; k < step.size(); ++k)
+                exact[k] = most * T(k % 3 == 2 ? step[k] / rounded_.size() : step[k]);
+            const T moved = move(found, exact);
+            if (moved <= settled_within()) break;
+            const double far = number_as<double>(moved);
+            if (!(far <= gained * last)) return 0;
+            last = far;
+            here.turn_on(exact);
+        }
+        pose = std::move(found);
+        return sign;
+    }
+
     const linkage::Structure& s_;
     std::vector<T> numbers_;
+    Rounded rounded_;
     T size_{0};
 };
 

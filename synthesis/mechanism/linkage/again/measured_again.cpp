@@ -9,6 +9,7 @@
 #include <numeric>
 #include <vector>
 
+#include "analysis/numbers/golden_section.h"
 #include "synthesis/mechanism/linkage/again/measured.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/target/followed/arc.h"
@@ -211,20 +212,23 @@ Digits50 full_turn_margin(const LinkageModel& model, std::size_t assembly, std::
         seen.push_back(least_at(plain, period * i / samples));
     const double best = *std::min_element(seen.begin(), seen.end());
     const double greatest = *std::max_element(seen.begin(), seen.end());
-    Digits50 least = std::numeric_limits<double>::infinity();
+    std::vector<int> valleys, lowest;  // of the second to rounding: a margin that is constant has many
     for (int i = 0; i < samples; ++i) {
         const double before = seen[(i + samples - 1) % samples], after = seen[(i + 1) % samples];
-        constexpr double near_best = 1e-3;
+        constexpr double near_best = 1e-3, rounding = 1e-13;
         if (seen[i] > before || seen[i] > after || seen[i] > best + near_best * (greatest - best)) continue;
+        (seen[i] <= best + rounding * size_of(plain) ? lowest : valleys).push_back(i);
+    }
+    constexpr std::size_t some = 24;
+    for (std::size_t i = 0; i < lowest.size(); i += 1 + lowest.size() / some)
+        valleys.push_back(lowest[i]);
+    Digits50 least = std::numeric_limits<double>::infinity();
+    for (const int i : valleys) {
         // Golden section: at a corner, where two margins are equal, there is no derivative.
-        Digits50 from = period * (i - 1) / samples, to = period * (i + 1) / samples;
-        const Digits50 golden = (3 - sqrt(Digits50(5))) / 2;
-        for (int k = 0; k < 80; ++k) {
-            const Digits50 a = from + golden * (to - from), b = to - golden * (to - from);
-            (least_at(precise, a) < least_at(precise, b) ? to : from) =
-                least_at(precise, a) < least_at(precise, b) ? b : a;
-        }
-        least = std::min<Digits50>(least, least_at(precise, Digits50((from + to) / 2)));
+        constexpr int steps = 80;
+        const auto negative = [&](const Digits50& at) { return Digits50(-least_at(precise, at)); };
+        const Digits50 from = period * (i - 1) / samples, to = period * (i + 1) / samples;
+        least = std::min<Digits50>(least, least_at(precise, greatest_between(negative, from, to, steps)));
     }
     return least * model.scale.at(dimensions);
 }

@@ -3,6 +3,7 @@
 /// The motion of a linkage for verification, sampled in doubles by following it from one pose (follow.h).
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -40,12 +41,10 @@ public:
     std::vector<LoopPose<double>> poses;
 
     /// The pose at an end of the motion, or where it ends by itself before it or a little after it.
-    SignalsAgain<Digits50> at_end(bool last) const {
-        SignalsAgain<Digits50> signals = precise(last ? at.size() - 1 : 0);
-        if (!full_turn()) signals.inside.emplace(precise(nearest(last ? at.back() : at.front())).follower);
-        reach_end(last, signals.follower);
-        if (!full_turn()) (last ? signals.last_input : signals.first_input) = signals.follower.at;
-        return signals;
+    const SignalsAgain<Digits50>& at_end(bool last) const {
+        std::optional<SignalsAgain<Digits50>>& known = ends_[last ? 1 : 0];
+        if (!known) known.emplace(reached_end(last));
+        return *known;
     }
     /// Where the motion ends: at a limit not where doubles say, but where the poses end.
     Digits50 exact_end(bool last) const {
@@ -61,6 +60,13 @@ public:
 private:
     static constexpr double little = 1e-9;  ///< of the unit of inputs
 
+    SignalsAgain<Digits50> reached_end(bool last) const {
+        SignalsAgain<Digits50> signals = precise(last ? at.size() - 1 : 0);
+        if (!full_turn()) signals.inside.emplace(precise(nearest(last ? at.back() : at.front())).follower);
+        reach_end(last, signals.follower);
+        if (!full_turn()) (last ? signals.last_input : signals.first_input) = signals.follower.at;
+        return signals;
+    }
     /// Goes to an end of the motion from its last sample.
     void reach_end(bool last, Follower<Digits50>& follower) const {
         const Digits50 end = last ? motion_.to : motion_.from;
@@ -117,6 +123,7 @@ private:
     Motion motion_;
     std::vector<Digits50> dimensions_;
     std::vector<double> rounded_;
+    mutable std::array<std::optional<SignalsAgain<Digits50>>, 2> ends_{};  ///< once they have been asked for
 };
 
 }  // namespace mechwright

@@ -1,0 +1,134 @@
+// What results say of linkages: the circuit and branch that they move on, signals in tables, and fronts.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "synthesis/document/document.h"
+#include "synthesis/mechanism/drawing/motion_row.h"
+#include "synthesis/problem/reader.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/report/drawing/finished.h"
+#include "synthesis/report/text/summary.h"
+#include "synthesis/solve/solve.h"
+#include "tests/checked.h"
+#include "tests/mechanism/linkage_texts.h"
+
+namespace mechwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::expect_verified;
+using testing::is_refused;
+
+/// A rocker of two circuits: with a crank of 2 and a ground of 5 it turns fully on either side.
+std::string crank_rocker(const std::string& side) {
+    return testing::head + R"(
+[links]
+frame = { A = [0, 0], D = [5, 0] }
+crank = { A = [0, 0], B = [2, 0] }
+coupler = { B = [0, 0], C = [4.5, 0] }
+rocker = { D = [0, 0], C = [4, 0] }
+[drive]
+link = "crank"
+[assembly]
+C = ")" + side +
+           R"("
+[signals]
+rocker-turn = { angle = "rocker" }
+C-x = { x = "C" }
+speed = { speed-of = "C" }
+)";
+}
+
+Json analysed_circuit(const std::string& text) {
+    const ReadProblem read = testing::read_without_fault(text);
+    return read.ok() ? analysis_document(read.problem, evaluate_given(read.problem)) : Json();
+}
+
+TEST(LinkageResults, NameCircuitAndBranch) {
+    for (const auto& [side, circuit] : {std::pair("left", 1), {"right", 2}}) {
+        Json document = analysed_circuit(crank_rocker(side));
+        EXPECT_EQ(document["motion"], (Json{{"circuit", circuit}, {"branch", 1}}));
+        expect_verified(document);
+        document["motion"]["circuit"] = 3 - circuit;
+        EXPECT_TRUE(is_refused(document));
+        document["motion"]["circuit"] = 0.5;
+        EXPECT_TRUE(is_refused(document));
+    }
+}
+
+/// A crank that cannot turn fully goes to and fro on one circuit with two branches, which meet where the dyad is at its
+/// limits.
+TEST(LinkageResults, TellBranchesOfOneCircuitApart) {
+    const auto with_long_crank = [](const std::string& side) {
+        std::string text = crank_rocker(side);
+        text.replace(text.find("B = [2, 0]"), 10, "B = [6, 0]");
+        return text;
+    };
+    const Json left = analysed_circuit(with_long_crank("left")), right = analysed_circuit(with_long_crank("right"));
+    EXPECT_EQ(left["motion"], (Json{{"circuit", 1}, {"branch", 1}}));
+    EXPECT_EQ(right["motion"], (Json{{"circuit", 1}, {"branch", 2}}));
+    expect_verified(right);
+    const ReadProblem read = testing::read_without_fault(with_long_crank("right"));
+    const std::string summary = analysis_summary(read.problem, evaluate_given(read.problem), false);
+    EXPECT_NE(summary.find(", on branch 2 of circuit 1.\n"), std::string::npos) << summary;
+}
+
+TEST(LinkageResults, HaveColumnsForSignals) {
+    const ReadProblem read = testing::read_without_fault(crank_rocker("left"));
+    ASSERT_TRUE(read.ok());
+    const auto& columns = read.problem.mechanism->table.columns;
+    const std::vector<std::string> expected{"crank-angle", "coupler-angle", "rocker-angle", "A-x", "A-y",
+                                            "D-x",         "D-y",           "B-x",          "B-y", "C-y",
+                                            "rocker-turn", "C-x",           "speed"};
+    EXPECT_EQ(columns, expected);
+    const FinishedDesign design = finished_design(read.problem, evaluate_given(read.problem).design);
+    const auto place = [&](double angle) { return MotionRow(design, angle).vector("C"); };
+    double last = MotionRow(design, 0)["rocker-turn"];
+    for (int i = 0; i <= 90; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 90, h = 1e-5;
+        const MotionRow row(design, angle);
+        ASSERT_TRUE(row.assembled());
+        EXPECT_NEAR(std::remainder(row["rocker-turn"] - row["rocker-angle"], 2 * std::numbers::pi), 0, 1e-13);
+        EXPECT_LT(std::abs(row["rocker-turn"] - last), 0.5);
+        last = row["rocker-turn"];
+        const Vector<double> way = place(angle + h) - place(angle - h);
+        EXPECT_NEAR(row["speed"], std::hypot(way.x, way.y) / (2 * h), 1e-8);
+    }
+}
+
+/// Two wishes against each other: the rocker's swing as near 60 degrees as it can be to 80, and a good transmission
+/// angle.
+TEST(LinkageResults, CanBeFronts) {
+    std::string text = crank_rocker("left");
+    text.replace(text.find("[links]"), 0,
+                 "[dimensions]\ncrank = { min = 1, max = 2.4 }\ncoupler = { min = 4, max = 6 }\n"
+                 "rocker = { min = 3, max = 6 }\n");
+    text.replace(text.find("B = [2, 0]"), 10, "B = [\"crank\", 0]");
+    text.replace(text.find("C = [4.5, 0]"), 12, "C = [\"coupler\", 0]");
+    text.replace(text.find("C = [4, 0]"), 10, "C = [\"rocker\", 0]");
+    text += R"(
+[[objective]]
+maximize = "rocker-turn.range"
+[[objective]]
+maximize = "transmission-angle-worst"
+[solver]
+pareto = 3
+starts = 4
+)";
+    const ReadProblem read = testing::read_without_fault(text);
+    ASSERT_TRUE(read.ok());
+    const Result result = solve(read.problem, {});
+    EXPECT_EQ(result.front.size(), 3u);
+    expect_verified(document(read.problem, result));
+    EXPECT_EQ(testing::first_error(crank_rocker("left") + "[solver]\npareto = 3\n").find("'pareto' needs two"), 0u);
+}
+
+}  // namespace
+
+}  // namespace mechwright
