@@ -274,6 +274,9 @@ struct Mechanism {
     std::vector<Way> (*ways_again)(bool full_turn) = nullptr;
     /// In one phrase what kind of linkage the dimensions make ("crank-rocker", change points named).
     std::string (*describe)(Form, std::span<const double> dimensions) = nullptr;
+    /// In words what a motion comes nearest to where it would come apart ("the linkage comes near to where ..."); null:
+    /// that is the meaning of the family's assembly margin.
+    std::string (*nearest_limit)(const Motion&, std::span<const double> dimensions) = nullptr;
     /// Which circuit and branch a motion belongs to, where these are numbered; null: they have words of their own.
     std::optional<CircuitAndBranch> (*circuit)(const Motion&, std::span<const double> dimensions) = nullptr;
     /// Checks of assembly, circuit and branch over the whole motion, in extended precision.

@@ -19,20 +19,24 @@ struct Margins {
     std::vector<SingularMargin> found{};
 
     void add(std::string name, double margin) {
-        if (margin < singular_below * longest) found.push_back({std::move(name), margin, margin / longest});
+        if (is_small(margin)) found.push_back({std::move(name), margin, margin / longest});
     }
+    bool is_small(double margin) const { return margin < singular_below * longest; }
 };
 
-void add_conditions(const Family& family, const Motion& motion, const Design& design, Margins& margins) {
+void add_conditions(const Mechanism& mechanism, const Motion& motion, const Design& design, Margins& margins) {
+    const Family& family = mechanism.families[motion.family];
     for (const LinearCondition& condition : family.conditions) {
         double value = 0;
         for (std::size_t i = 0; i < condition.coefficients.size(); ++i)
             value += condition.coefficients[i] * design.dimensions[i];
         margins.add(std::string(condition.name), value);
     }
-    if (family.assembly_margin)
-        margins.add(family.assembly_margin->meaning,
-                    least_component(*family.assembly_margin, motion, design.dimensions));
+    if (!family.assembly_margin) return;
+    const double margin = least_component(*family.assembly_margin, motion, design.dimensions);
+    margins.add(mechanism.nearest_limit && margins.is_small(margin) ? mechanism.nearest_limit(motion, design.dimensions)
+                                                                    : family.assembly_margin->meaning,
+                margin);
 }
 
 void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
@@ -71,7 +75,7 @@ std::vector<SingularMargin> singular_margins(const Problem& problem, const Desig
     Margins margins{longest_length(*problem.mechanism, design.dimensions)};
     if (!(margins.longest > 0) || !(motion.from <= motion.to)) return {};
     if (motion.full_turn && motion.family < problem.mechanism->families.size())
-        add_conditions(problem.mechanism->families[motion.family], motion, design, margins);
+        add_conditions(*problem.mechanism, motion, design, margins);
     else if (!motion.full_turn)
         add_over_range(problem, motion, design, margins);
     add_points(problem, design, margins);

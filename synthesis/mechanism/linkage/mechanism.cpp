@@ -219,6 +219,7 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     made.motion_again = linkage_motion_again;
     made.describe = describe;
     made.circuit = circuit_of_linkage;
+    made.nearest_limit = nearest_limit_of_linkage;
     made.check_motion = check_linkage_motion;
     made.drawing = linkage_drawing();
     return made;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/linkage/means.h"
+#include "synthesis/mechanism/linkage/limit_text.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 #include "synthesis/mechanism/linkage/targets/seeded.h"
 
@@ -379,6 +380,22 @@ Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, Link
     quantity.worst_first = measuring::component_count(of.kind) > 1;
     quantity.of = Model(std::move(of));
     return quantity;
+}
+
+std::string nearest_limit_of_linkage(const Motion& motion, std::span<const double> dimensions) {
+    const LinkageMeasure measure{LinkageMeasure::Kind::assembly_margin};
+    Motion over_motion = motion;
+    over_motion.of = &measure;
+    const measuring::Over over(over_motion);
+    auto plain = measuring::measured<double, 2>(over, dimensions, {});
+    const auto places = linkage::margin_places(plain, over.driven(dimensions), over.travel());
+    const auto least = std::min_element(places.begin(), places.end(), [](const auto& a, const auto& b) {
+        return measuring::is_less(a.place.value, b.place.value);
+    });
+    const LinkageModel& model = over.model;
+    return least == places.end() ? "the linkage assembles"
+                                 : "the linkage comes near to " +
+                                       limit_text(model.order, least->margin, model.links, model.pins, model.slides);
 }
 
 Quantity over_input(Quantity quantity) {

@@ -67,4 +67,7 @@ Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, Link
 /// that, or start and range of the output, for quantities of a function.
 Quantity over_input(Quantity quantity);
 
+/// As Mechanism::nearest_limit: the dyad whose margin is the least of a motion, and where it is at its limit.
+std::string nearest_limit_of_linkage(const Motion& motion, std::span<const double> dimensions);
+
 }  // namespace mechwright

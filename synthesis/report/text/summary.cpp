@@ -242,8 +242,8 @@ std::string warning_section(const Problem& problem, const Design& design) {
     std::string text;
     for (const SingularMargin& m : singular_margins(problem, design))
         text +=
-            folded("Warning: ", fmt::format("close to a singular position. {} (warned of below {:g}): the errors of "
-                                            "manufacture decide what it does there.",
+            folded("Warning: ", fmt::format("close to a singular position, where the errors of manufacture decide what "
+                                            "it does: {} (warned of below {:g}).",
                                             to_text(m, problem.units), singular_below));
     return text.empty() ? text : '\n' + text;
 }

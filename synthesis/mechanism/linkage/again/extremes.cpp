@@ -105,9 +105,9 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         constexpr double near_best = 1e-2;
         const Candidate& c = candidates[i];
-        if (c.seen < best - near_best * (best - worst) - 1e-12) continue;
         const bool end = c.left == c.at || c.right == c.at;
-        if (!end && i % every != 0) continue;
+        // Next to a limit doubles see little of what is at an end.
+        if (!end && (c.seen < best - near_best * (best - worst) - 1e-12 || i % every != 0)) continue;
         const Extreme one = end ? polished_end(f, c.at, c.left == c.at ? c.right : c.left, sign)
                                 : polished(f, c.left, c.at, c.right, sign);
         if (!isnan(one.value) && (isnan(found.value) || sign * one.value > sign * found.value)) found = one;

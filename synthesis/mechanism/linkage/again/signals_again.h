@@ -122,11 +122,14 @@ private:
     template <class Function>
     static auto from_inside(const Function& f, int order, const T& at, const T& way) {
         // Differences of doubles are for a first look.
-        if constexpr (std::is_same_v<T, double>)
+        if constexpr (std::is_same_v<T, double>) {
             return slope_of_polynomial(f, order, at, way * 1e-3, order + 1, -1);
-        else
-            return unless_it_grows(slope_of_polynomial(f, order, at, T(way * T(1e-7)), order + 5, -1),
-                                   slope_of_polynomial(f, order, at, T(way * T(1e-8)), order + 5, -1));
+        } else {
+            // Short beside the distance of a limit beyond the end; each order takes as many digits as the step has.
+            const T step = way * T(order == 1 ? 1e-10 : 1e-7);
+            return unless_it_grows(slope_of_polynomial(f, order, at, step, order + 5, -1),
+                                   slope_of_polynomial(f, order, at, T(step / T(10)), order + 5, -1));
+        }
     }
     static T unless_it_grows(const T& longer, const T& shorter) {
         using std::abs;
