@@ -127,7 +127,15 @@ inline constexpr std::array path{
     Key{"prescribed_angles", Shape::numbers, "Crank angle at each point, counted from crank-start."},
     Key{"reached", Shape::pairs, "Where the design's point stands for each of them."},
     Key{"crank_angles", Shape::open_numbers, "Crank angle there."},
-    Key{"distances", Shape::numbers, "Distance from each point."}};
+    Key{"distances", Shape::numbers, "Distance from each point."},
+    Key{"name", Shape::text, "Of one of several paths and poses: what its quantities are called by."},
+    Key{"weight",
+        Shape::number,
+        "Of one of several: weight of its mean square in that of all.",
+        false,
+        {},
+        {},
+        positive}};
 
 inline constexpr std::array poses = joined(
     path, std::array{Key{"directions", Shape::open_numbers, "The angle at each, null where any will do.", true},
