@@ -203,6 +203,19 @@ bool is_one_of(std::span<const Word> words, Word word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// Where targets have names: why a quantity is neither of one of them nor of a signal; empty if it is of one.
+std::string unknown_owner(const SignalReading& signals, const std::string& name, std::string_view quantity) {
+    const std::vector<NamedTarget> targets = named_targets(signals.reading.file);
+    if (targets.empty() || name.size() == quantity.size()) return {};
+    std::vector<Word> known;
+    for (const NamedTarget& target : targets)
+        known.push_back(target.name);
+    for (const LinkageSignal& signal : signals.signals())
+        known.push_back(signal.name);
+    if (is_one_of(known, name)) return {};
+    return fmt::format("there is no path, no poses and no signal {}; {}", reading::quoted(name), remedy(name, known));
+}
+
 void check_quantity(const SignalReading& signals, const toml::node& node, const std::string& what) {
     const auto text = node.value_exact<std::string>();
     if (!text) return report_kind(node, what, "the name of a quantity", signals.reading.messages);
@@ -219,6 +232,8 @@ void check_quantity(const SignalReading& signals, const toml::node& node, const 
                         target.of_body ? fmt::format("{0}.pose-rms and {0}.pose-max", name)
                                        : fmt::format("{0}.path-rms, {0}.path-max and {0}.path-sse", name)));
     }
+    if (const std::string fault = unknown_owner(signals, name, *text); !fault.empty())
+        return add_error(signals.reading.messages, place_of(node), fmt::format("{}: {}", what, fault));
     std::string fault;
     if (!to_linkage_quantity(signals.reading.made, *text, fault))
         add_error(signals.reading.messages, place_of(node), fmt::format("{}: {}", what, fault));

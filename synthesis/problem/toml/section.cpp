@@ -157,6 +157,13 @@ std::vector<Section> read_sections(Section& parent, std::string_view key, Messag
     return sections;
 }
 
+const toml::table* only_table(const toml::table& file, std::string_view key) {
+    const toml::node* node = file.get(key);
+    const toml::array* list = node == nullptr ? nullptr : node->as_array();
+    if (list != nullptr) node = list->size() == 1 ? list->get(0) : nullptr;
+    return node == nullptr ? nullptr : node->as_table();
+}
+
 std::optional<std::vector<double>> read_numbers(Section& section, std::string_view key, Messages& messages) {
     const toml::node* node = find(section, key);
     if (node == nullptr) return {};

@@ -61,6 +61,8 @@ std::optional<std::string> read_string(Section& section, std::string_view key, M
 std::optional<Section> read_section(Section& parent, std::string_view key, Messages& messages);
 /// The tables of a section that may be repeated: one, headed [key], or a list of them, each headed [[key]].
 std::vector<Section> read_sections(Section& parent, std::string_view key, Messages& messages);
+/// The only one of them; null where there is none or are several.
+const toml::table* only_table(const toml::table& file, std::string_view key);
 
 /// A list of numbers; absent if any of them is none.
 std::optional<std::vector<double>> read_numbers(Section& section, std::string_view key, Messages& messages);
