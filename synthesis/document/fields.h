@@ -87,7 +87,12 @@ inline constexpr std::array linkage{Key{"units", Shape::value, "Units of angles 
                                     Key{"sketch", Shape::value, "Where points are about."},
                                     Key{"placement", Shape::value, "Where the frame is in the drawing."},
                                     Key{"motion", Shape::value, "An input that belongs to the motion."},
-                                    Key{"signals", Shape::value, "What is measured along the motion."}};
+                                    Key{"signals", Shape::value, "What is measured along the motion."},
+                                    Key{"path", Shape::value, "What points are guided along paths."},
+                                    Key{"poses", Shape::value, "What bodies are guided through poses."},
+                                    Key{"function", Shape::value, "The signal that is a function of the input."},
+                                    Key{"line", Shape::value, "The point that follows a line."},
+                                    Key{"arc", Shape::value, "The point that follows an arc."}};
 
 /// Beside the dimensions by name.
 inline constexpr std::array design{
