@@ -60,6 +60,22 @@ struct ClaimedPath {
     std::vector<double> reached_directions;
     std::vector<double> crank_angles;
     std::vector<double> distances;
+    /// As those of PathTarget, which `weights` go with. Lists are over the points of all; at those of paths beside
+    /// poses directions say nothing.
+    std::vector<PathPart> parts{};
+    std::vector<std::size_t> part_of{};
+
+    std::size_t target_of(std::size_t point) const { return part_of.empty() ? 0 : part_of[point]; }
+    bool guides_body_at(std::size_t point) const {
+        return parts.empty() ? !directions.empty() : parts[part_of[point]].guides_body;
+    }
+    double body_length_at(std::size_t point) const {
+        return parts.empty() ? body_length : parts[part_of[point]].body_length;
+    }
+    PointRange points_of(std::size_t target) const {
+        return parts.empty() || target == every_target ? PointRange{0, points.size()} : parts[target].points;
+    }
+    std::size_t targets() const { return parts.empty() ? 1 : parts.size(); }
 };
 
 struct Claim {

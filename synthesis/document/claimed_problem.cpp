@@ -66,6 +66,8 @@ std::optional<PathTarget> path_of(const Claim& claim) {
     for (const std::optional<double>& direction : path.directions)
         target.directions.push_back(direction ? from_file_unit(*direction, Unit::angle, claim.units)
                                               : std::numeric_limits<double>::quiet_NaN());
+    target.parts = path.parts;
+    target.part_of = path.part_of;
     return target;
 }
 

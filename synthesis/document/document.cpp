@@ -166,8 +166,7 @@ Json solutions_of(const SolutionCounts& counts) {
 /// Targets, and how a design meets them.
 void put_targets(Json& json, const Problem& problem, const Solution* best) {
     const Design* design = best ? &best->design : nullptr;
-    if (problem.path)
-        json[problem.path->guides_body() ? of_finding("poses") : of_finding("path")] = path_document(problem, best);
+    if (problem.path) put_path(json, problem, best);
     if (problem.function) json[of_finding("function")] = function_document(problem, design);
     if (problem.followed)
         json[std::string(followed_shape_of(*problem.mechanism, *problem.followed)->name)] =

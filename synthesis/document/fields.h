@@ -87,7 +87,12 @@ inline constexpr std::array linkage{Key{"units", Shape::value, "Units of angles 
                                     Key{"sketch", Shape::value, "Where points are about."},
                                     Key{"placement", Shape::value, "Where the frame is in the drawing."},
                                     Key{"motion", Shape::value, "An input that belongs to the motion."},
-                                    Key{"signals", Shape::value, "What is measured along the motion."}};
+                                    Key{"signals", Shape::value, "What is measured along the motion."},
+                                    Key{"path", Shape::value, "What points are guided along paths."},
+                                    Key{"poses", Shape::value, "What bodies are guided through poses."},
+                                    Key{"function", Shape::value, "The signal that is a function of the input."},
+                                    Key{"line", Shape::value, "The point that follows a line."},
+                                    Key{"arc", Shape::value, "The point that follows an arc."}};
 
 /// Beside the dimensions by name.
 inline constexpr std::array design{
@@ -127,7 +132,15 @@ inline constexpr std::array path{
     Key{"prescribed_angles", Shape::numbers, "Crank angle at each point, counted from crank-start."},
     Key{"reached", Shape::pairs, "Where the design's point stands for each of them."},
     Key{"crank_angles", Shape::open_numbers, "Crank angle there."},
-    Key{"distances", Shape::numbers, "Distance from each point."}};
+    Key{"distances", Shape::numbers, "Distance from each point."},
+    Key{"name", Shape::text, "Of one of several paths and poses: what its quantities are called by."},
+    Key{"weight",
+        Shape::number,
+        "Of one of several: weight of its mean square in that of all.",
+        false,
+        {},
+        {},
+        positive}};
 
 inline constexpr std::array poses = joined(
     path, std::array{Key{"directions", Shape::open_numbers, "The angle at each, null where any will do.", true},

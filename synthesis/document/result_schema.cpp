@@ -79,6 +79,8 @@ Json findings_of(const Kinds& kinds) {
 Json of_kinds(const Kinds& kinds) {
     const Json given = any_of({number(), table_of(fields::range), table_of(fields::tie)});
     Json properties = findings_of(kinds);
+    for (const char* target : {"path", "poses"})
+        properties[target] = {{"type", "object"}};
     properties["dimensions"] = table_by(kinds.dimensions, given);
     properties["settings"] = table_by(kinds.settings, number());
     properties["front"] = {{"items", {{"properties", findings_of(kinds)}}}};
@@ -110,12 +112,20 @@ Json of_linkages() {
                  {{"properties", std::move(properties)}, {"required", {"linkage"}}});
 }
 
+/// Of a linkage a list where targets have names.
+Json one_or_several(const Key& key) {
+    return with_meaning(any_of({table_of(key.below), list_of(table_of(key.below))}), key.meaning);
+}
+
 }  // namespace
 
 nlohmann::ordered_json result_schema() {
     Json schema = table_of(fields::document);
     Json& properties = schema["properties"];
     Json point = table_of(fields::finding);
+    for (Json* of : {&properties, &point["properties"]})
+        for (const char* target : {"path", "poses"})
+            (*of)[target] = one_or_several(*find_key(fields::finding, target));
     point["required"] = {"design", "verification"};
     properties["front"].update(list_of(std::move(point)));
     Names names;

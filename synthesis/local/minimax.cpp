@@ -54,7 +54,7 @@ struct Step {
 
 /// Whether the worst is that of the squared distances of an untimed path.
 bool bounds_distances(const Program& p) {
-    return p.untimed_path() && p.path->squares && residuals_per_point(p) == 2 &&
+    return p.untimed_path() && p.path->squares && residuals_per_point(p) == 2 && p.problem->path->parts.empty() &&
            p.epigraphs.front().outputs.front().index == *p.path->squares &&
            std::ranges::all_of(p.problem->path->weights, [](double w) { return w == 1; });
 }

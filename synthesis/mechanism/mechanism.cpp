@@ -174,14 +174,14 @@ void miss_of_point(const Mechanism& mechanism, const Form& form, std::span<const
 void miss_of_body(const Mechanism& mechanism, const Form& form, std::span<const double> dimensions, double crank_angle,
                   const Vector<double>& target, const Vector<double>& facing, PoseMiss& out) {
     std::array<double, Reads::most> room;
-    const BodyGuidance& body = *mechanism.body;
+    const BodyGuidance& body = *mechanism.body_of(form.guided);
     body.miss(form, body.reads.of(dimensions, room), crank_angle, target, facing, out);
 }
 
-Vector<Digits50> point_again(const Mechanism& mechanism, std::size_t assembly, std::span<const Digits50> dimensions,
+Vector<Digits50> point_again(const Mechanism& mechanism, const Form& form, std::span<const Digits50> dimensions,
                              const Digits50& crank_angle) {
     const PointGuidance& point = *mechanism.point;
-    return point.point(mechanism.form(assembly), point.reads.of(dimensions), crank_angle);
+    return point.point(form, point.reads.of(dimensions), crank_angle);
 }
 
 Motion motion_of(const Mechanism& mechanism, std::span<const double> dimensions, std::size_t assembly,

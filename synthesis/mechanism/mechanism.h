@@ -147,6 +147,14 @@ struct BodyGuidance {
     Digits50 (*direction)(Form, std::span<const Digits50> arguments, const Digits50& crank_angle) = nullptr;
 };
 
+/// What one of several paths and poses of a problem guides: the target's name, its numbers among the dimensions, and
+/// its body, where it has poses.
+struct GuidedTarget {
+    std::string name;
+    PathRoles roles{};
+    std::optional<BodyGuidance> body{};
+};
+
 /// A mechanism whose input can turn over a range with ends among the design variables: for functions, lines and arcs,
 /// and between the targets of a path. The arguments of its quantities are dimensions of the mechanism, then the crank
 /// angle at the start of the range and the range.
@@ -291,6 +299,9 @@ struct Mechanism {
 
     std::optional<PointGuidance> point{};
     std::optional<BodyGuidance> body{};
+    /// What each of the paths and poses of a problem guides, where these have names; `point` and `body` then are of the
+    /// first that has them, and Form::guided says which is meant.
+    std::vector<GuidedTarget> guided{};
     std::optional<InputRange> input{};
     std::optional<FunctionGeneration> function{};
     std::optional<FollowedShape> line{};
@@ -303,7 +314,15 @@ struct Mechanism {
     std::shared_ptr<const Mechanism> plain{};  ///< the same without the numbers of any target, where this one has some
     std::shared_ptr<const Mechanism> whole{};  ///< the same with those of all, where this one has not
 
-    Form form(std::size_t assembly) const { return {model.data(), assembly}; }
+    Form form(std::size_t assembly, std::size_t guided_target = 0) const {
+        return {model.data(), assembly, guided_target};
+    }
+    /// Of the path or the poses of this number: which dimensions play which part, and the body, null for a path.
+    const PathRoles& roles_of(std::size_t target) const { return guided.empty() ? point->roles : guided[target].roles; }
+    const BodyGuidance* body_of(std::size_t target) const {
+        const std::optional<BodyGuidance>& one = guided.empty() ? body : guided[target].body;
+        return one ? &*one : nullptr;
+    }
 };
 
 /// A mechanism with the numbers and quantities of all targets that problems can have.
@@ -328,15 +347,15 @@ std::shared_ptr<const Mechanism> add_mechanism(Mechanism mechanism);
 /// The mechanism of this name, or null.
 std::shared_ptr<const Mechanism> find_mechanism(std::string_view name);
 
-/// What the guided point, or the guided body, of a mechanism misses of a target at a crank angle. The dimensions are in
-/// mechanism order.
+/// What the guided point, or the guided body, of a mechanism misses of a target at a crank angle; of several the one
+/// that the form says. The dimensions are in mechanism order.
 void miss_of_point(const Mechanism& mechanism, const Form& form, std::span<const double> dimensions, double crank_angle,
                    const Vector<double>& target, PathMiss& out);
 void miss_of_body(const Mechanism& mechanism, const Form& form, std::span<const double> dimensions, double crank_angle,
                   const Vector<double>& target, const Vector<double>& facing, PoseMiss& out);
 
 /// The guided point in fifty digits, by another way.
-Vector<Digits50> point_again(const Mechanism& mechanism, std::size_t assembly, std::span<const Digits50> dimensions,
+Vector<Digits50> point_again(const Mechanism& mechanism, const Form& form, std::span<const Digits50> dimensions,
                              const Digits50& crank_angle);
 
 /// The index of a dimension or quantity of this name, or -1.

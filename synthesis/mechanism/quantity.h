@@ -57,11 +57,12 @@ private:
     std::type_index type_ = typeid(void);
 };
 
-/// What a mechanism's functions get beside the dimensions: the value of its model, null where it has none, and the
-/// index of the assembly.
+/// What a mechanism's functions get beside the dimensions: the value of its model, null where it has none, the index of
+/// the assembly, and which of several guided points or bodies is meant (Mechanism::guided).
 struct Form {
     const void* model = nullptr;
     std::size_t assembly = 0;
+    std::size_t guided = 0;
 };
 
 struct FunctionTarget;
@@ -131,6 +132,9 @@ enum class Reduce { only, least, greatest };
 /// What a quantity says of a coupler path, if it does.
 enum class PathMeasure { none, sum_of_squares, root_mean_square, greatest };
 
+/// In place of the number of a target, where all of them together are meant.
+inline constexpr std::size_t every_target = static_cast<std::size_t>(-1);
+
 struct Quantity {
     std::string name;
     Unit unit;
@@ -148,6 +152,7 @@ struct Quantity {
     Digits50 (*measure_again)(const Motion&, std::span<const Digits50> arguments) = nullptr;
 
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
+    std::size_t of_target = every_target;  ///< of several paths and poses that one alone; else all of them
     bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
     bool paired = false;    ///< each second component is the negative of the one before: of absolute values
     std::string section{};  ///< it has a value only in problems with this section

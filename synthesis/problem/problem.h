@@ -65,17 +65,56 @@ struct Objective {
     bool worst = false;  ///< reduce = "max": the largest of minimized, the least of maximized terms counts
 };
 
+/// Points of a path that stand next to each other.
+struct PointRange {
+    std::size_t first = 0;
+    std::size_t count = 0;
+
+    std::size_t end() const { return first + count; }
+};
+
+/// One of several paths and poses of a problem.
+struct PathPart {
+    std::string name;
+    double weight = 1;  ///< of its mean square in that of all
+    PointRange points{};
+    std::vector<double> weights{};  ///< of its points, as the file gives them
+    bool closed = false;            ///< the crank turns fully
+    bool guides_body = false;       ///< it has poses
+    double body_length = 0;         ///< as of a target that stands alone
+};
+
+/// A path, or poses; or several of both, which are parts of one: their points stand next to each other.
 struct PathTarget {
     std::vector<Vector<double>> points;
     bool prescribed_timing = false;
     bool any_order = false;            ///< each point counts by the nearest point of the curve, whatever their order
     std::vector<double> crank_angles;  ///< for prescribed timing: one per point, counted from crank-start; radians
     bool closed = false;               ///< the crank turns fully
-    std::vector<double> weights;       ///< one per point, all 1 unless given
+    /// One per point, all 1 unless given. In a part they sum up to the weight of the part, so that the mean over all
+    /// points is that of the parts.
+    std::vector<double> weights;
     /// That a guided body faces at each point, radians; NaN where any does. Empty for a path.
     std::vector<double> directions;
     double body_length = 0;  ///< of a guided body: turning it by a small angle moves it by so much times that
+    /// Where paths and poses have names, all of them, in the order of Mechanism::guided (target/path/read_parts.h).
+    std::vector<PathPart> parts{};
+    std::vector<std::size_t> part_of{};  ///< by point, where there are parts
 
+    std::size_t targets() const { return parts.empty() ? 1 : parts.size(); }
+    /// The number of the target that a point belongs to.
+    std::size_t target_of(std::size_t point) const { return part_of.empty() ? 0 : part_of[point]; }
+    /// The points of a target; of `every_target` all of them.
+    PointRange points_of(std::size_t target) const {
+        return parts.empty() || target == every_target ? PointRange{0, points.size()} : parts[target].points;
+    }
+    /// Whether a body is guided through a point, and the length of that.
+    bool guides_body_at(std::size_t point) const {
+        return parts.empty() ? guides_body() : parts[part_of[point]].guides_body;
+    }
+    double body_length_at(std::size_t point) const {
+        return parts.empty() ? body_length : parts[part_of[point]].body_length;
+    }
     bool guides_body() const { return !directions.empty(); }
     /// Whether a direction is asked for at a point.
     bool faces(std::size_t i) const { return guides_body() && !std::isnan(directions[i]); }

@@ -101,9 +101,7 @@ Solution evaluate_given(const Problem& problem, std::size_t assembly) {
     for (const DimensionRange& d : problem.dimensions)
         design.dimensions.push_back(d.min);
     design.assembly = assembly;
-    if (problem.path && problem.path->prescribed_timing)
-        for (const double angle : problem.path->crank_angles)
-            design.path_angles.push_back(design.dimensions[problem.mechanism->point->roles.start] + angle);
+    if (problem.path && problem.path->prescribed_timing) set_prescribed_angles(problem, design);
     return assess(problem, std::move(design));
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "synthesis/program/program.h"
+#include "synthesis/target/path/rows/path_rows.h"
 #include "synthesis/target/path/rows/stretch.h"
 
 namespace mechwright {
@@ -15,8 +16,6 @@ namespace {
 constexpr double condition_margin = 1e-6;
 /// A length whose range starts at zero starts at this part of its greatest value.
 constexpr double least_length = 1e-6;
-/// The least crank angle between neighbouring points of an untimed path.
-constexpr double least_step = 1e-6;
 
 /// Twice the root mean square distance of the points from their centre: it does not depend on how a path is turned.
 double path_extent(const PathTarget& path) {
@@ -78,6 +77,15 @@ struct Builder {
         motion.model = program.model.data();
     }
 
+    /// Whether prescribed crank angles of a target are counted from a dimension.
+    bool is_start(std::size_t dimension) const {
+        const Mechanism& mechanism = *problem.mechanism;
+        if (!mechanism.point) return false;
+        for (std::size_t k = 0; k < std::max<std::size_t>(mechanism.guided.size(), 1); ++k)
+            if (mechanism.roles_of(k).start == dimension) return true;
+        return false;
+    }
+
     void add_dimensions() {
         const auto& kinds = problem.mechanism->dimensions;
         program.variable_of.assign(kinds.size(), -1);
@@ -88,8 +96,8 @@ struct Builder {
             program.dimensions.push_back(range.min / scale);
             if (range.fixed() || range.tied()) continue;
             // A timed path and an instant need the start angle; an untimed path finds its own crank angles.
-            const bool unused_start = problem.mechanism->point && i == problem.mechanism->point->roles.start &&
-                                      !problem.has_instant && !(problem.path && problem.path->prescribed_timing);
+            const bool unused_start =
+                is_start(i) && !problem.has_instant && !(problem.path && problem.path->prescribed_timing);
             if (unused_start) {
                 program.dimensions.back() = range.start.value_or(range.min) / scale;
                 continue;
@@ -112,37 +120,7 @@ struct Builder {
 
     void add_path() {
         program.dimension_variables = program.variables.size();
-        if (!problem.path) return;
-        const PathTarget& path = *problem.path;
-        program.path.emplace();
-        for (const auto& point : path.points)
-            program.targets.push_back({point.x / program.length, point.y / program.length});
-        if (path.prescribed_timing) return;
-        constexpr double pi = std::numbers::pi;
-        const std::size_t n = path.points.size();
-        const int direction = program.variant.direction;
-        program.first_path_angle = program.variables.size();
-        for (std::size_t i = 0; i < n; ++i)
-            program.variables.push_back({"crank angle at point " + std::to_string(i + 1),
-                                         path.any_order            ? -3 * pi
-                                         : i == 0 || direction > 0 ? -pi
-                                                                   : -3 * pi,
-                                         path.any_order            ? 3 * pi
-                                         : i == 0 || direction < 0 ? pi
-                                                                   : 3 * pi});
-        if (path.any_order) return;
-        const double sign = direction;
-        for (std::size_t i = 0; i + 1 < n; ++i)
-            add_row("order of points " + std::to_string(i + 1) + " and " + std::to_string(i + 2),
-                    {{}, {{program.first_path_angle + i + 1, sign}, {program.first_path_angle + i, -sign}}}, least_step,
-                    unlimited);
-        if (n > 2) {
-            const bool meets =
-                path.points.front().x == path.points.back().x && path.points.front().y == path.points.back().y;
-            add_row("points within one turn",
-                    {{}, {{program.first_path_angle + n - 1, sign}, {program.first_path_angle, -sign}}}, -unlimited,
-                    2 * pi - (meets ? 0 : least_step));
-        }
+        if (problem.path) add_path_rows(program);
     }
 
     void add_row(std::string name, LinearForm form, double lower, double upper) {
@@ -213,8 +191,26 @@ struct Builder {
         return *output;
     }
 
-    double total_weight() const {
-        return std::accumulate(problem.path->weights.begin(), problem.path->weights.end(), 0.0);
+    double total_weight(const PointRange& points) const {
+        const auto from = problem.path->weights.begin() + static_cast<std::ptrdiff_t>(points.first);
+        return std::accumulate(from, from + static_cast<std::ptrdiff_t>(points.count), 0.0);
+    }
+
+    /// The sum and the mean over all points or those of one target.
+    PathBlock::Mean& mean_of(std::size_t target) {
+        std::vector<PathBlock::Mean>& means = program.path->means;
+        const auto at = std::find_if(means.begin(), means.end(),
+                                     [&](const PathBlock::Mean& mean) { return mean.of_target == target; });
+        return at == means.end() ? means.emplace_back(PathBlock::Mean{target, {}, {}}) : *at;
+    }
+
+    /// What the sum is multiplied by to be that of the weights that the file gives: those of one of several targets
+    /// stand for its share in all.
+    double as_given(std::size_t target) const {
+        const PathTarget& path = *problem.path;
+        if (path.parts.empty() || target == every_target) return 1;
+        const std::vector<double>& given = path.parts[target].weights;
+        return std::accumulate(given.begin(), given.end(), 0.0) / path.parts[target].weight;
     }
 
     /// The component chosen by this variant for the next disjunction.
@@ -262,13 +258,15 @@ struct Builder {
         auto [lower, upper] = limits_of(quantity, r);
         const std::string name(quantity.name);
         if (quantity.path == PathMeasure::sum_of_squares)
-            return add_limits(name, place(program.path->sum, 1), 1, lower, upper);
+            return add_limits(name, place(mean_of(quantity.of_target).sum, 1), as_given(quantity.of_target), lower,
+                              upper);
         if (!r.equal) upper = within_rounding(upper);
+        const PointRange points = problem.path->points_of(quantity.of_target);
         if (quantity.path == PathMeasure::root_mean_square)
-            return add_limits(name, place(program.path->sum, 1), 1 / total_weight(), lower * std::abs(lower),
-                              upper * std::abs(upper));
+            return add_limits(name, place(mean_of(quantity.of_target).sum, 1), 1 / total_weight(points),
+                              lower * std::abs(lower), upper * std::abs(upper));
         const std::size_t first = place(program.path->squares, program.targets.size());
-        for (std::size_t i = 0; i < program.targets.size(); ++i)
+        for (std::size_t i = points.first; i < points.end(); ++i)
             add_limits(name, first + i, 1, -unlimited, upper * std::abs(upper));
     }
 
@@ -313,16 +311,18 @@ struct Builder {
         const Quantity& quantity = quantity_of(term);
         PathBlock* path = program.path ? &*program.path : nullptr;
         switch (quantity.path) {
-            case PathMeasure::sum_of_squares: return {{{place(path->sum, 1), 1}}, false};
+            case PathMeasure::sum_of_squares:
+                return {{{place(mean_of(quantity.of_target).sum, 1), as_given(quantity.of_target)}}, false};
             case PathMeasure::root_mean_square:
                 // Alone it is least where the sum is, and the sum is smooth.
-                if (alone) return {{{place(path->sum, 1), 1}}, false};
-                return {{{place(path->rms, 1), 1}}, false};
+                if (alone) return {{{place(mean_of(quantity.of_target).sum, 1), 1}}, false};
+                return {{{place(mean_of(quantity.of_target).rms, 1), 1}}, false};
             case PathMeasure::greatest: {
                 const std::size_t n = program.targets.size();
                 const std::size_t first = alone ? place(path->squares, n) : place(path->distances, n);
+                const PointRange points = problem.path->points_of(quantity.of_target);
                 TermOutputs all{{}, false};
-                for (std::size_t i = 0; i < n; ++i)
+                for (std::size_t i = points.first; i < points.end(); ++i)
                     all.outputs.push_back({first + i, 1});
                 return all;
             }
@@ -370,7 +370,7 @@ struct Builder {
             std::vector<LinearTerm> outputs;
             for (const ObjectiveTerm& term : objective.terms)
                 for (const LinearTerm& output : outputs_of(term, false).outputs)
-                    outputs.push_back({output.index, term.weight * in_file_unit(quantity_of(term))});
+                    outputs.push_back({output.index, output.factor * term.weight * in_file_unit(quantity_of(term))});
             program.objective.variables.push_back(
                 {add_epigraph(outputs, !maximize, "objective"), maximize ? -1.0 : 1.0});
             return;
@@ -380,7 +380,8 @@ struct Builder {
             const double weight = alone ? 1 : term.weight * in_file_unit(quantity_of(term));
             const double factor = term.maximize ? -weight : weight;
             if (value.outputs.size() == 1)
-                program.objective.outputs.push_back({value.outputs.front().index, factor});
+                program.objective.outputs.push_back(
+                    {value.outputs.front().index, factor * value.outputs.front().factor});
             else
                 program.objective.variables.push_back(
                     {add_epigraph(value.outputs, !value.least, std::string(quantity_of(term).name)), factor});

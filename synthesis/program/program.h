@@ -65,8 +65,13 @@ struct QuantityBlock {
 
 /// The measures of the path as outputs; those not asked for have no place.
 struct PathBlock {
-    std::optional<std::size_t> sum;        ///< weighted sum of squared distances
-    std::optional<std::size_t> rms;        ///< root of its weighted mean; not smooth at zero
+    /// Of all points, or of those of one of several targets.
+    struct Mean {
+        std::size_t of_target = every_target;
+        std::optional<std::size_t> sum{};  ///< weighted sum of squared distances
+        std::optional<std::size_t> rms{};  ///< root of its weighted mean; not smooth at zero
+    };
+    std::vector<Mean> means{{}};           ///< of all points first, then of targets by themselves
     std::optional<std::size_t> squares;    ///< squared distances, one per point
     std::optional<std::size_t> distances;  ///< distances, one per point; not smooth at zero
     std::optional<std::size_t> misses;     ///< `residuals_per_point` per point, not weighted: those of a point are next
@@ -104,7 +109,7 @@ struct Program {
     std::vector<Row> rows;
 
     std::size_t size() const { return variables.size(); }
-    Form form() const { return {model.data(), variant.assembly}; }
+    Form form(std::size_t guided_target = 0) const { return {model.data(), variant.assembly, guided_target}; }
     bool untimed_path() const { return path && !problem->path->prescribed_timing; }
 };
 
@@ -131,8 +136,9 @@ struct Outputs {
     bool assembled = true;
     std::vector<double> dimensions;  ///< those that are variables taken from the point
     Eigen::VectorXd value;
-    Eigen::MatrixXd jacobian;       ///< [output][variable]; only where asked for
-    Eigen::VectorXd path_gradient;  ///< of the weighted sum of squared distances; only where asked for
+    Eigen::MatrixXd jacobian;        ///< [output][variable]; only where asked for
+    Eigen::VectorXd path_sums;       ///< weighted sums of squared distances: [mean of the path]
+    Eigen::MatrixXd path_gradients;  ///< their gradients: [variable][mean of the path]; only where asked for
 };
 
 /// Objective and rows at a point.
@@ -185,7 +191,8 @@ struct LagrangianHessian {
     Eigen::MatrixXd value;  ///< [variable][variable], full symmetric
     std::vector<double> dimensions;
     Eigen::VectorXd weights;         ///< [output]
-    Eigen::VectorXd path_gradient;   ///< of the weighted sum of squared distances
+    Eigen::MatrixXd path_gradients;  ///< of the weighted sums of squared distances: [variable][mean of the path]
+    Eigen::VectorXd path_roots;      ///< root mean squares, those that count: [mean of the path]
     std::vector<double> components;  ///< of one quantity: values, gradients, Hessians
 };
 

@@ -9,13 +9,14 @@ namespace mechwright {
 
 namespace {
 
-std::optional<double> path_quantity(const Problem& problem, PathMeasure measure, const Design& design) {
+std::optional<double> path_quantity(const Problem& problem, const Quantity& quantity, const Design& design) {
     const std::optional<PathValues> path = path_values(problem, design);
     if (!path) return std::nullopt;
-    switch (measure) {
-        case PathMeasure::sum_of_squares: return path->sum_of_squares;
-        case PathMeasure::root_mean_square: return path->root_mean_square;
-        case PathMeasure::greatest: return path->greatest;
+    const PathMeans& means = quantity.of_target == every_target ? *path : path->of_targets[quantity.of_target];
+    switch (quantity.path) {
+        case PathMeasure::sum_of_squares: return means.sum_of_squares;
+        case PathMeasure::root_mean_square: return means.root_mean_square;
+        case PathMeasure::greatest: return means.greatest;
         case PathMeasure::none: break;
     }
     return std::nullopt;
@@ -105,8 +106,9 @@ std::optional<double> quantity_value(const Problem& problem, std::size_t quantit
 
     std::optional<double> value;
     if (q.path != PathMeasure::none) {
-        if (problem.path && problem.path->guides_body() != (q.section == "poses")) return std::nullopt;
-        value = path_quantity(problem, q.path, design);
+        const bool one_kind = problem.path && problem.path->parts.empty();
+        if (one_kind && problem.path->guides_body() != (q.section == "poses")) return std::nullopt;
+        value = path_quantity(problem, q, design);
     } else if (is_defined(q, motion)) {
         std::array<double, Quantity::most_components> components{};
         const std::size_t count = count_components(q, motion);
@@ -128,23 +130,35 @@ struct MissedPoint {
 
 MissedPoint missed_point(const Problem& problem, const Design& design, std::size_t i) {
     const PathTarget& target = *problem.path;
-    if (!target.guides_body()) {
+    const Form form = problem.mechanism->form(design.assembly, target.target_of(i));
+    if (!target.guides_body_at(i)) {
         PathMiss miss{};
-        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions,
-                      design.path_angles[i], target.points[i], miss);
+        miss_of_point(*problem.mechanism, form, design.dimensions, design.path_angles[i], target.points[i], miss);
         return {miss.miss};
     }
     // Where any direction will do, the one that the body has is counted from 0.
     const double asked = target.faces(i) ? target.directions[i] : 0;
     const Vector<double> facing{std::cos(asked), std::sin(asked)};
     PoseMiss miss{};
-    miss_of_body(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions, design.path_angles[i],
-                 target.points[i], facing, miss);
+    miss_of_body(*problem.mechanism, form, design.dimensions, design.path_angles[i], target.points[i], facing, miss);
     const Vector<double> faces = facing - miss.turn.miss;
     // The turn is added to the direction asked for, so that both are counted from the same whole turn.
     const double turned = std::atan2(cross(facing, faces), dot(facing, faces));
     const double turn = target.faces(i) ? std::hypot(miss.turn.miss.x, miss.turn.miss.y) : 0;
     return {miss.place.miss, turn, asked + turned};
+}
+
+template <class WeightAt>
+PathMeans means_over(const std::vector<double>& distances, const PointRange& points, const WeightAt& weight_at) {
+    PathMeans means;
+    double weights = 0;
+    for (std::size_t i = points.first; i < points.end(); ++i) {
+        means.sum_of_squares += weight_at(i) * distances[i] * distances[i];
+        weights += weight_at(i);
+        means.greatest = std::max(means.greatest, distances[i]);
+    }
+    means.root_mean_square = weights > 0 ? std::sqrt(means.sum_of_squares / weights) : 0;
+    return means;
 }
 
 }  // namespace
@@ -160,22 +174,19 @@ std::optional<PathValues> path_values(const Problem& problem, const Design& desi
     const std::optional<PathTarget>& target = problem.path;
     if (!target || target->points.empty() || design.path_angles.size() != target->points.size()) return std::nullopt;
     PathValues values;
-    double sum = 0;
-    double weights = 0;
     for (std::size_t i = 0; i < target->points.size(); ++i) {
         const MissedPoint miss = missed_point(problem, design, i);
-        const double distance = std::hypot(miss.place.x, miss.place.y, target->body_length * miss.turn);
+        const double distance = std::hypot(miss.place.x, miss.place.y, target->body_length_at(i) * miss.turn);
         if (!std::isfinite(distance)) return std::nullopt;
-        const double weight = i < target->weights.size() ? target->weights[i] : 1;
-        sum += weight * distance * distance;
-        weights += weight;
         values.reached.push_back(target->points[i] - miss.place);
         if (target->guides_body()) values.directions.push_back(miss.direction);
         values.distances.push_back(distance);
-        values.greatest = std::max(values.greatest, distance);
     }
-    values.sum_of_squares = sum;
-    values.root_mean_square = weights > 0 ? std::sqrt(sum / weights) : 0;
+    const auto weight = [&](std::size_t i) { return i < target->weights.size() ? target->weights[i] : 1; };
+    static_cast<PathMeans&>(values) = means_over(values.distances, {0, target->points.size()}, weight);
+    for (const PathPart& part : target->parts)
+        values.of_targets.push_back(means_over(values.distances, part.points,
+                                               [&](std::size_t i) { return part.weights[i - part.points.first]; }));
     return values;
 }
 

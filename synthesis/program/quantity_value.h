@@ -39,16 +39,21 @@ std::optional<double> quantity_value(const Problem& problem, std::size_t quantit
 /// The value of a dimension or a quantity of a finished design by its name, or nothing where it has none.
 std::optional<double> value_named(const Problem& problem, const Design& design, std::string_view name);
 
-/// Where a design comes to lie at each target point, and where a guided body faces there. The distance of a body is
-/// sqrt(d^2 + (2 length sin(turn / 2))^2), with d that of its place and turn that of its direction. With weights w and
-/// distances d: sum w d^2, sqrt(sum w d^2 / sum w), and the greatest plain distance.
-struct PathValues {
-    std::vector<Vector<double>> reached;
-    std::vector<double> directions;  ///< radians; only of a guided body
-    std::vector<double> distances;
+/// With weights w and distances d: sum w d^2, sqrt(sum w d^2 / sum w), and the greatest plain distance.
+struct PathMeans {
     double sum_of_squares = 0;
     double root_mean_square = 0;
     double greatest = 0;
+};
+
+/// Where a design comes to lie at each target point, and where a guided body faces there, with the means over all
+/// points. The distance of a body is sqrt(d^2 + (2 length sin(turn / 2))^2), with d that of its place and turn that of
+/// its direction.
+struct PathValues : PathMeans {
+    std::vector<Vector<double>> reached;
+    std::vector<double> directions;  ///< radians; only where there are poses, 0 at points of other targets
+    std::vector<double> distances;
+    std::vector<PathMeans> of_targets;  ///< where these have names
 };
 
 /// Nothing without a path target, where the design has no crank angles for it, or where a distance is not finite.

@@ -9,6 +9,7 @@
 
 #include "synthesis/mechanism/input.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/target/path/read_parts.h"
 
 namespace mechwright {
 
@@ -59,13 +60,13 @@ void add_points(const Problem& problem, const Design& design, Margins& margins) 
     std::size_t at = 0;
     for (std::size_t i = 0; i < angles.size(); ++i) {
         PathMiss miss{};
-        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions, angles[i],
-                      problem.path->points[i], miss);
+        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly, problem.path->target_of(i)),
+                      design.dimensions, angles[i], problem.path->points[i], miss);
         if (miss.margin >= least) continue;
         least = miss.margin;
         at = i;
     }
-    margins.add(fmt::format("the mechanism assembles at point {}", at + 1), least);
+    margins.add("the mechanism assembles at " + point_name(*problem.path, at), least);
 }
 
 }  // namespace

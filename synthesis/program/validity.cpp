@@ -19,23 +19,40 @@ double margin_at_targets(const Problem& problem, const Design& design) {
     double least = endless;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
         PathMiss miss{};
-        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions,
-                      design.path_angles[i], problem.path->points[i], miss);
+        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly, problem.path->target_of(i)),
+                      design.dimensions, design.path_angles[i], problem.path->points[i], miss);
         if (!(miss.margin >= least)) least = miss.margin;
     }
     return least;
 }
 
-bool has_order(const Problem& problem, const Design& design) {
-    return !problem.path->prescribed_timing && !problem.path->any_order && design.path_angles.size() > 2;
+/// Whether a target has points whose order counts.
+bool has_order(const PathTarget& path, const PointRange& points) {
+    return !path.prescribed_timing && !path.any_order && points.count > 2;
 }
 
-/// The least turn of the crank from a point to the next, in the direction from the first to the last.
-double least_advance(const std::vector<double>& angles) {
-    const double direction = angles.back() > angles.front() ? 1 : -1;
+/// The least turn of the crank from a point to the next of any target, all in the direction from the first to the last
+/// of one of them.
+double least_advance(const PathTarget& path, const std::vector<double>& angles) {
+    double least = endless, direction = 0;
+    for (std::size_t target = 0; target < path.targets(); ++target) {
+        const PointRange points = path.points_of(target);
+        if (!has_order(path, points)) continue;
+        if (direction == 0) direction = angles[points.end() - 1] > angles[points.first] ? 1 : -1;
+        for (std::size_t i = points.first + 1; i < points.end(); ++i)
+            least = std::min(least, direction * (angles[i] - angles[i - 1]));
+    }
+    return least;
+}
+
+/// By how much less than a turn the crank meets all points of any target.
+double least_rest_of_turn(const PathTarget& path, const std::vector<double>& angles) {
     double least = endless;
-    for (std::size_t i = 1; i < angles.size(); ++i)
-        least = std::min(least, direction * (angles[i] - angles[i - 1]));
+    for (std::size_t target = 0; target < path.targets(); ++target) {
+        const PointRange points = path.points_of(target);
+        if (has_order(path, points))
+            least = std::min(least, 2 * std::numbers::pi - std::abs(angles[points.end() - 1] - angles[points.first]));
+    }
     return least;
 }
 
@@ -57,11 +74,13 @@ void add_margins_of_path(const Problem& problem, const Design& design, std::vect
     if (needs_stretch(problem, problem.mechanism->families[whole.family]))
         all.push_back(
             {"it stays assembled from the first target to the last", least_margin_along(problem, design), false});
-    if (!has_order(problem, design)) return;
-    const std::vector<double>& angles = design.path_angles;
-    all.push_back({"the targets are met in their order", least_advance(angles), true});
-    all.push_back({"the targets are met within one turn of the crank",
-                   2 * std::numbers::pi - std::abs(angles.back() - angles.front()), true});
+    const PathTarget& path = *problem.path;
+    if (design.path_angles.size() != path.points.size()) return;
+    const double advance = least_advance(path, design.path_angles);
+    if (advance == endless) return;
+    all.push_back({"the targets are met in their order", advance, true});
+    all.push_back(
+        {"the targets are met within one turn of the crank", least_rest_of_turn(path, design.path_angles), true});
 }
 
 }  // namespace

@@ -96,6 +96,13 @@ std::vector<std::size_t> families_of(const Problem& problem) {
     return usable;
 }
 
+/// Whether it makes a difference which way the crank turns: two points are met in order either way.
+bool has_directions(const PathTarget& path) {
+    for (std::size_t target = 0; target < path.targets(); ++target)
+        if (path.points_of(target).count > 2) return true;
+    return false;
+}
+
 /// All ways to choose one component for each disjunction.
 std::vector<std::vector<std::size_t>> all_choices(const std::vector<Disjunction>& all) {
     constexpr std::size_t most = 64;
@@ -116,7 +123,7 @@ std::vector<std::vector<std::size_t>> all_choices(const std::vector<Disjunction>
 
 std::vector<Variant> variants(const Problem& problem) {
     std::vector<Variant> all;
-    const bool untimed = problem.path && !problem.path->prescribed_timing && problem.path->points.size() > 2;
+    const bool untimed = problem.path && !problem.path->prescribed_timing && has_directions(*problem.path);
     for (const std::size_t family : families_of(problem))
         for (const std::size_t assembly : problem.assemblies)
             for (const int direction : untimed ? std::vector<int>{1, -1} : std::vector<int>{1})

@@ -6,11 +6,13 @@ namespace mechwright {
 
 namespace {
 
-/// The measure of the path that is all that a problem minimises.
+/// The measure of the path, with all its targets, that is all that a problem minimises.
 PathMeasure only_measure(const Problem& problem) {
     if (!problem.objective || problem.objective->terms.size() != 1) return PathMeasure::none;
     const ObjectiveTerm& term = problem.objective->terms.front();
-    return term.maximize ? PathMeasure::none : problem.mechanism->quantities[term.quantity].path;
+    const Quantity& quantity = problem.mechanism->quantities[term.quantity];
+    const bool of_all = quantity.of_target == every_target || (problem.path && problem.path->targets() == 1);
+    return term.maximize || !of_all ? PathMeasure::none : quantity.path;
 }
 
 bool limits_path(const Problem& problem) {

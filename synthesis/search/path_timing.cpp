@@ -1,7 +1,9 @@
 #include "synthesis/search/path_timing.h"
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <span>
 
 namespace mechwright {
 
@@ -9,8 +11,10 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
+using Points = std::span<const Vector<double>>;
+
 /// The part of the whole way that lies before each point.
-std::vector<double> parts_of_way(const std::vector<Vector<double>>& points) {
+std::vector<double> parts_of_way(const Points& points) {
     std::vector<double> along(points.size(), 0.0);
     for (std::size_t i = 1; i < points.size(); ++i)
         along[i] = along[i - 1] + std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
@@ -20,12 +24,11 @@ std::vector<double> parts_of_way(const std::vector<Vector<double>>& points) {
     return along;
 }
 
-/// The turn of the crank from the first to the last point.
-double swept(const Program& program, double span) {
-    const auto& points = program.targets;
+/// The turn of the crank from the first to the last point of a target.
+double swept(const Points& points, bool closed, double span) {
     const Vector<double>&first = points.front(), &last = points.back();
     if (points.size() > 2 && first.x == last.x && first.y == last.y) return turn;
-    if (!program.problem->path->closed) return (0.1 + 0.85 * span) * turn;
+    if (!closed) return (0.1 + 0.85 * span) * turn;
     double way = 0;
     for (std::size_t i = 1; i < points.size(); ++i)
         way += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
@@ -35,23 +38,47 @@ double swept(const Program& program, double span) {
     return 0.5 * (by_way + (n - 1) / n) * turn;
 }
 
-}  // namespace
+/// Those of one target.
+void set_angles(const Points& points, bool closed, int direction, const PathTiming& timing, std::span<double> angles) {
+    const std::size_t n = points.size();
+    std::vector<double> parts = parts_of_way(points);
 
-std::vector<double> path_angles(const Program& program, const PathTiming& timing) {
-    const std::size_t n = program.targets.size();
-    std::vector<double> parts = parts_of_way(program.targets);
-
-    const double whole = swept(program, timing.span);
+    const double whole = swept(points, closed, timing.span);
     const double first = (timing.start - 0.5) * turn;
     // A swell keeps the ends and the order: its slope is less than one.
     const double swell = 0.9 * timing.swell / turn;
     const double phase = timing.where * turn;
-    std::vector<double> angles(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double even = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0;
         const double part = timing.evenness * even + (1 - timing.evenness) * parts[i];
         const double swelled = part + swell * (std::sin(turn * part + phase) - std::sin(phase));
-        angles[i] = first + program.variant.direction * whole * swelled;
+        angles[i] = first + direction * whole * swelled;
+    }
+}
+
+/// A number in (0, 1) for a target after the first, drawn from the one that the first has.
+double of_target(double number, std::size_t target) {
+    if (target == 0) return number;
+    const auto bits = mixed(static_cast<std::uint64_t>(std::ldexp(number, 53)) + target);
+    return std::ldexp(static_cast<double>(bits >> 11) + 0.5, -53);
+}
+
+/// Of several targets each has a timing of its own.
+PathTiming timing_of_target(const PathTiming& timing, std::size_t target) {
+    return {of_target(timing.start, target), of_target(timing.span, target), of_target(timing.evenness, target),
+            of_target(timing.swell, target), of_target(timing.where, target)};
+}
+
+}  // namespace
+
+std::vector<double> path_angles(const Program& program, const PathTiming& timing) {
+    const PathTarget& path = *program.problem->path;
+    std::vector<double> angles(program.targets.size());
+    for (std::size_t target = 0; target < path.targets(); ++target) {
+        const PointRange points = path.points_of(target);
+        const bool closed = path.parts.empty() ? path.closed : path.parts[target].closed;
+        set_angles(Points(program.targets).subspan(points.first, points.count), closed, program.variant.direction,
+                   timing_of_target(timing, target), std::span(angles).subspan(points.first, points.count));
     }
     return angles;
 }
@@ -66,17 +93,19 @@ std::vector<double> random_path_angles(const Program& program, const LowDiscrepa
             x[static_cast<Eigen::Index>(program.first_path_angle + i)] = angles[i];
         return angles;
     }
-    const std::size_t start = program.problem->mechanism->point->roles.start;
-    const std::ptrdiff_t variable = program.variable_of[start];
-    double begin = program.dimensions[start];
-    if (variable >= 0) {
+    std::vector<double> begins;
+    for (std::size_t target = 0; target < path.targets(); ++target) {
+        const std::size_t start = program.problem->mechanism->roles_of(target).start;
+        const std::ptrdiff_t variable = program.variable_of[start];
+        begins.push_back(program.dimensions[start]);
+        if (variable < 0) continue;
         const Variable& v = program.variables[static_cast<std::size_t>(variable)];
-        begin = v.lower + sequence(k, 0) * (v.upper - v.lower);
-        x[variable] = begin;
+        begins.back() = v.lower + of_target(sequence(k, 0), target) * (v.upper - v.lower);
+        x[variable] = begins.back();
     }
     std::vector<double> angles;
-    for (const double angle : path.crank_angles)
-        angles.push_back(begin + angle);
+    for (std::size_t i = 0; i < path.crank_angles.size(); ++i)
+        angles.push_back(begins[path.target_of(i)] + path.crank_angles[i]);
     return angles;
 }
 

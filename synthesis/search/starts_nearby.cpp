@@ -24,11 +24,15 @@ Eigen::VectorXd start_nearby(const Program& program, Eigen::VectorXd x, double s
     }
     if (program.untimed_path()) {
         // The points are met a little earlier or later, all by the same and each a little more than the one before.
-        const double shift = way(), stretch = way();
-        const auto n = static_cast<double>(program.targets.size());
-        for (std::size_t i = 0; i < program.targets.size(); ++i)
-            x[static_cast<Eigen::Index>(program.first_path_angle + i)] +=
-                shift + program.variant.direction * stretch * static_cast<double>(i) / n;
+        const PathTarget& path = *program.problem->path;
+        for (std::size_t target = 0; target < path.targets(); ++target) {
+            const PointRange points = path.points_of(target);
+            const double shift = way(), stretch = way();
+            const auto n = static_cast<double>(points.count);
+            for (std::size_t i = 0; i < points.count; ++i)
+                x[static_cast<Eigen::Index>(program.first_path_angle + points.first + i)] +=
+                    shift + program.variant.direction * stretch * static_cast<double>(i) / n;
+        }
     }
     x = within_bounds(program, std::move(x));
     fit_placement(program, x);

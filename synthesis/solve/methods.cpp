@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 std::string why_no_search(const Problem& problem) {
     for (const Requirement& r : problem.requirements)
         if (problem.mechanism->quantities[r.quantity].path == PathMeasure::greatest && (r.min || r.equal))
-            return "path-max can only be limited from above";
+            return problem.mechanism->quantities[r.quantity].name + " can only be limited from above";
     return {};
 }
 

@@ -23,6 +23,8 @@ void add_new(std::vector<std::string>& names, std::string_view name) {
 bool has_section(const Problem& problem, std::string_view section) {
     if (section.empty()) return true;
     if (section == "instant") return problem.has_instant;
+    // A mechanism whose targets have names has the quantities of those alone.
+    if (problem.path && !problem.path->parts.empty()) return section == "path" || section == "poses";
     if (section == "path") return problem.path && !problem.path->guides_body();
     if (section == "poses") return problem.path && problem.path->guides_body();
     if (section == "function") return problem.function != nullptr;

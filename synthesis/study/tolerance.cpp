@@ -46,7 +46,7 @@ double random_deviation(const Deviation& deviation, double size, std::uint64_t s
 
 /// The derivatives of the distances from a path's points: at a fixed crank angle, or at the nearest point, which comes
 /// to the same; where the angle is prescribed, it moves with that of the start.
-std::optional<std::vector<double>> path_sensitivities(const Problem& problem, PathMeasure measure,
+std::optional<std::vector<double>> path_sensitivities(const Problem& problem, const Quantity& quantity,
                                                       const Design& design) {
     const Mechanism& mechanism = *problem.mechanism;
     const std::optional<PathValues> values = path_values(problem, design);
@@ -54,22 +54,29 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, Pa
     const Reads& reads = mechanism.point->reads;
     const std::size_t n = reads.size();
     std::vector<double> x(n + 1), y(n + 1), total(mechanism.dimensions.size(), 0.0);
+    const PathTarget& path = *problem.path;
+    const bool all = quantity.of_target == every_target;
+    const PathMeans& means = all ? *values : values->of_targets[quantity.of_target];
+    const PointRange points = path.points_of(quantity.of_target);
+    const auto weight_at = [&](std::size_t i) {
+        return all ? path.weights[i] : path.parts[quantity.of_target].weights[i - points.first];
+    };
     double weights = 0;
-    for (const double w : problem.path->weights)
-        weights += w;
-    for (std::size_t i = 0; i < values->distances.size(); ++i) {
+    for (std::size_t i = points.first; i < points.end(); ++i)
+        weights += weight_at(i);
+    for (std::size_t i = points.first; i < points.end(); ++i) {
         const double distance = values->distances[i];
-        double factor = 2 * problem.path->weights[i];
-        if (measure == PathMeasure::root_mean_square) factor /= 2 * weights * values->root_mean_square;
-        if (measure == PathMeasure::greatest) factor = distance == values->greatest ? 1 / distance : 0;
+        double factor = 2 * weight_at(i);
+        if (quantity.path == PathMeasure::root_mean_square) factor /= 2 * weights * means.root_mean_square;
+        if (quantity.path == PathMeasure::greatest) factor = distance == means.greatest ? 1 / distance : 0;
         if (factor == 0) continue;
         PathMiss miss{{}, 0, x, y, {}, {}};
-        miss_of_point(mechanism, mechanism.form(design.assembly), design.dimensions, design.path_angles[i],
-                      problem.path->points[i], miss);
+        miss_of_point(mechanism, mechanism.form(design.assembly, path.target_of(i)), design.dimensions,
+                      design.path_angles[i], path.points[i], miss);
         for (std::size_t k = 0; k < n; ++k)
             total[reads[k]] += factor * (miss.miss.x * x[k] + miss.miss.y * y[k]);
-        if (problem.path->prescribed_timing)
-            total[mechanism.point->roles.start] += factor * (miss.miss.x * x[n] + miss.miss.y * y[n]);
+        if (path.prescribed_timing)
+            total[mechanism.roles_of(path.target_of(i)).start] += factor * (miss.miss.x * x[n] + miss.miss.y * y[n]);
     }
     return total;
 }
@@ -122,9 +129,7 @@ Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_
             random_deviation(study.deviations[i], design.sizes[i], study.seed, number);
     const std::optional<PathTarget>& path = design.problem.path;
     if (path && path->prescribed_timing)
-        for (std::size_t i = 0; i < path->crank_angles.size(); ++i)
-            piece.path_angles[i] =
-                piece.dimensions[design.problem.mechanism->point->roles.start] + path->crank_angles[i];
+        set_prescribed_angles(design.problem, piece);
     else if (path)
         meet_nearest_points(design.problem, piece);
     // The ranges of the dimensions are for design, not for pieces.
@@ -138,7 +143,7 @@ Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_
 std::optional<std::vector<double>> sensitivities(const Problem& problem, std::size_t quantity, const Design& design) {
     const Quantity& q = problem.mechanism->quantities[quantity];
     if (!quantity_value(problem, quantity, design)) return {};
-    if (q.path != PathMeasure::none) return path_sensitivities(problem, q.path, design);
+    if (q.path != PathMeasure::none) return path_sensitivities(problem, q, design);
     const Motion motion = motion_of(problem, design);
     const std::size_t count = q.components(motion);
     std::vector<double> values(count), gradient(count * q.reads.size());

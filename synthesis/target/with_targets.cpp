@@ -60,8 +60,12 @@ void add_quantities(Mechanism& m, std::span<const std::string_view> names) {
     const auto add = [&](const std::vector<Quantity>& some) {
         m.quantities.insert(m.quantities.end(), some.begin(), some.end());
     };
-    if (m.point && is_among("path", names)) add(path_quantities());
-    if (m.body && is_among("poses", names)) add(pose_quantities());
+    if (!m.guided.empty()) {
+        add(quantities_of_targets(m));
+    } else {
+        if (m.point && is_among("path", names)) add(path_quantities());
+        if (m.body && is_among("poses", names)) add(pose_quantities());
+    }
     if (m.function) add(m.function->quantities);
     if (m.line) add(m.line->quantities);
     if (m.arc) add(m.arc->quantities);

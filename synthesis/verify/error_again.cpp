@@ -54,7 +54,7 @@ Digits50 ErrorAgain::of_shape(double share, std::span<const Digits50> d) const {
     const Claim& claim = *design_->claim;
     const std::size_t input = claim.mechanism->input->start;
     const Digits50 crank_angle = d[input] + d[input + 1] * share;
-    const Vector<Digits50> p = point_again(*claim.mechanism, claim.assembly, d, crank_angle);
+    const Vector<Digits50> p = point_again(*claim.mechanism, claim.mechanism->form(claim.assembly), d, crank_angle);
     const std::size_t place = followed_shape_of(*claim.mechanism, *claim.followed)->place;
     if (claim.followed->shape == Followed::line) return cos(d[place]) * p.y - sin(d[place]) * p.x - d[place + 1];
     const Vector<Digits50> away = p - Vector<Digits50>{d[place], d[place + 1]};

@@ -7,6 +7,7 @@
 
 #include "synthesis/document/claim_json.h"
 #include "synthesis/program/result.h"
+#include "synthesis/target/path/document.h"
 #include "synthesis/verify/derived.h"
 #include "synthesis/verify/rebuilt.h"
 #include "synthesis/verify/verify.h"
@@ -103,13 +104,8 @@ Json with_alternative(const Json& document, const Json& entry) {
     alone["design"] = entry.value("design", Json());
     if (alone.contains("objective") && alone["objective"].is_object())
         alone["objective"]["value"] = entry.value("objective", Json());
-    for (const char* kind : {"path", "poses"}) {
-        if (!alone.contains(kind) || !alone[kind].is_object()) continue;
-        for (const char* reached : {"reached", "reached_directions"})
-            alone[kind].erase(reached);
-        alone[kind]["crank_angles"] = entry.value("path_angles", Json());
-        alone[kind]["distances"] = entry.value("distances", Json());
-    }
+    const Json crank_angles = entry.value("path_angles", Json()), distances = entry.value("distances", Json());
+    put_reached(alone, &crank_angles, &distances);
     return alone;
 }
 

@@ -37,15 +37,16 @@ std::optional<Vector<Digits50>> range_of(const Claim& claim, std::span<const Dig
     return Vector<Digits50>{std::min(start, end), std::max(start, end)};
 }
 
-/// The direction of the link that guides a point, which is here.
-Digits50 direction_of_link(const Rebuilt& design, const Digits50& crank_angle, const Vector<Digits50>& here) {
+/// The direction of the link that guides the point of a target, which is here.
+Digits50 direction_of_link(const Rebuilt& design, std::size_t target, const Digits50& crank_angle,
+                           const Vector<Digits50>& here) {
     const Mechanism& mechanism = *design.claim->mechanism;
     const PointGuidance& point = *mechanism.point;
-    const Form form = mechanism.form(design.claim->assembly);
-    if (mechanism.body->direction)
-        return mechanism.body->direction(form, point.reads.of(design.dimensions), crank_angle);
+    const Form form = mechanism.form(design.claim->assembly, target);
+    if (const auto direction = mechanism.body_of(target)->direction)
+        return direction(form, point.reads.of(design.dimensions), crank_angle);
     std::vector<Digits50> ahead = design.dimensions;
-    ahead[point.roles.along] += 1;
+    ahead[mechanism.roles_of(target).along] += 1;
     const Vector<Digits50> link = point.point(form, point.reads.of(ahead), crank_angle) - here;
     return atan2(link.y, link.x);
 }
@@ -53,9 +54,6 @@ Digits50 direction_of_link(const Rebuilt& design, const Digits50& crank_angle, c
 RebuiltPath rebuilt_path(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     const ClaimedPath& path = *claim.path;
-    const auto point = [&](const std::vector<Digits50>& dimensions, const Digits50& crank_angle) {
-        return point_again(*claim.mechanism, claim.assembly, dimensions, crank_angle);
-    };
     RebuiltPath result;
     result.size = design.longest;
     const auto grow = [&](const Digits50& length) { result.size = std::max<Digits50>(result.size, abs(length)); };
@@ -66,15 +64,19 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
         grow(target.x);
         grow(target.y);
         result.crank_angles.push_back(from_document(path.crank_angles[i], Unit::angle, claim.units));
-        result.reached.push_back(point(design.dimensions, result.crank_angles.back()));
+        const std::size_t guided = path.target_of(i);
+        result.reached.push_back(point_again(*claim.mechanism, claim.mechanism->form(claim.assembly, guided),
+                                             design.dimensions, result.crank_angles.back()));
         const Vector<Digits50> miss = target - result.reached.back();
         Digits50 square = dot(miss, miss);
-        if (!path.directions.empty()) {
-            const Digits50 faces = direction_of_link(design, result.crank_angles.back(), result.reached.back()) +
-                                   design.dimensions[claim.mechanism->point->roles.body];
+        if (!path.directions.empty() && !path.guides_body_at(i)) result.directions.emplace_back(0);
+        if (path.guides_body_at(i)) {
+            const Digits50 faces =
+                direction_of_link(design, guided, result.crank_angles.back(), result.reached.back()) +
+                design.dimensions[claim.mechanism->roles_of(guided).body];
             if (path.directions[i]) {
                 const Digits50 asked = from_document(*path.directions[i], Unit::angle, claim.units);
-                const Digits50 chord = 2 * path.body_length * sin((faces - asked) / 2);
+                const Digits50 chord = 2 * path.body_length_at(i) * sin((faces - asked) / 2);
                 square += chord * chord;
             }
             result.directions.push_back(faces);
@@ -84,25 +86,56 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
     return result;
 }
 
-std::optional<Measured> measured_path(const RebuiltPath& path, const std::vector<double>& weights,
-                                      PathMeasure measure) {
-    const Digits50 slack = point_rounding * path.size;
-    Digits50 sum = 0, sum_slack = 0, weight = 0, greatest = 0;
-    for (std::size_t i = 0; i < path.distances.size(); ++i) {
-        const Digits50& d = path.distances[i];
-        if (!isfinite(d)) return std::nullopt;
-        sum += weights[i] * d * d;
-        sum_slack += weights[i] * (2 * d + slack) * slack;
-        weight += weights[i];
-        greatest = std::max(greatest, d);
+/// A mean of distances measured again, with the slack of its square.
+struct MeanAgain {
+    Digits50 sum = 0, slack = 0, weight = 0, greatest = 0;
+
+    void add(const Digits50& w, const Digits50& square, const Digits50& slack_of_square, const Digits50& distance) {
+        sum += w * square;
+        slack += w * slack_of_square;
+        weight += w;
+        greatest = std::max(greatest, distance);
     }
-    switch (measure) {
-        case PathMeasure::sum_of_squares: return Measured{sum, relative * sum + sum_slack};
+};
+
+/// Over the points of a target that stands alone, or of one of several, by the weights that are given.
+MeanAgain mean_again(const RebuiltPath& path, const PointRange& points, const std::vector<double>& weights,
+                     const Digits50& slack) {
+    MeanAgain mean;
+    for (std::size_t i = points.first; i < points.end(); ++i) {
+        const Digits50& d = path.distances[i];
+        mean.add(weights[i - points.first], d * d, (2 * d + slack) * slack, d);
+    }
+    return mean;
+}
+
+/// Over several targets: the mean square of each with its weight.
+MeanAgain mean_of_targets(const RebuiltPath& path, const std::vector<PathPart>& targets, const Digits50& slack) {
+    MeanAgain mean;
+    for (const PathPart& target : targets) {
+        const MeanAgain one = mean_again(path, target.points, target.weights, slack);
+        mean.add(target.weight, one.sum / one.weight, one.slack / one.weight, one.greatest);
+    }
+    return mean;
+}
+
+std::optional<Measured> measured_path(const RebuiltPath& path, const ClaimedPath& claimed, const Quantity& quantity) {
+    const Digits50 slack = point_rounding * path.size;
+    const PointRange points = claimed.points_of(quantity.of_target);
+    for (std::size_t i = points.first; i < points.end(); ++i)
+        if (!isfinite(path.distances[i])) return std::nullopt;
+    const bool several = !claimed.parts.empty();
+    const MeanAgain mean =
+        several && quantity.of_target == every_target
+            ? mean_of_targets(path, claimed.parts, slack)
+            : mean_again(path, points, several ? claimed.parts[quantity.of_target].weights : claimed.weights, slack);
+    switch (quantity.path) {
+        case PathMeasure::sum_of_squares: return Measured{mean.sum, relative * mean.sum + mean.slack};
         case PathMeasure::root_mean_square: {
-            const Digits50 mean = weight > 0 ? Digits50(sqrt(sum / weight)) : Digits50(0);
-            return Measured{mean, relative * mean + slack};
+            const Digits50 root = mean.weight > 0 ? Digits50(sqrt(mean.sum / mean.weight)) : Digits50(0);
+            return Measured{root, relative * root + slack};
         }
-        case PathMeasure::greatest: return Measured{greatest, relative * greatest + slack};
+        case PathMeasure::greatest: return Measured{mean.greatest, relative * mean.greatest + slack};
         case PathMeasure::none: break;
     }
     return std::nullopt;
@@ -111,7 +144,7 @@ std::optional<Measured> measured_path(const RebuiltPath& path, const std::vector
 std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity) {
     if (quantity.path != PathMeasure::none) {
         if (!design.path) return std::nullopt;
-        return measured_path(*design.path, design.claim->path->weights, quantity.path);
+        return measured_path(*design.path, *design.claim->path, quantity);
     }
     // Over a given range in which the mechanism comes apart nothing has a value.
     if (!is_defined(quantity, design.motion) || (design.claim->crank_range && !all_passed(design.of_motion)))

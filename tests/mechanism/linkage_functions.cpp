@@ -319,7 +319,8 @@ TEST(LinkageFunctions, WrongOnesAreSaidWithARemedy) {
               std::string::npos);
     EXPECT_EQ(first_error(free_four_bar + with_function("angle = \"rocker\"", power) +
                           "[path]\npoint = \"P\"\npoints = [[0, 0], [1, 2]]\n"),
-              "a problem has one target, [path] or [function]: not both");
+              "[function] does not go with [path] in this version: several targets of a problem are paths and poses; "
+              "leave one of the two out");
     EXPECT_NE(
         first_error(free_four_bar + "[instant]\ncrank = 3\n").find("[[require]] quantity = \"NAME.speed.at(60)\""),
         std::string::npos);

@@ -289,7 +289,8 @@ TEST(LinkageTargets, WrongOnesAreSaidWithARemedy) {
               "'P' is no point of the link 'rocker': name one of that link, or another link");
     EXPECT_NE(error("[poses]\npoint = \"P\"\nposes = [[0, 0, 0], [1, 2, 3]]\n").find("'link' in [poses]"),
               std::string::npos);
-    EXPECT_NE(error("[path]\npoint = \"P\"\n" + points + with_poses).find("not both"), std::string::npos);
+    EXPECT_NE(error("[path]\npoint = \"P\"\n" + points + with_poses).find("'name' in [path] is missing"),
+              std::string::npos);
     EXPECT_NE(error("[line]\nstart = 0\nrange = 90\n").find("'point' in [line] is missing"), std::string::npos);
     EXPECT_NE(error("[path]\npoint = \"P\"\ncrank-strat = 3\n" + points).find("crank-start"), std::string::npos);
     EXPECT_NE(error("[[path]]\npoint = \"P\"\n" + points + "[[path]]\npoint = \"C\"\n" + points), "");

@@ -80,6 +80,13 @@ class Agreement(unittest.TestCase):
                 self.assertEqual(faults(VALIDATOR, table_of(file)), [])
         self.assertGreater(taken, 20)
 
+    def test_targets_of_a_built_in_kind_are_not_several(self):
+        path = "[[path]]\npoints = [[0, 0], [1, 1]]\n"
+        for text, good in ((BASE + path, True), (BASE + path + path, False), (BASE + path + "name = 'foot'\n", False)):
+            with self.subTest(text=text):
+                self.assertEqual(faults(VALIDATOR, tomllib.loads(text)) == [], good)
+                self.assertEqual(self.accepted(text), good)
+
     def test_what_new_writes_is_valid(self):
         pairs = [line.split()[:2] for line in run("new", "--list")[1].splitlines() if ":" in line and not line.startswith(" ")]
         self.assertGreater(len(pairs), 12)

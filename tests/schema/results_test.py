@@ -72,6 +72,29 @@ swing = { angle = "rocker" }
 quantity = "swing.range"
 min = 10
 """
+SEVERAL_TARGETS = """
+[[path]]
+name = "upper"
+point = "C"
+points = [[0, 0], [10, 5], [20, 0]]
+timing = "prescribed"
+crank_angles = [0, 60, 120]
+weights = [1, 2, 1]
+[[path]]
+name = "lower"
+weight = 0.5
+point = "B"
+points = [[0, 0], [10, 5]]
+timing = "prescribed"
+crank_angles = [0, 60]
+[poses]
+name = "plate"
+point = "C"
+link = "coupler"
+poses = [[0, 0, 0], [10, 5, 10], [20, 0]]
+timing = "prescribed"
+crank_angles = [0, 60, 120]
+"""
 WHOLE_LINKAGE = LINKAGE.format(ground=100, coupler=93)
 GIVEN = {
     "whole": WHOLE_LINKAGE,
@@ -82,6 +105,7 @@ GIVEN = {
     "arc": WHOLE_LINKAGE + "[arc]\nstart = 10\nrange = 60\ncentre-x = 0\ncentre-y = 0\nradius = 50\n",
     "cam": CAM,
     "links of one's own": OWN_LINKS,
+    "several targets": OWN_LINKS + SEVERAL_TARGETS,
 }
 
 # Where the file of a linkage makes the names itself.
@@ -103,6 +127,8 @@ def members_of(schema, place=()):
         yield from members_of(below, (*place, name))
     if "items" in schema:
         yield from members_of(schema["items"], place)
+    for one in schema.get("anyOf", []):
+        yield from members_of(one, place)
 
 
 class Results(unittest.TestCase):

@@ -89,7 +89,7 @@ inline std::vector<Signal> own_signals(const LinkageModel& model, Kind kind) {
     const linkage::Structure& s = model.structure;
     std::vector<Signal> signals;
     if (kind == Kind::distance_greatest || kind == Kind::extent) {
-        const std::size_t pin = model.guided->pin;
+        const std::size_t pin = model.guided.front().pin;
         const auto distance = model.followed == Followed::line ? Signal::Kind::y : Signal::Kind::radius;
         return {{distance, pin}, {Signal::Kind::x, pin}, {Signal::Kind::y, pin}};
     }

@@ -137,7 +137,6 @@ std::vector<Family> families_of(const LinkageModel& model, std::size_t dimension
 void add_guidance(const LinkageModel& model, Mechanism& made) {
     const std::size_t count = made.dimensions.size();
     made.point = linkage_point_guidance(model, count);
-    made.targets = {"path"};
     made.input = input_range(made.quantities, count);
     if (model.followed == Followed::line) {
         made.line = linkage_line(count);
@@ -147,9 +146,19 @@ void add_guidance(const LinkageModel& model, Mechanism& made) {
         made.arc = linkage_arc(count);
         made.targets = {"arc"};
     }
-    if (!model.guides_body) return;
-    made.body = linkage_body_guidance(model, count);
-    made.targets = {"poses"};
+    if (model.followed != Followed::nothing) return;
+    made.targets.clear();
+    for (const GuidedPoint& guided : model.guided) {
+        const char* target = guided.is_body ? "poses" : "path";
+        if (std::find(made.targets.begin(), made.targets.end(), target) == made.targets.end())
+            made.targets.emplace_back(target);
+        if (guided.is_body && !made.body) made.body = linkage_body_guidance(model, guided, count);
+        if (guided.name.empty()) continue;
+        GuidedTarget& named = made.guided.emplace_back();
+        named.name = guided.name;
+        named.roles = linkage_path_roles(model, guided);
+        if (guided.is_body) named.body = linkage_body_guidance(model, guided, count);
+    }
 }
 
 void add_function(const LinkageModel& model, Mechanism& made) {
@@ -211,7 +220,7 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     made.table = linkage_table(model);
     if (has_own_lengths(model))
         made.model_over = [](const Model& m, double unit) { return Model(over_unit(*m.as<LinkageModel>(), unit)); };
-    if (model.guided) add_guidance(model, made);
+    if (!model.guided.empty()) add_guidance(model, made);
     if (model.output) add_function(model, made);
     made.model = Model(std::move(model));
     made.size = size_of_linkage;

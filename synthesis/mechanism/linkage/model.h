@@ -42,6 +42,8 @@ struct NamedSignal {
 struct GuidedPoint {
     std::size_t pin = 0;
     std::size_t link = 0;
+    bool is_body = false;  ///< the link is a body that takes poses
+    std::string name{};    ///< of the target, where it has one
 };
 
 struct LinkageModel {
@@ -58,13 +60,12 @@ struct LinkageModel {
     Affine scale{1, {}};                          ///< of all lengths; > 0
     std::vector<linkage::Signal> signals{};
     std::vector<NamedSignal> signal_names{};  ///< one for each
-    std::optional<GuidedPoint> guided{};
-    bool guides_body = false;               ///< the link of the guided point is a body that takes poses
-    Followed followed = Followed::nothing;  ///< by the guided point
-    std::optional<std::size_t> output{};    ///< the signal that is to be a function of the input
-    std::optional<double> at{};             ///< an input of the master that belongs to the motion
-    int turns = 1;                          ///< of the master, after which everything is where it was; 0: never
-    double unit = 1;                        ///< the length by which its lengths are divided (over_unit)
+    std::vector<GuidedPoint> guided{};        ///< several where targets have names (Form::guided)
+    Followed followed = Followed::nothing;    ///< by the guided point
+    std::optional<std::size_t> output{};      ///< the signal that is to be a function of the input
+    std::optional<double> at{};               ///< an input of the master that belongs to the motion
+    int turns = 1;                            ///< of the master, after which everything is where it was; 0: never
+    double unit = 1;                          ///< the length by which its lengths are divided (over_unit)
     /// Of a driven slide the displacement, not divided, that counts as much as a radian does: a power of two, so that
     /// inputs of the analysis are of order one and no digit is lost. 1 where the master turns.
     double input_length = 1;

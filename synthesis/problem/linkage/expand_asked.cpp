@@ -148,7 +148,8 @@ void write_objective(Asking& asking, const toml::table& table, bool alone) {
 }
 
 bool flag_of_target(const Expanding& e, std::string_view section, std::string_view key) {
-    return e.table[section][key].value_or(false);
+    const toml::table* table = only_table(e.table, section);
+    return table != nullptr && (*table)[key].value_or(false);
 }
 
 /// Whether each design that the problem can have turns its crank fully.

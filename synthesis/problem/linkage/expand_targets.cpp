@@ -44,7 +44,7 @@ std::string number_of_target_text(const Expanding& e, const toml::node* node, st
 }
 
 void write_target(Expanding& e, const AsLinkage::Target& target) {
-    const toml::table& section = *e.table[target.section].as_table();
+    const toml::table& section = *only_table(e.table, target.section);
     const toml::table& dimensions = *e.table["dimensions"].as_table();
     const auto& all = e.problem.mechanism->dimensions;
     e.text += fmt::format("\n[{}]\n{}", target.section, target.names);

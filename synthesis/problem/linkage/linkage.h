@@ -91,8 +91,7 @@ struct Linkage {
     bool scaled = false;                          ///< the file says a scale
     std::optional<Vector<double>> crank_range{};  ///< radians, or displacements
     std::optional<double> at;  ///< a crank angle of its motion, radians; a displacement where a slide is driven
-    std::optional<GuidedPoint> guided{};    ///< by [path] or [poses]
-    bool guides_body = false;               ///< by [poses]
+    std::vector<GuidedPoint> guided{};      ///< by paths, then by poses; or by [line] or [arc]
     Followed followed = Followed::nothing;  ///< by [line] or [arc]
     std::optional<std::size_t> output{};    ///< the signal that [function] speaks of
     linkage::Mobility mobility;

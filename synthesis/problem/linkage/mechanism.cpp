@@ -190,7 +190,6 @@ LinkageModel model_of(const Linkage& linkage) {
         if (size > 0) model.input_length = std::exp2(std::round(std::log2(size)));
     }
     model.guided = linkage.guided;
-    model.guides_body = linkage.guides_body;
     model.followed = linkage.followed;
     model.output = linkage.output;
     model.at = linkage.at;
@@ -291,13 +290,13 @@ std::string why_no_mechanism(const Linkage& linkage) {
         return fmt::format("{} dyads are closed on 'either' side: say the sides of all but {}", open, most_open_sides);
     // A guided point has the crank angle, too, and a body its own.
     const std::size_t count = dimensions_of(linkage).size(),
-                      most = linkage.guided || linkage.output ? PointGuidance::most_reads - 2 : Reads::most;
+                      most = !linkage.guided.empty() || linkage.output ? PointGuidance::most_reads - 2 : Reads::most;
     if (count > most)
         return fmt::format("it has {} dimensions with those of its placement: {} at most can be", count, most);
     const auto& steps = linkage.order.steps;
-    if ((linkage.guided || linkage.output) && std::any_of(steps.begin(), steps.end(), [](const linkage::Step& step) {
-            return step.kind == linkage::Step::Kind::unwound;
-        }))
+    if ((!linkage.guided.empty() || linkage.output) &&
+        std::any_of(steps.begin(), steps.end(),
+                    [](const linkage::Step& step) { return step.kind == linkage::Step::Kind::unwound; }))
         return "a gear of it follows a link that a dyad places, whose whole turns are known along a motion alone; such "
                "a linkage guides no point or body to targets and generates no function in this version";
     return {};
@@ -390,6 +389,14 @@ void add_quantities(const toml::node* node, std::vector<std::string>& names) {
             add_quantities(&entry, names);
 }
 
+/// What one target says of what it guides, as a member of the object.
+void add_names_of_target(Json& object, const char* target, const toml::node& node) {
+    const toml::table* table = node.as_table();
+    for (const char* key : {"name", "point", "link"})
+        if (const auto name = table == nullptr ? std::nullopt : (*table)[key].value_exact<std::string>())
+            object[target][key] = *name;
+}
+
 /// The section of the target.
 const toml::node* target_of(const toml::table& table) {
     for (const char* target : {"path", "poses", "function", "line", "arc"})
@@ -426,9 +433,23 @@ Json sections_of_linkage(const toml::table& table) {
     for (const std::string_view name : describing)
         if (const toml::node* node = table.get(name)) sections[std::string(name)] = json_of(*node);
     if (const auto at = table["motion"]["at"].value<double>()) sections["motion"] = {{"at", *at}};
-    for (const char* target : {"path", "poses", "line", "arc"})
-        for (const char* key : {"point", "link"})
-            if (const auto name = table[target][key].value_exact<std::string>()) sections[target][key] = *name;
+    for (const char* target : {"path", "poses", "line", "arc"}) {
+        const toml::node* node = table.get(target);
+        if (node == nullptr) continue;
+        const toml::array* list = node->as_array();
+        if (list == nullptr) {
+            add_names_of_target(sections, target, *node);
+            continue;
+        }
+        Json all = Json::array();
+        for (const toml::node& one : *list) {
+            Json names = Json::object();
+            add_names_of_target(names, target, one);
+            if (names.contains(target)) all.push_back(names[target]);
+        }
+        // One that is headed in double brackets is the same as one in single ones.
+        sections[target] = all.size() == 1 ? all.front() : all;
+    }
     if (const auto name = table["function"]["signal"].value_exact<std::string>())
         sections["function"]["signal"] = *name;
     return sections;
@@ -454,7 +475,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
             messages, place_of(*table.get("drive")),
             "nothing ends the motion of the slide that is driven: give it stops, 'min' and 'max' in [drive], "
             "or the motion an end, [motion] crank_range = [0, 100]");
-    if (model.driven_by_slide() && (linkage.guided || linkage.output))
+    if (model.driven_by_slide() && (!linkage.guided.empty() || linkage.output))
         return add_error(messages, place_of(*target_of(table)),
                          "the targets of this section are met at crank angles, and the linkage is driven by a slide: "
                          "require values of signals at displacements instead, like quantity = \"height.at(20)\", or "
@@ -464,7 +485,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
                          fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "
                                      "give the motion an end, [motion] crank_range = [0, 360]",
                                      linkage::most_turns));
-    if (model.turns > 1 && linkage.guided)
+    if (model.turns > 1 && !linkage.guided.empty())
         return add_error(messages, place_of(*table.get("drive")),
                          fmt::format("it is where it was after {} turns of its drive: targets are met within one in "
                                      "this version",

@@ -66,6 +66,7 @@ void read_linkage_table(const toml::table& table, Linkage& made, Messages& messa
     Problem settings;
     read_units(file, settings, messages);
     read_solver(file, settings, messages);
+    find(file, "study");
     made.units = settings.units;
     read_linkage_dimensions(reading);
     read_links(reading);

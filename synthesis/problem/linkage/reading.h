@@ -24,6 +24,7 @@ struct LinkageReading {
     std::vector<FilePlace> pin_places{};  ///< where a point is first named
     std::vector<FilePlace> link_places{};
     std::vector<FilePlace> drive_places{};
+    std::vector<FilePlace> signal_places{};
     std::vector<FilePlace> larger_places{};  ///< where the assemblies of larger groups are said
 
     /// Limits on what one file describes, far above any mechanism: hostile files end at once.
@@ -82,6 +83,8 @@ void read_drives(LinkageReading& reading);
 void read_linkage_motion(LinkageReading& reading);
 void read_sketch(LinkageReading& reading);
 void read_placement(LinkageReading& reading);
+/// Whether a word is a quantity or a number already, so that no signal and no target can have it as its name.
+bool is_reserved_name(std::string_view name);
 /// Signals, and the quantities that are required or optimised.
 void read_signals(LinkageReading& reading);
 /// The points that targets name.

@@ -41,6 +41,30 @@ constexpr std::array<Word, 11> of_targets{"path-sse",    "path-rms",      "path-
                                           "pose-max",    "function-max",  "function-rms", "line-deviation",
                                           "line-length", "arc-deviation", "arc-angle"};
 
+/// The targets that have names in a file, each with the words that its quantities end in.
+struct NamedTarget {
+    std::string name;
+    bool of_body;
+};
+
+std::vector<NamedTarget> named_targets(const Section& file) {
+    std::vector<NamedTarget> all;
+    const auto add = [&](const toml::node& node, bool of_body) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) return;
+        if (const auto name = (*table)["name"].value_exact<std::string>()) all.push_back({*name, of_body});
+    };
+    for (const auto& [section, of_body] : {std::pair("path", false), {"poses", true}}) {
+        const toml::node* node = file.table->get(section);
+        if (node == nullptr) continue;
+        add(*node, of_body);
+        if (const toml::array* list = node->as_array())
+            for (const toml::node& one : *list)
+                add(one, of_body);
+    }
+    return all;
+}
+
 struct SignalReading {
     LinkageReading& reading;
     std::vector<const toml::table*> tables{};
@@ -179,10 +203,37 @@ bool is_one_of(std::span<const Word> words, Word word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// Where targets have names: why a quantity is neither of one of them nor of a signal; empty if it is of one.
+std::string unknown_owner(const SignalReading& signals, const std::string& name, std::string_view quantity) {
+    const std::vector<NamedTarget> targets = named_targets(signals.reading.file);
+    if (targets.empty() || name.size() == quantity.size()) return {};
+    std::vector<Word> known;
+    for (const NamedTarget& target : targets)
+        known.push_back(target.name);
+    for (const LinkageSignal& signal : signals.signals())
+        known.push_back(signal.name);
+    if (is_one_of(known, name)) return {};
+    return fmt::format("there is no path, no poses and no signal {}; {}", reading::quoted(name), remedy(name, known));
+}
+
 void check_quantity(const SignalReading& signals, const toml::node& node, const std::string& what) {
     const auto text = node.value_exact<std::string>();
     if (!text) return report_kind(node, what, "the name of a quantity", signals.reading.messages);
     if (is_one_of(of_targets, *text)) return;
+    const std::string name = text->substr(0, text->find('.'));
+    for (const NamedTarget& target : named_targets(signals.reading.file)) {
+        if (target.name != name) continue;
+        const std::span<const Word> words =
+            target.of_body ? std::span(of_targets).subspan(3, 2) : std::span(of_targets).first(3);
+        if (name.size() < text->size() && is_one_of(words, Word(*text).substr(name.size() + 1))) return;
+        return add_error(
+            signals.reading.messages, place_of(node),
+            fmt::format("{}: {} is no quantity of '{}': it has {}", what, reading::quoted(*text), name,
+                        target.of_body ? fmt::format("{0}.pose-rms and {0}.pose-max", name)
+                                       : fmt::format("{0}.path-rms, {0}.path-max and {0}.path-sse", name)));
+    }
+    if (const std::string fault = unknown_owner(signals, name, *text); !fault.empty())
+        return add_error(signals.reading.messages, place_of(node), fmt::format("{}: {}", what, fault));
     std::string fault;
     if (!to_linkage_quantity(signals.reading.made, *text, fault))
         add_error(signals.reading.messages, place_of(node), fmt::format("{}: {}", what, fault));
@@ -197,12 +248,16 @@ void check_quantities(const SignalReading& signals, const toml::node& node, cons
 
 }  // namespace
 
+bool is_reserved_name(std::string_view name) {
+    return is_one_of(ready_made_quantities, name) || is_one_of(of_targets, name);
+}
+
 void read_signals(LinkageReading& reading) {
     SignalReading signals{reading};
     if (std::optional<Section> section = read_section(reading.file, "signals", reading.messages)) {
         for (const auto& [name, node] : in_order(*section->table)) {
             const FilePlace place = key_place(*section, name);
-            if (is_one_of(ready_made_quantities, name) || is_one_of(of_targets, name)) {
+            if (is_reserved_name(name)) {
                 add_error(reading.messages, place,
                           fmt::format("'{}' cannot be the name of a signal: it is a quantity already", name));
                 continue;
@@ -217,6 +272,7 @@ void read_signals(LinkageReading& reading) {
             reading.made.signals.emplace_back().name = name;
             signals.tables.push_back(table);
             signals.places.push_back(place);
+            reading.signal_places.push_back(place);
         }
         std::vector<std::string> names;
         for (const LinkageSignal& signal : reading.made.signals)

@@ -76,7 +76,15 @@ inline constexpr std::array path{
     Key{"crank_angles", Shape::numbers, "Crank angle at each point, counted from crank-start; all rise or all fall."},
     Key{"point", Shape::text, "Of a linkage: the point that is guided."},
     Key{"link", Shape::text, "Of a linkage: the link on which it is guided. Preset: the first that has it."},
-    Key{"crank-start", Shape::range, "Of a linkage: the crank angle from which crank_angles are counted. Preset: 0."}};
+    Key{"crank-start", Shape::range, "Of a linkage: the crank angle from which crank_angles are counted. Preset: 0."},
+    Key{"name", Shape::text, "Of a linkage with several paths and poses: what quantities and results call it."},
+    Key{"weight",
+        Shape::number,
+        "Of a linkage with several paths and poses: weight of its mean square in that of all. Preset: 1.",
+        false,
+        {},
+        {},
+        positive}};
 
 inline constexpr std::array poses{
     Key{"poses", Shape::poses, "Poses of the guided body: [x, y, angle], or [x, y] where any angle will do.", true},
@@ -93,8 +101,9 @@ inline constexpr std::array poses{
     Key{"point", Shape::text, "Of a linkage: the point of the body that is guided."},
     Key{"link", Shape::text, "Of a linkage: the link that is the body, or carries it."},
     Key{"crank-start", Shape::range, "Of a linkage: the crank angle from which crank_angles are counted. Preset: 0."},
-    Key{"body-angle", Shape::range,
-        "Of a linkage: the direction of the body, from the x axis of its link. Preset: 0."}};
+    Key{"body-angle", Shape::range, "Of a linkage: the direction of the body, from the x axis of its link. Preset: 0."},
+    path[path.size() - 2],
+    path[path.size() - 1]};
 
 inline constexpr std::array objective{
     Key{"minimize", Shape::name, "Quantity to be made least; of a list the greatest counts, with reduce = \"max\"."},

@@ -137,9 +137,14 @@ Json of_mechanism(const Mechanism& mechanism, Json condition) {
     for (const std::string_view name : foreign_sections(mechanism))
         schema["properties"][std::string(name)] = false;
     for (const std::string_view target : {"path", "poses", "line", "arc"})
-        if (auto& section = schema["properties"][std::string(target)]; !section.is_boolean())
-            for (const char* key : {"point", "link", "crank-start", "body-angle"})
+        if (auto& section = schema["properties"][std::string(target)]; !section.is_boolean()) {
+            for (const char* key : {"point", "link", "crank-start", "body-angle", "name", "weight"})
                 section["properties"][key] = false;
+            if (target != "path" && target != "poses") continue;
+            // One that is headed in double brackets is the same as one in single ones.
+            section["items"] = {{"properties", section["properties"]}};
+            section["maxItems"] = 1;
+        }
     if (mechanism.function) schema["properties"]["function"]["properties"]["signal"] = false;
     if (is_cam(mechanism)) {
         schema["properties"]["motion"]["properties"]["crank_range"] = false;
@@ -246,6 +251,8 @@ Json of_linkage() {
     for (const char* name : {"path", "line", "arc"})
         properties[name]["required"] = {"point"};
     properties["poses"]["required"] = {"point", "link"};
+    for (const char* name : {"path", "poses"})
+        properties[name]["items"] = {{"required", properties[name]["required"]}};
     return where(is_named("linkage"), {{"properties", std::move(properties)}, {"required", {"links", "drive"}}});
 }
 
@@ -255,6 +262,13 @@ Json drives(const Key& key) {
     one["properties"]["slide"].update(any_of({Json{{"type", "string"}}, Json{{"type", "integer"}, {"minimum", 1}}}));
     one["oneOf"] = {{{"required", {"link"}}}, {{"required", {"slide"}}}};
     return with_meaning(any_of({one, list_of(one)}), key.meaning);
+}
+
+/// A section that may be repeated.
+Json one_or_several(const Key& key) {
+    Json list = list_of(table_of(key.below));
+    list["minItems"] = 1;
+    return with_meaning(any_of({table_of(key.below), std::move(list)}), key.meaning);
 }
 
 /// Names of all mechanisms' dimensions with what they are, for editors that look no further.
@@ -366,6 +380,8 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     properties["require"] = requirements(key("require"));
     properties["function"] = function_of(key("function"));
     properties["solver"]["properties"]["method"].update(one_of(methods));
+    for (const char* target : {"path", "poses"})
+        properties[target] = one_or_several(key(target));
     properties["study"] = study_of(key("study"), by_path["pattern"]);
     Json by_mechanism = Json::array();
     for (const auto& mechanism : mechanisms())

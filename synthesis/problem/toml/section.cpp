@@ -131,6 +131,39 @@ std::optional<Section> read_section(Section& parent, std::string_view key, Messa
     return Section{node->as_table(), title, place_of(*node), known == nullptr ? std::span<const Key>() : known->below};
 }
 
+std::vector<Section> read_sections(Section& parent, std::string_view key, Messages& messages) {
+    std::vector<Section> sections;
+    const toml::node* node = find(parent, key);
+    const toml::array* list = node == nullptr ? nullptr : node->as_array();
+    if (list == nullptr) {
+        if (auto section = read_section(parent, key, messages)) sections.push_back(*std::move(section));
+        return sections;
+    }
+    if (list->empty())
+        add_error(messages, place_of(*node),
+                  fmt::format("{} is empty: leave it out, or head sections [[{}]]", quoted(key), key));
+    const Key* known = find_key(parent.known, key);
+    const auto keys = known == nullptr ? std::span<const Key>() : known->below;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const toml::node& entry = (*list)[i];
+        const std::string title =
+            list->size() == 1 ? fmt::format("[[{}]]", key) : fmt::format("[[{}]] number {}", key, i + 1);
+        if (entry.is_table())
+            sections.push_back(Section{entry.as_table(), title, place_of(entry), keys});
+        else
+            report_kind(entry, fmt::format("entry {} of {}", i + 1, quoted(key)),
+                        fmt::format("a section, headed [[{}]]", key), messages);
+    }
+    return sections;
+}
+
+const toml::table* only_table(const toml::table& file, std::string_view key) {
+    const toml::node* node = file.get(key);
+    const toml::array* list = node == nullptr ? nullptr : node->as_array();
+    if (list != nullptr) node = list->size() == 1 ? list->get(0) : nullptr;
+    return node == nullptr ? nullptr : node->as_table();
+}
+
 std::optional<std::vector<double>> read_numbers(Section& section, std::string_view key, Messages& messages) {
     const toml::node* node = find(section, key);
     if (node == nullptr) return {};

@@ -59,6 +59,10 @@ std::optional<std::int64_t> read_whole_number(Section& section, std::string_view
 std::optional<bool> read_bool(Section& section, std::string_view key, Messages& messages);
 std::optional<std::string> read_string(Section& section, std::string_view key, Messages& messages);
 std::optional<Section> read_section(Section& parent, std::string_view key, Messages& messages);
+/// The tables of a section that may be repeated: one, headed [key], or a list of them, each headed [[key]].
+std::vector<Section> read_sections(Section& parent, std::string_view key, Messages& messages);
+/// The only one of them; null where there is none or are several.
+const toml::table* only_table(const toml::table& file, std::string_view key);
 
 /// A list of numbers; absent if any of them is none.
 std::optional<std::vector<double>> read_numbers(Section& section, std::string_view key, Messages& messages);

@@ -6,6 +6,7 @@
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/target/path/document.h"
 
 namespace mechwright {
 
@@ -68,12 +69,8 @@ nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document,
     // An alternative has the value of the objective alone; what it is of stands in the result.
     if (shown.contains("objective") && !shown["objective"].is_object() && document.contains("objective"))
         shown["objective"] = document["objective"];
-    for (const char* kind : {"path", "poses"}) {
-        if (other.contains(kind) || !shown.contains(kind) || !shown[kind].is_object()) continue;
-        for (const char* reached : {"reached", "reached_directions", "crank_angles", "distances"})
-            shown[kind].erase(reached);
-        if (other.contains("path_angles")) shown[kind]["crank_angles"] = other["path_angles"];
-    }
+    if (!other.contains("path") && !other.contains("poses"))
+        put_reached(shown, other.contains("path_angles") ? &other["path_angles"] : nullptr, nullptr);
     if (!other.contains("quantities")) evaluate_again(shown);
     return shown;
 }

@@ -154,21 +154,32 @@ std::string pair_text(const Json& pair) {
     return cell_text(pair[0]) + ", " + cell_text(pair[1]);
 }
 
+/// The points of one path, or its poses.
+std::string points_table(const Json& path) {
+    const Json &points = list_in(path, "points"), &reached = list_in(path, "reached"),
+               &distances = list_in(path, "distances"), &angles = list_in(path, "crank_angles");
+    const std::string name = text_in(path, "name");
+    std::string rows;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        rows += table_row({std::to_string(i + 1), pair_text(points[i]), i < reached.size() ? pair_text(reached[i]) : "",
+                           i < angles.size() ? cell_text(angles[i]) : "",
+                           i < distances.size() ? cell_text(distances[i]) : ""});
+    const std::string title = name.empty() ? "Targets" : fmt::format("Targets of '{}'", name);
+    return rows.empty()
+               ? ""
+               : in_details(title, table_of(title, {"", "target", "reached", "crank angle", "distance"}, rows));
+}
+
 std::string targets_table(const Json& document) {
+    std::string text;
     for (const char* kind : {"path", "poses"}) {
-        const Json& path = object_in(document, kind);
-        const Json &points = list_in(path, "points"), &reached = list_in(path, "reached"),
-                   &distances = list_in(path, "distances"), &angles = list_in(path, "crank_angles");
-        std::string rows;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            rows += table_row(
-                {std::to_string(i + 1), pair_text(points[i]), i < reached.size() ? pair_text(reached[i]) : "",
-                 i < angles.size() ? cell_text(angles[i]) : "", i < distances.size() ? cell_text(distances[i]) : ""});
-        if (!rows.empty())
-            return in_details("Targets",
-                              table_of("Targets", {"", "target", "reached", "crank angle", "distance"}, rows));
+        if (const Json& list = list_in(document, kind); !list.empty())
+            for (const Json& path : list)
+                text += points_table(path);
+        else
+            text += points_table(object_in(document, kind));
     }
-    return {};
+    return text;
 }
 
 std::string verification_table(const Json& document) {

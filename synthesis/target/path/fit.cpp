@@ -17,7 +17,12 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-const PathRoles& roles_of(const Program& program) { return program.problem->mechanism->point->roles; }
+/// Of the point that a target guides; the placement is the same for all.
+const PathRoles& roles_of(const Program& program, std::size_t target = 0) {
+    return program.problem->mechanism->roles_of(target);
+}
+
+std::size_t targets_of(const Program& program) { return program.problem->path->targets(); }
 
 /// Beside a path no dimension is tied to another: each has a variable of its own, or none.
 bool is_free(const Program& program, std::size_t dimension) {
@@ -30,16 +35,28 @@ const Variable& variable_of(const Program& program, std::size_t dimension) {
 
 /// Whether a dimension belongs to the links, and grows with them.
 bool grows_with_links(const Program& program, std::size_t dimension) {
-    const PathRoles& roles = roles_of(program);
     const Dimension& d = program.problem->mechanism->dimensions[dimension];
-    const auto placed = {roles.along, roles.across, roles.origin_x, roles.origin_y};
-    return scales(d.kind) && !d.of_target && std::find(placed.begin(), placed.end(), dimension) == placed.end();
+    if (!scales(d.kind) || d.of_target) return false;
+    for (std::size_t target = 0; target < targets_of(program); ++target) {
+        const PathRoles& roles = roles_of(program, target);
+        const auto placed = {roles.along, roles.across, roles.origin_x, roles.origin_y};
+        if (std::find(placed.begin(), placed.end(), dimension) != placed.end()) return false;
+    }
+    return true;
 }
 
-/// What of a placement is fitted, each one complex number.
+/// What of a placement is fitted, each one complex number; of each target whether its point is.
 struct Fitted {
-    bool origin, size, point;
-    Index count() const { return Index{origin} + Index{size} + Index{point}; }
+    bool origin, size;
+    std::vector<bool> point;
+    Index count() const {
+        return Index{origin} + Index{size} + static_cast<Index>(std::count(point.begin(), point.end(), true));
+    }
+    /// The column of a target's point.
+    Index column_of(std::size_t target) const {
+        const auto before = point.begin() + static_cast<std::ptrdiff_t>(target);
+        return Index{origin} + Index{size} + static_cast<Index>(std::count(point.begin(), before, true));
+    }
 };
 
 /// The size is free where every dimension that grows with the links is, or stays 0.
@@ -49,19 +66,25 @@ Fitted fitted_of(const Program& program, const std::vector<double>& dimensions) 
     bool size = is_free(program, roles.tilt) && !program.problem->mechanism->model_over;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
         if (grows_with_links(program, i)) size = size && (is_free(program, i) || dimensions[i] == 0);
-    return {both(roles.origin_x, roles.origin_y), size, both(roles.along, roles.across)};
+    Fitted fitted{both(roles.origin_x, roles.origin_y), size, {}};
+    for (std::size_t target = 0; target < targets_of(program); ++target)
+        fitted.point.push_back(both(roles_of(program, target).along, roles_of(program, target).across));
+    return fitted;
 }
 
-/// A placement as complex numbers: the guided point on its link, the origin, and Z of the tilt and the size.
+/// A placement as complex numbers: the origin, Z of the tilt and the size, and each guided point on its link.
 struct Placement {
-    Complex point, origin, turn;
+    Complex origin, turn;
+    std::vector<Complex> points{};
 };
 
 Placement placement_of(const Program& program, const std::vector<double>& dimensions) {
     const PathRoles& roles = roles_of(program);
     const auto at = [&](std::size_t i) { return i == no_dimension ? 0 : dimensions[i]; };
-    return {
-        {at(roles.along), at(roles.across)}, {at(roles.origin_x), at(roles.origin_y)}, std::polar(1.0, at(roles.tilt))};
+    Placement placement{{at(roles.origin_x), at(roles.origin_y)}, std::polar(1.0, at(roles.tilt))};
+    for (std::size_t target = 0; target < targets_of(program); ++target)
+        placement.points.emplace_back(at(roles_of(program, target).along), at(roles_of(program, target).across));
+    return placement;
 }
 
 /// The guiding link at the crank angle of a target, without a placement: its own point and its direction. Where the
@@ -71,8 +94,9 @@ struct GuidingLink {
 };
 
 /// Nothing where the mechanism does not assemble.
-std::optional<GuidingLink> guiding_link(const Program& program, std::vector<double> dimensions, double crank_angle) {
-    const PathRoles& roles = roles_of(program);
+std::optional<GuidingLink> guiding_link(const Program& program, std::size_t target, std::vector<double> dimensions,
+                                        double crank_angle) {
+    const PathRoles& roles = roles_of(program, target);
     const Mechanism& mechanism = *program.problem->mechanism;
     for (const std::size_t i : {roles.along, roles.across, roles.origin_x, roles.origin_y, roles.tilt})
         if (i != no_dimension) dimensions[i] = 0;
@@ -80,7 +104,7 @@ std::optional<GuidingLink> guiding_link(const Program& program, std::vector<doub
     const auto guided_point = [&](double along) {
         if (roles.along != no_dimension) dimensions[roles.along] = along;
         PathMiss miss{};
-        miss_of_point(mechanism, program.form(), dimensions, crank_angle, {0, 0}, miss);
+        miss_of_point(mechanism, program.form(target), dimensions, crank_angle, {0, 0}, miss);
         margin = miss.margin;
         return -Complex(miss.miss.x, miss.miss.y);
     };
@@ -94,7 +118,8 @@ std::vector<GuidingLink> guiding_links(const Program& program, const std::vector
                                        const VectorXd& x) {
     std::vector<GuidingLink> all;
     for (std::size_t k = 0; k < program.targets.size(); ++k) {
-        const auto link = guiding_link(program, dimensions, path_angle(program, dimensions, x, k).angle);
+        const auto link = guiding_link(program, program.problem->path->target_of(k), dimensions,
+                                       path_angle(program, dimensions, x, k).angle);
         if (!link) return {};
         all.push_back(*link);
     }
@@ -105,13 +130,15 @@ std::vector<GuidingLink> guiding_links(const Program& program, const std::vector
 Eigen::VectorXcd solved_placement(const Program& program, const Fitted& fitted, const Placement& now,
                                   const std::vector<GuidingLink>& links) {
     const auto n = static_cast<Index>(links.size());
-    Eigen::MatrixXcd columns(n, fitted.count());
+    Eigen::MatrixXcd columns = Eigen::MatrixXcd::Zero(n, fitted.count());
     Eigen::VectorXcd target(n);
     for (Index i = 0; i < n; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const auto& [p, w] = links[k];
         const double weight = std::sqrt(program.problem->path->weights[k]);
-        const Complex of_links = fitted.point ? p : p + now.point * w;
+        const std::size_t guided = program.problem->path->target_of(k);
+        const bool point = fitted.point[guided];
+        const Complex of_links = point ? p : p + now.points[guided] * w;
         Complex known(0);
         Index column = 0;
         if (fitted.origin)
@@ -122,7 +149,7 @@ Eigen::VectorXcd solved_placement(const Program& program, const Fitted& fitted, 
             columns(i, column++) = weight * of_links;
         else
             known += now.turn * of_links;
-        if (fitted.point) columns(i, column++) = weight * w;
+        if (point) columns(i, fitted.column_of(guided)) = weight * w;
         target[i] = weight * (Complex(program.targets[k].x, program.targets[k].y) - known);
     }
     return columns.colPivHouseholderQr().solve(target);
@@ -140,21 +167,33 @@ void set_angle(const Program& program, std::size_t dimension, double angle, Vect
 
 /// Makes the links larger, and with them a guided point that is not fitted by itself.
 void resize_links(const Program& program, const Fitted& fitted, double size, VectorXd& x) {
-    const PathRoles& roles = roles_of(program);
+    const auto is_of_kept_point = [&](std::size_t i) {
+        for (std::size_t target = 0; target < targets_of(program); ++target) {
+            const PathRoles& roles = roles_of(program, target);
+            if (!fitted.point[target] && (i == roles.along || i == roles.across)) return true;
+        }
+        return false;
+    };
     for (std::size_t i = 0; i < program.variable_of.size(); ++i) {
-        const bool grows = grows_with_links(program, i) || (!fitted.point && (i == roles.along || i == roles.across));
+        const bool grows = grows_with_links(program, i) || is_of_kept_point(i);
         if (grows && is_free(program, i)) set_length(program, i, size * x[program.variable_of[i]], x);
     }
 }
 
-/// Turns a guided body so that it faces as it is asked to, in the mean of all directions that are given.
-void turn_body(const Program& program, const std::vector<GuidingLink>& links, const Complex& turn, VectorXd& x) {
+/// Turns the guided body of a target so that it faces as it is asked to, in the mean of all directions that are given.
+void turn_body(const Program& program, std::size_t target, const std::vector<GuidingLink>& links, const Complex& turn,
+               VectorXd& x) {
     const PathTarget& path = *program.problem->path;
+    const PointRange points = path.points_of(target);
     Complex facing(0);  ///< from the guiding link to the directions
-    for (std::size_t k = 0; k < links.size(); ++k)
+    for (std::size_t k = points.first; k < points.end(); ++k)
         if (path.faces(k))
             facing += path.weights[k] * std::conj(links[k].direction) * std::polar(1.0, path.directions[k]);
-    set_angle(program, roles_of(program).body, std::arg(facing / turn), x);
+    set_angle(program, roles_of(program, target).body, std::arg(facing / turn), x);
+}
+
+bool has_poses(const PathTarget& path, std::size_t target) {
+    return path.parts.empty() ? path.guides_body() : path.parts[target].guides_body;
 }
 
 }  // namespace
@@ -188,12 +227,14 @@ void fit_placement(const Program& program, VectorXd& x) {
         resize_links(program, fitted, size, x);
         set_angle(program, roles.tilt, std::arg(z), x);
     }
-    const bool turns = roles.along != no_dimension && is_free(program, roles.body);
-    if (program.problem->path->guides_body() && turns) turn_body(program, links, turn, x);
-    if (fitted.point) {
-        const Complex point = solved[column] / turn;
-        set_length(program, roles.along, point.real(), x);
-        set_length(program, roles.across, point.imag(), x);
+    for (std::size_t target = 0; target < targets_of(program); ++target) {
+        const PathRoles& own = roles_of(program, target);
+        if (own.along != no_dimension && is_free(program, own.body) && has_poses(*program.problem->path, target))
+            turn_body(program, target, links, turn, x);
+        if (!fitted.point[target]) continue;
+        const Complex point = solved[fitted.column_of(target)] / turn;
+        set_length(program, own.along, point.real(), x);
+        set_length(program, own.across, point.imag(), x);
     }
 }
 

@@ -1,18 +1,70 @@
 #include "synthesis/target/path/numbers.h"
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
 namespace mechwright {
 
+namespace {
+
+/// A number in the section of a target, where the file names what it guides.
+std::size_t add_angle(Mechanism& m, std::string name, std::string meaning) {
+    m.dimensions.push_back({std::move(name), DimensionKind::angle, false, std::move(meaning), false, m.point->named});
+    return m.dimensions.size() - 1;
+}
+
+std::string of_target(const GuidedTarget& target) { return " of '" + target.name + "'"; }
+
+/// Those of one of several targets.
+std::vector<Quantity> named_quantities(std::vector<Quantity> quantities, const Mechanism& m, std::size_t target) {
+    for (Quantity& quantity : quantities) {
+        quantity.name = m.guided[target].name + "." + quantity.name;
+        quantity.meaning += of_target(m.guided[target]);
+        quantity.of_target = target;
+    }
+    return quantities;
+}
+
+}  // namespace
+
 void add_crank_start(Mechanism& m) {
-    m.point->roles.start = m.dimensions.size();
-    m.dimensions.push_back({"crank-start", DimensionKind::angle, false,
-                            "crank angle from which prescribed crank angles are counted", false, m.point->named});
+    const std::string meaning = "crank angle from which prescribed crank angles are counted";
+    for (GuidedTarget& target : m.guided)
+        target.roles.start = add_angle(m, target.name + ".crank-start", meaning + of_target(target));
+    m.point->roles.start = m.guided.empty() ? add_angle(m, "crank-start", meaning) : m.guided.front().roles.start;
 }
 
 void add_body_angle(Mechanism& m) {
-    m.point->roles.body = m.dimensions.size();
-    m.body->reads = m.body->reads.and_then(m.dimensions.size(), 1);
-    m.dimensions.push_back({"body-angle", DimensionKind::angle, false,
-                            "direction of a guided body, from " + m.body->angle_from, false, m.point->named});
+    const auto meaning = [](const BodyGuidance& body) { return "direction of a guided body, from " + body.angle_from; };
+    const auto read = [](BodyGuidance& body, std::size_t angle) { body.reads = body.reads.and_then(angle, 1); };
+    for (GuidedTarget& target : m.guided) {
+        if (!target.body) continue;
+        target.roles.body = add_angle(m, target.name + ".body-angle", meaning(*target.body) + of_target(target));
+        read(*target.body, target.roles.body);
+        if (m.point->roles.body != no_dimension) continue;
+        m.point->roles.body = target.roles.body;
+        m.body = target.body;
+    }
+    if (!m.guided.empty()) return;
+    m.point->roles.body = add_angle(m, "body-angle", meaning(*m.body));
+    read(*m.body, m.point->roles.body);
+}
+
+std::vector<Quantity> quantities_of_targets(const Mechanism& m) {
+    std::vector<Quantity> all = m.body ? pose_quantities() : path_quantities();
+    const bool has_path = std::any_of(m.guided.begin(), m.guided.end(), [](const auto& one) { return !one.body; });
+    if (has_path) all = path_quantities();
+    // Of several targets a sum of squares would depend on how many points each has.
+    std::erase_if(all, [](const Quantity& q) { return q.path == PathMeasure::sum_of_squares; });
+    for (Quantity& quantity : all)
+        quantity.meaning = quantity.path == PathMeasure::greatest
+                               ? "greatest distance from a target of all paths and poses"
+                               : "root of the weighted mean of the squares of what all paths and poses have";
+    for (std::size_t i = 0; i < m.guided.size(); ++i)
+        for (Quantity& quantity : named_quantities(m.guided[i].body ? pose_quantities() : path_quantities(), m, i))
+            all.push_back(std::move(quantity));
+    return all;
 }
 
 std::vector<Quantity> path_quantities() {

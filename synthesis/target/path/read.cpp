@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "synthesis/problem/sections/sections.h"
+#include "synthesis/target/path/read_parts.h"
 
 namespace mechwright::reading {
 
@@ -73,7 +74,8 @@ std::vector<double> read_crank_angles(Section& path, const Units& units, const P
 void check_free_timing(Section& path, const PointList& list, Messages& messages) {
     if (const toml::node* angles = find(path, "crank_angles"); angles != nullptr)
         add_error(messages, place_of(*angles),
-                  "'crank_angles' in [path] need timing = \"prescribed\"; with any other leave them out");
+                  fmt::format("'crank_angles' in {} need timing = \"prescribed\"; with any other leave them out",
+                              path.title));
     if (list.points.size() > most_free_points)
         add_error(messages, list.named_at,
                   fmt::format("{} points are too many for free timing: thin the list to at most {}, or prescribe the "
@@ -97,47 +99,97 @@ void refuse_ties(const Section& section, const Problem& problem, Messages& messa
 
 namespace {
 
-/// What a target says of its own where the file names its point: the point and its link, which are known already, and
-/// the numbers that else are dimensions of the mechanism.
-void read_named_point(Section& target, Problem& problem, Messages& messages) {
+/// What a target says of its own where the file names its point: the point and its link, its name and its weight, which
+/// are known already, and the numbers that else are dimensions of the mechanism.
+void read_named_point(Section& target, std::size_t number, Problem& problem, Messages& messages) {
     if (problem.mechanism == nullptr || !problem.mechanism->point->named) return;
-    find(target, "point");
-    find(target, "link");
+    for (const char* key : {"point", "link", "name", "weight"})
+        find(target, key);
     const auto& dimensions = problem.mechanism->dimensions;
-    for (std::size_t i = 0; i < dimensions.size(); ++i) {
-        if (!dimensions[i].of_target) continue;
-        const toml::node* node = find(target, dimensions[i].name);
+    const PathRoles& roles = problem.mechanism->roles_of(number);
+    for (const auto& [key, i] : {std::pair("crank-start", roles.start), {"body-angle", roles.body}}) {
+        if (i == no_dimension || find_key(target.known, key) == nullptr) continue;
+        const toml::node* node = find(target, key);
         if (node == nullptr) continue;
         if (const auto range = to_dimension(*node, dimensions[i], problem.units, messages))
             problem.dimensions[i] = *range;
     }
 }
 
+/// A target beside those that were read: all points have one timing, for they are met in one motion.
+void add_target(PathTarget&& target, const Section& section, Problem& problem, Messages& messages) {
+    if (problem.mechanism == nullptr || problem.mechanism->guided.empty()) {
+        problem.path = std::move(target);
+        return;
+    }
+    const std::size_t number = problem.path ? problem.path->parts.size() : 0;
+    if (number >= problem.mechanism->guided.size()) return;
+    if (!problem.path) problem.path.emplace();
+    PathTarget& whole = *problem.path;
+    if (number > 0 && timing_word(whole) != timing_word(target))
+        add_error(messages, place_of(section, "timing"),
+                  fmt::format("{} has timing = \"{}\", and '{}' has \"{}\": give all paths and poses of a problem one "
+                              "timing",
+                              section.title, timing_word(target), whole.parts.front().name, timing_word(whole)));
+    if (!target.prescribed_timing && whole.points.size() + target.points.size() > most_free_points)
+        add_error(messages, section.place,
+                  fmt::format("{} points of all paths and poses are too many for any timing but a prescribed one: thin "
+                              "their lists to at most {}",
+                              whole.points.size() + target.points.size(), most_free_points));
+    const double weight = section.table->get("weight") ? (*section.table)["weight"].value<double>().value_or(1) : 1;
+    add_part(whole, std::move(target), problem.mechanism->guided[number].name, weight > 0 ? weight : 1);
+}
+
+/// The number of the target that is read next.
+std::size_t next_target(const Problem& problem) { return problem.path ? problem.path->parts.size() : 0; }
+
+/// Whether a mechanism without points of names in files can have so many targets; says so where it cannot.
+bool is_one_target(const std::vector<Section>& sections, const Problem& problem, Messages& messages) {
+    const bool named = problem.mechanism != nullptr && problem.mechanism->point && problem.mechanism->point->named;
+    if (named || sections.size() < 2) return true;
+    add_error(
+        messages, sections[1].place,
+        fmt::format("a {} has one path or poses in this version: leave {} out, or describe the mechanism by its "
+                    "links, mechanism = \"linkage\", whose points and bodies may have several ('mechwright expand' "
+                    "writes it so)",
+                    problem.mechanism == nullptr ? "mechanism" : problem.mechanism->name, sections[1].title));
+    return false;
+}
+
+}  // namespace
+
+namespace {
+
+void read_one_path(Section& path, Problem& problem, Messages& messages) {
+    if (problem.mechanism != nullptr && !problem.mechanism->point)
+        return add_error(messages, path.place,
+                         fmt::format("a {} guides no point along a path: leave [path] out", problem.mechanism->name));
+    refuse_ties(path, problem, messages);
+    read_named_point(path, next_target(problem), problem, messages);
+    PointList list = read_points(path, problem, messages);
+    PathTarget target;
+    const auto timing = read_choice(path, "timing", "timing", messages);
+    target.prescribed_timing = timing == 1u;
+    target.any_order = timing == 2u;
+    target.closed = read_bool(path, "closed", messages).value_or(false);
+    target.weights = read_weights(path, list, messages);
+    if (target.prescribed_timing)
+        target.crank_angles = read_crank_angles(path, problem.units, list, messages);
+    else if (timing || !has(path, "timing"))
+        check_free_timing(path, list, messages);
+    find(path, "crank_angles");
+    report_unknown_keys(path, messages);
+    target.points = std::move(list.points);
+    add_target(std::move(target), path, problem, messages);
+}
+
 }  // namespace
 
 void read_path(Section& file, Problem& problem, Messages& messages) {
-    std::optional<Section> path = read_section(file, "path", messages);
-    if (!path) return;
-    if (problem.mechanism != nullptr && !problem.mechanism->point)
-        return add_error(messages, path->place,
-                         fmt::format("a {} guides no point along a path: leave [path] out", problem.mechanism->name));
-    refuse_ties(*path, problem, messages);
-    read_named_point(*path, problem, messages);
-    PointList list = read_points(*path, problem, messages);
-    PathTarget target;
-    const auto timing = read_choice(*path, "timing", "timing", messages);
-    target.prescribed_timing = timing == 1u;
-    target.any_order = timing == 2u;
-    target.closed = read_bool(*path, "closed", messages).value_or(false);
-    target.weights = read_weights(*path, list, messages);
-    if (target.prescribed_timing)
-        target.crank_angles = read_crank_angles(*path, problem.units, list, messages);
-    else if (timing || !has(*path, "timing"))
-        check_free_timing(*path, list, messages);
-    find(*path, "crank_angles");
-    report_unknown_keys(*path, messages);
-    target.points = std::move(list.points);
-    problem.path = std::move(target);
+    std::vector<Section> paths = read_sections(file, "path", messages);
+    if (!is_one_target(paths, problem, messages)) return;
+    for (Section& path : paths)
+        read_one_path(path, problem, messages);
 }
 
 namespace {
@@ -210,27 +262,38 @@ double read_body_length(Section& poses, const PointList& list, Messages& message
 
 }  // namespace
 
-void read_poses(Section& file, Problem& problem, Messages& messages) {
-    std::optional<Section> poses = read_section(file, "poses", messages);
-    if (!poses) return;
+namespace {
+
+void read_these_poses(Section& poses, Problem& problem, Messages& messages) {
     if (problem.mechanism != nullptr && !problem.mechanism->body)
-        return add_error(messages, poses->place,
+        return add_error(messages, poses.place,
                          fmt::format("a {} guides no body through poses: leave [poses] out", problem.mechanism->name));
-    if (problem.path) return add_error(messages, poses->place, "a problem has a [path] or [poses], not both");
-    read_named_point(*poses, problem, messages);
+    if (problem.path && (problem.mechanism == nullptr || problem.mechanism->guided.empty()))
+        return add_error(messages, poses.place, "a problem has a [path] or [poses], not both");
+    read_named_point(poses, next_target(problem), problem, messages);
     PathTarget target;
-    PointList list = read_pose_list(*poses, problem, target, messages);
-    target.prescribed_timing = read_choice(*poses, "timing", "timing", messages) == 1u;
-    target.body_length = read_body_length(*poses, list, messages);
-    target.weights = read_weights(*poses, list, messages);
+    PointList list = read_pose_list(poses, problem, target, messages);
+    target.prescribed_timing = read_choice(poses, "timing", "timing", messages) == 1u;
+    target.body_length = read_body_length(poses, list, messages);
+    target.weights = read_weights(poses, list, messages);
     if (target.prescribed_timing)
-        target.crank_angles = read_crank_angles(*poses, problem.units, list, messages);
-    else if (const toml::node* angles = find(*poses, "crank_angles"); angles != nullptr)
+        target.crank_angles = read_crank_angles(poses, problem.units, list, messages);
+    else if (const toml::node* angles = find(poses, "crank_angles"); angles != nullptr)
         add_error(messages, place_of(*angles),
-                  "'crank_angles' in [poses] need timing = \"prescribed\"; with free timing leave them out");
-    report_unknown_keys(*poses, messages);
+                  fmt::format("'crank_angles' in {} need timing = \"prescribed\"; with free timing leave them out",
+                              poses.title));
+    report_unknown_keys(poses, messages);
     target.points = std::move(list.points);
-    problem.path = std::move(target);
+    add_target(std::move(target), poses, problem, messages);
+}
+
+}  // namespace
+
+void read_poses(Section& file, Problem& problem, Messages& messages) {
+    std::vector<Section> all = read_sections(file, "poses", messages);
+    if (!is_one_target(all, problem, messages)) return;
+    for (Section& poses : all)
+        read_these_poses(poses, problem, messages);
 }
 
 }  // namespace mechwright::reading

@@ -25,8 +25,9 @@ int decimals_of(const std::vector<Vector<double>>& points) {
     return std::clamp(5 - static_cast<int>(std::floor(std::log10(greatest))), 0, 9);
 }
 
-std::string point_table(const Problem& problem, const Design& design, const PathValues& values) {
-    const bool body = problem.path->guides_body();
+std::string point_table(const Problem& problem, const Design& design, const PathValues& values,
+                        const PointRange& points) {
+    const bool body = problem.path->guides_body_at(points.first);
     Table table{{Align::right, Align::point, Align::point, Align::right, Align::right, Align::right, Align::point}, {}};
     table.rows.push_back({"#", "target x", "y", "reached x", "y", "crank", "distance"});
     if (body) {
@@ -35,11 +36,11 @@ std::string point_table(const Problem& problem, const Design& design, const Path
         table.rows.front() = {"#", "target x", "y", "angle", "reached x", "y", "angle", "crank", "distance"};
     }
     const int decimals = decimals_of(problem.path->points);
-    for (std::size_t i = 0; i < values.distances.size(); ++i) {
+    for (std::size_t i = points.first; i < points.end(); ++i) {
         const Vector<double>& target = problem.path->points[i];
         const Vector<double>& reached = values.reached[i];
         const double angle = in_file_unit(design.path_angles[i], Unit::angle, problem.units);
-        table.rows.push_back({std::to_string(i + 1), number_text(target.x, 6), number_text(target.y, 6),
+        table.rows.push_back({std::to_string(i - points.first + 1), number_text(target.x, 6), number_text(target.y, 6),
                               fixed_text(reached.x, decimals), fixed_text(reached.y, decimals),
                               fixed_text(angle, problem.units.degrees ? 2 : 4), number_text(values.distances[i], 3)});
         if (!body) continue;
@@ -52,20 +53,39 @@ std::string point_table(const Problem& problem, const Design& design, const Path
     return to_text(table, 2);
 }
 
+std::string means_line(const PathMeans& means, const Units& units) {
+    return fmt::format("  distance: root mean square {}, greatest {}\n",
+                       value_with_unit(means.root_mean_square, Unit::length, units),
+                       value_with_unit(means.greatest, Unit::length, units));
+}
+
+/// "Path: 5 points", "Poses: 3", of one of several with its name.
+std::string title_of(bool body, const std::string& name, std::size_t count) {
+    const std::string of = name.empty() ? "" : " '" + name + "'";
+    return body ? fmt::format("Poses{}: {}", of, count)
+                : fmt::format("Path{}: {} point{}", of, count, count == 1 ? "" : "s");
+}
+
+std::string target_section(const Problem& problem, const Design& design, const PathValues& values,
+                           const std::string& name, const PointRange& points, const PathMeans& means, bool colour) {
+    std::string text = heading(title_of(problem.path->guides_body_at(points.first), name, points.count), colour);
+    if (points.count <= most_points_shown) text += point_table(problem, design, values, points);
+    return text + means_line(means, problem.units);
+}
+
 }  // namespace
 
 std::string path_section(const Problem& problem, const Design& design, bool colour) {
     const std::optional<PathValues> values = path_values(problem, design);
     if (!values) return {};
-    const std::size_t count = values->distances.size();
-    std::string text =
-        heading(problem.path->guides_body() ? fmt::format("Poses: {}", count)
-                                            : fmt::format("Path: {} point{}", count, count == 1 ? "" : "s"),
-                colour);
-    if (count <= most_points_shown) text += point_table(problem, design, *values);
-    text += fmt::format("  distance: root mean square {}, greatest {}\n",
-                        value_with_unit(values->root_mean_square, Unit::length, problem.units),
-                        value_with_unit(values->greatest, Unit::length, problem.units));
+    const std::vector<PathPart>& parts = problem.path->parts;
+    if (parts.empty())
+        return target_section(problem, design, *values, {}, {0, values->distances.size()}, *values, colour);
+    std::string text;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += target_section(problem, design, *values, parts[i].name, parts[i].points, values->of_targets[i], colour);
+    if (parts.size() > 1)
+        text += heading(fmt::format("All {} targets", parts.size()), colour) + means_line(*values, problem.units);
     return text;
 }
 

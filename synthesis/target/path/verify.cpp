@@ -18,7 +18,12 @@ constexpr double least_step = 1e-12;  // radians from point to point
 
 double plain(const Digits50& value) { return value.convert_to<double>(); }
 
-std::string nth(std::size_t index) { return fmt::format("point {}", index + 1); }
+/// "point 3", of several targets "point 3 of 'foot'".
+std::string nth(const ClaimedPath& path, std::size_t index) {
+    if (path.parts.empty()) return fmt::format("point {}", index + 1);
+    const PathPart& part = path.parts[path.target_of(index)];
+    return fmt::format("point {} of '{}'", index - part.points.first + 1, part.name);
+}
 
 const Digits50& full_turn() { return boost::math::constants::two_pi<Digits50>(); }
 
@@ -27,24 +32,24 @@ Digits50 within_turn(const Digits50& angle) { return angle - full_turn() * floor
 
 /// The error of each point against a limit; passes if every error is finite and within it.
 template <class Error>
-Check check_each(std::string name, std::size_t count, const Digits50& limit, const Error& error) {
+Check check_each(std::string name, const ClaimedPath& path, const Digits50& limit, const Error& error) {
     Digits50 worst = -1;
     std::size_t at = 0;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
         const Digits50 e = error(i);
-        if (!isfinite(e)) return {std::move(name), false, "the mechanism does not assemble at " + nth(i)};
+        if (!isfinite(e)) return {std::move(name), false, "the mechanism does not assemble at " + nth(path, i)};
         if (e <= worst) continue;
         worst = e;
         at = i;
     }
-    return {
-        std::move(name), worst <= limit,
-        fmt::format("the greatest difference is {} at {}, allowed is {}", size_text(worst), nth(at), size_text(limit))};
+    return {std::move(name), worst <= limit,
+            fmt::format("the greatest difference is {} at {}, allowed is {}", size_text(worst), nth(path, at),
+                        size_text(limit))};
 }
 
 /// The distance between stated and real place of each point.
 Check check_reached(const ClaimedPath& path, const RebuiltPath& rebuilt) {
-    return check_each("reaches the points that are stated", path.points.size(), angular * rebuilt.size,
+    return check_each("reaches the points that are stated", path, angular * rebuilt.size,
                       [&](std::size_t i) -> Digits50 {
                           const Vector<Digits50> stated{path.reached[i].x, path.reached[i].y};
                           const Vector<Digits50> away = stated - rebuilt.reached[i];
@@ -54,12 +59,12 @@ Check check_reached(const ClaimedPath& path, const RebuiltPath& rebuilt) {
 
 /// The difference between stated and real direction of a guided body at each point.
 Check check_faced(const ClaimedPath& path, const RebuiltPath& rebuilt, const Units& units) {
-    return check_each("faces in the directions that are stated", path.points.size(), angular,
-                      [&](std::size_t i) -> Digits50 {
-                          const Digits50 stated = from_document(path.reached_directions[i], Unit::angle, units);
-                          const Digits50 off = within_turn(stated - rebuilt.directions[i]);
-                          return std::min(off, Digits50(full_turn() - off));
-                      });
+    return check_each("faces in the directions that are stated", path, angular, [&](std::size_t i) -> Digits50 {
+        if (!path.guides_body_at(i)) return 0;
+        const Digits50 stated = from_document(path.reached_directions[i], Unit::angle, units);
+        const Digits50 off = within_turn(stated - rebuilt.directions[i]);
+        return std::min(off, Digits50(full_turn() - off));
+    });
 }
 
 /// Distances to a relative 1e-9, and to 1e-12 of the size of the drawing where they vanish.
@@ -70,9 +75,9 @@ Check check_distances(const ClaimedPath& path, const RebuiltPath& rebuilt) {
         const Digits50 difference = abs(distance - path.distances[i]);
         if (difference <= 1e-9 * distance + 1e-12 * rebuilt.size) continue;
         check.passed = false;
-        check.detail = isfinite(distance) ? fmt::format("{} is {:.15g} away, stated is {:.15g}", nth(i),
+        check.detail = isfinite(distance) ? fmt::format("{} is {:.15g} away, stated is {:.15g}", nth(path, i),
                                                         distance.convert_to<double>(), path.distances[i])
-                                          : "the mechanism does not assemble at " + nth(i);
+                                          : "the mechanism does not assemble at " + nth(path, i);
         return check;
     }
     check.detail = fmt::format("all {} measured again", path.points.size());
@@ -81,14 +86,15 @@ Check check_distances(const ClaimedPath& path, const RebuiltPath& rebuilt) {
 
 Check check_prescribed(const Rebuilt& design) {
     const Claim& claim = *design.claim;
-    const Digits50& start = design.dimensions[claim.mechanism->point->roles.start];
-    return check_each("meets the points at the prescribed crank angles", claim.path->points.size(), angular,
-                      [&](std::size_t i) -> Digits50 {
-                          const Digits50 due =
-                              start + from_document(claim.path->prescribed_angles[i], Unit::angle, claim.units);
-                          const Digits50 off = within_turn(design.path->crank_angles[i] - due);
-                          return std::min(off, Digits50(full_turn() - off));
-                      });
+    const auto start = [&](std::size_t i) -> const Digits50& {
+        return design.dimensions[claim.mechanism->roles_of(claim.path->target_of(i)).start];
+    };
+    return check_each(
+        "meets the points at the prescribed crank angles", *claim.path, angular, [&](std::size_t i) -> Digits50 {
+            const Digits50 due = start(i) + from_document(claim.path->prescribed_angles[i], Unit::angle, claim.units);
+            const Digits50 off = within_turn(design.path->crank_angles[i] - due);
+            return std::min(off, Digits50(full_turn() - off));
+        });
 }
 
 /// A range of crank angles, radians.
@@ -97,41 +103,73 @@ struct Range {
     Digits50 to;
 };
 
-/// The crank angles that are swept if the points are met in order in a direction; nothing if they cannot be: an angle
-/// is met twice, or the crank needs more than a turn (exactly one is allowed where the last point is the first again).
-std::optional<Range> swept_in_order(const RebuiltPath& path, bool ends_meet, int direction) {
+/// The crank angles that are swept if the points of a target are met in order in a direction; nothing if they cannot
+/// be: an angle is met twice, or the crank needs more than a turn (exactly one is allowed where the last point is the
+/// first again).
+std::optional<Range> swept_in_order(const Rebuilt& design, const PointRange& points, int direction) {
+    const std::vector<Vector<double>>& asked = design.claim->path->points;
+    const Vector<double>&first = asked[points.first], &last = asked[points.end() - 1];
+    const bool ends_meet = points.count > 2 && first.x == last.x && first.y == last.y;
+    const std::vector<Digits50>& angles = design.path->crank_angles;
     Digits50 swept = 0;
-    for (std::size_t i = 1; i < path.crank_angles.size(); ++i) {
-        const Digits50 step = within_turn(direction * (path.crank_angles[i] - path.crank_angles[i - 1]));
+    for (std::size_t i = points.first + 1; i < points.end(); ++i) {
+        const Digits50 step = within_turn(direction * (angles[i] - angles[i - 1]));
         if (step < least_step) return std::nullopt;
         swept += step;
     }
     if (swept > full_turn() + (ends_meet ? angular : -least_step)) return std::nullopt;
-    const Digits50& first = path.crank_angles.front();
-    return direction > 0 ? Range{first, first + swept} : Range{first - swept, first};
+    const Digits50& begin = angles[points.first];
+    return direction > 0 ? Range{begin, begin + swept} : Range{begin - swept, begin};
 }
 
-/// The sweeps by which the crank can meet the points: of a timed path the one from the least to the greatest angle.
+/// From the least to the greatest angle of some points.
+Range range_of(const std::vector<Digits50>& angles, const PointRange& points) {
+    const auto from = angles.begin() + static_cast<std::ptrdiff_t>(points.first);
+    const auto [least, greatest] = std::minmax_element(from, from + static_cast<std::ptrdiff_t>(points.count));
+    return {*least, *greatest};
+}
+
+/// The shortest range that holds several, each turned on by whole turns.
+Range shortest_over(const std::vector<Range>& ranges) {
+    std::optional<Range> shortest;
+    for (const Range& first : ranges) {
+        Range one = first;
+        for (const Range& range : ranges) {
+            const Digits50 ahead = within_turn(range.from - first.from);
+            // What begins where the first does may by rounding seem to begin a turn later.
+            const Digits50 begin = full_turn() - ahead < angular ? Digits50(0) : ahead;
+            one.to = std::max<Digits50>(one.to, first.from + begin + (range.to - range.from));
+        }
+        if (!shortest || one.to - one.from < shortest->to - shortest->from) shortest = one;
+    }
+    return *shortest;
+}
+
+/// The sweeps by which the crank can meet the points of all targets: those of each by itself, in one direction.
 std::vector<Range> sweeps(const Rebuilt& design) {
-    const ClaimedPath& path = *design.claim->path;
+    const Claim& claim = *design.claim;
+    const ClaimedPath& path = *claim.path;
+    std::vector<Range> ranges;
     if (path.prescribed_timing) {
-        const auto [least, greatest] =
-            std::minmax_element(path.prescribed_angles.begin(), path.prescribed_angles.end());
-        const Digits50& start = design.dimensions[design.claim->mechanism->point->roles.start];
-        return {{start + from_document(*least, Unit::angle, design.claim->units),
-                 start + from_document(*greatest, Unit::angle, design.claim->units)}};
+        std::vector<Digits50> due;
+        for (std::size_t i = 0; i < path.points.size(); ++i)
+            due.push_back(design.dimensions[claim.mechanism->roles_of(path.target_of(i)).start] +
+                          from_document(path.prescribed_angles[i], Unit::angle, claim.units));
+        for (std::size_t target = 0; target < path.targets(); ++target)
+            ranges.push_back(range_of(due, path.points_of(target)));
+        return {shortest_over(ranges)};
     }
     if (path.any_order) {
         if (design.motion.full_turn) return {{0, full_turn()}};
-        const auto [least, greatest] =
-            std::minmax_element(design.path->crank_angles.begin(), design.path->crank_angles.end());
-        return {{*least, *greatest}};
+        return {range_of(design.path->crank_angles, path.points_of(every_target))};
     }
-    const Vector<double>&first = path.points.front(), &last = path.points.back();
-    const bool ends_meet = path.points.size() > 2 && first.x == last.x && first.y == last.y;
     std::vector<Range> possible;
-    for (const int direction : {1, -1})
-        if (const auto range = swept_in_order(*design.path, ends_meet, direction)) possible.push_back(*range);
+    for (const int direction : {1, -1}) {
+        ranges.clear();
+        for (std::size_t target = 0; target < path.targets(); ++target)
+            if (const auto range = swept_in_order(design, path.points_of(target), direction)) ranges.push_back(*range);
+        if (ranges.size() == path.targets()) possible.push_back(shortest_over(ranges));
+    }
     return possible;
 }
 
@@ -143,28 +181,30 @@ std::string range_text(const Rebuilt& design, const Range& range) {
 /// The curve of the guided point over the motion: evenly spaced samples in double, of which those are left out that the
 /// rounding of the ends of a limited motion puts out of reach.
 struct SampledCurve {
-    std::vector<double> crank_angles;
-    std::vector<Vector<double>> points;
+    std::size_t target = 0;  ///< of which it is the curve
+    std::vector<double> crank_angles{};
+    std::vector<Vector<double>> points{};
 };
 
-Vector<double> curve_point(const Rebuilt& design, double crank_angle) {
+Vector<double> curve_point(const Rebuilt& design, std::size_t target, double crank_angle) {
     const Claim& claim = *design.claim;
-    const Vector<Digits50> p = point_again(*claim.mechanism, claim.assembly, design.dimensions, Digits50(crank_angle));
+    const Vector<Digits50> p = point_again(*claim.mechanism, claim.mechanism->form(claim.assembly, target),
+                                           design.dimensions, Digits50(crank_angle));
     return {plain(p.x), plain(p.y)};
 }
 
 double distance_between(const Vector<double>& a, const Vector<double>& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// A full turn is sampled from a step before it to a step after it, so that every place of it has neighbours.
-SampledCurve sampled_curve(const Rebuilt& design) {
+SampledCurve sampled_curve(const Rebuilt& design, std::size_t target) {
     constexpr int steps = 720;
     const Motion& motion = design.motion;
     const double step = (motion.full_turn ? plain(full_turn()) : motion.to - motion.from) / steps;
     const int beyond = motion.full_turn ? 1 : 0;
-    SampledCurve curve;
+    SampledCurve curve{target};
     for (int i = -beyond; i <= steps + beyond; ++i) {
         const double angle = (motion.full_turn ? 0 : motion.from) + i * step;
-        const Vector<double> p = curve_point(design, angle);
+        const Vector<double> p = curve_point(design, target, angle);
         if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
         curve.crank_angles.push_back(angle);
         curve.points.push_back(p);
@@ -175,7 +215,7 @@ SampledCurve sampled_curve(const Rebuilt& design) {
 /// The least distance from a target around the k-th sample of the curve, by golden sections between its neighbours, to
 /// half the digits of a double: a least value is flat.
 double refined_distance(const Rebuilt& design, const SampledCurve& curve, std::size_t k, const Vector<double>& target) {
-    const auto away = [&](double angle) { return distance_between(curve_point(design, angle), target); };
+    const auto away = [&](double angle) { return distance_between(curve_point(design, curve.target, angle), target); };
     const double left = curve.crank_angles[k - std::min<std::size_t>(k, 1)];
     const double right = curve.crank_angles[std::min(k + 1, curve.points.size() - 1)];
     constexpr int steps = 40;  // the steps of a curve are below 0.01 rad, to 1e-10 rad
@@ -198,21 +238,25 @@ double least_distance(const Rebuilt& design, const SampledCurve& curve, const Ve
     return least;
 }
 
-/// No place of the curve is nearer to a target than is stated.
+/// No place of the curve that is guided along a target is nearer to a point of it than is stated.
 Check check_nearest(const Rebuilt& design) {
     const ClaimedPath& path = *design.claim->path;
     Check check{"every point counts by the nearest point of the curve", true, {}};
-    const SampledCurve curve = sampled_curve(design);
-    if (curve.points.empty()) return {check.name, false, "the mechanism assembles nowhere"};
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
-        const double stated = plain(design.path->distances[i]);
-        const double least = least_distance(design, curve, path.points[i], stated);
-        if (stated <= least + angular * plain(design.path->size)) continue;
-        check.passed = false;
-        check.detail = fmt::format("{} is {:.15g} away, a point of the curve only {:.15g}", nth(i), stated, least);
-        return check;
+    for (std::size_t target = 0; target < path.targets() && check.passed; ++target) {
+        const SampledCurve curve = sampled_curve(design, target);
+        if (curve.points.empty()) return {check.name, false, "the mechanism assembles nowhere"};
+        check.detail = fmt::format("no place between {} points of the curve is closer", curve.points.size());
+        const PointRange points = path.points_of(target);
+        for (std::size_t i = points.first; i < points.end(); ++i) {
+            const double stated = plain(design.path->distances[i]);
+            const double least = least_distance(design, curve, path.points[i], stated);
+            if (stated <= least + angular * plain(design.path->size)) continue;
+            check.passed = false;
+            check.detail =
+                fmt::format("{} is {:.15g} away, a point of the curve only {:.15g}", nth(path, i), stated, least);
+            break;
+        }
     }
-    check.detail = fmt::format("no place between {} points of the curve is closer", curve.points.size());
     return check;
 }
 

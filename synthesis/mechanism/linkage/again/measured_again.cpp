@@ -113,7 +113,7 @@ Digits50 least_of_poses(const Scan& scan, const OfPose& of_pose) {
 /// The distance of the guided point from what it follows at its greatest, or how far it follows.
 template <class Shape>
 Digits50 of_followed(const Scan& scan, std::span<const Digits50> numbers, LinkageMeasure::Kind kind) {
-    const std::size_t pin = scan.model.guided->pin;
+    const std::size_t pin = scan.model.guided.front().pin;
     std::array<Digits50, Shape::parameters> shape;
     std::copy_n(numbers.begin(), shape.size(), shape.begin());
     if (kind == LinkageMeasure::Kind::extent) {

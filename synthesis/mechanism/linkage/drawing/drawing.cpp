@@ -68,9 +68,9 @@ std::vector<Body> bodies(const MovingDesign& design, double symbol, double) {
     for (std::size_t link = 1; link < shape.links.size(); ++link)
         made[body_of(shape.first_body, link)] = link_body(shape, link, symbol);
     // A guided point that is a joint is among the pins only.
-    if (const auto& guided = model_of(design).guided) {
-        std::vector<Vector<double>>& points = made[body_of(shape.first_body, guided->link)].points;
-        const Vector<double> at = shape.at(coordinates_on(shape.structure.pins[guided->pin], guided->link));
+    for (const GuidedPoint& guided : model_of(design).guided) {
+        std::vector<Vector<double>>& points = made[body_of(shape.first_body, guided.link)].points;
+        const Vector<double> at = shape.at(coordinates_on(shape.structure.pins[guided.pin], guided.link));
         const auto is_it = [&](const Vector<double>& p) { return p.x == at.x && p.y == at.y; };
         if (std::none_of(points.begin(), points.end(), is_it)) points.push_back(at);
     }

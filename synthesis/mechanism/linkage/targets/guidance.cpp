@@ -32,19 +32,20 @@ double least_margin(const linkage::Pose<double>& pose) {
 
 /// Where the linkage does not close, its dyads stand at their limits. `body` is the angle from the link to the body.
 template <class T>
-Guided<T> guided(const LinkageModel& model, std::size_t assembly, const Ways& ways, std::span<const T> dimensions,
+Guided<T> guided(const LinkageModel& model, const Form& form, const Ways& ways, std::span<const T> dimensions,
                  const T& crank_angle, const T& body) {
     using std::cos, std::sin;
+    const GuidedPoint& point = model.guided[form.guided];
     const std::vector<T> numbers = numbers_of(model, dimensions);
-    linkage::Driven<T> driven(model.structure, model.order, std::span<const T>(numbers), model.sides[assembly],
+    linkage::Driven<T> driven(model.structure, model.order, std::span<const T>(numbers), model.sides[form.assembly],
                               laws_of(model));
     driven.shortfall = std::numeric_limits<double>::infinity();
     driven.set_ways(ways);
     driven.place(crank_angle);
     const T tilt = model.placement[2].at(dimensions);
     const Vector<T> across{cos(tilt), sin(tilt)}, turn{cos(body), sin(body)};
-    const Vector<T> at = turned(driven.pose.pins[model.guided->pin], across);
-    const Vector<T> facing = turned(turned(driven.pose.links[model.guided->link].along, across), turn);
+    const Vector<T> at = turned(driven.pose.pins[point.pin], across);
+    const Vector<T> facing = turned(turned(driven.pose.links[point.link].along, across), turn);
     const T scale = model.scale.at(dimensions);
     Guided<T> made{{model.placement[0].at(dimensions) + scale * at.x, model.placement[1].at(dimensions) + scale * at.y,
                     facing.x, facing.y},
@@ -70,7 +71,7 @@ double miss(Form form, std::span<const double> dimensions, double crank_angle, c
     const std::size_t n = arguments.size(), lengths = n - (faces ? 2 : 1);
     const Ways ways = ways_of(model, std::span(arguments).first(lengths), form.assembly);
     const auto place = [&]<class T>(std::span<const T> x) {
-        return guided<T>(model, form.assembly, ways, x.first(lengths), x[n - 1], faces ? x[n - 2] : T(0));
+        return guided<T>(model, form, ways, x.first(lengths), x[n - 1], faces ? x[n - 2] : T(0));
     };
     const Guided<double> here = place(std::span<const double>(arguments));
     for (std::size_t c = 0; c < Count; ++c)
@@ -138,7 +139,8 @@ Vector<Digits50> point_in_fifty_digits(Form form, std::span<const Digits50> dime
     if (!pose) return {Digits50(std::numeric_limits<double>::quiet_NaN()), 0};
     const Loop<Digits50> loop(model.structure, numbers_of(model, dimensions));
     const Digits50 tilt = model.placement[2].at(dimensions), scale = model.scale.at(dimensions);
-    const Vector<Digits50> at = turned(loop.pin(model.guided->pin, *pose), Vector<Digits50>{cos(tilt), sin(tilt)});
+    const Vector<Digits50> at =
+        turned(loop.pin(model.guided[form.guided].pin, *pose), Vector<Digits50>{cos(tilt), sin(tilt)});
     return {model.placement[0].at(dimensions) + scale * at.x, model.placement[1].at(dimensions) + scale * at.y};
 }
 
@@ -146,7 +148,7 @@ Digits50 direction_in_fifty_digits(Form form, std::span<const Digits50> dimensio
     const LinkageModel& model = linkage_of(form.model);
     const auto pose = pose_again(form, dimensions, crank_angle);
     if (!pose) return std::numeric_limits<double>::quiet_NaN();
-    return pose->turns[model.guided->link] + model.placement[2].at(dimensions);
+    return pose->turns[model.guided[form.guided].link] + model.placement[2].at(dimensions);
 }
 
 /// The dimension that a number is, if it is just that.
@@ -164,22 +166,27 @@ std::size_t uses_of(const LinkageModel& model, std::size_t dimension) {
 
 }  // namespace
 
-PointGuidance linkage_point_guidance(const LinkageModel& model, std::size_t dimensions) {
-    PointGuidance guidance;
-    guidance.reads = Reads(dimensions);
-    guidance.named = true;
-    guidance.roles = {no_dimension, no_dimension, dimension_of(model.placement[0]), dimension_of(model.placement[1]),
-                      dimension_of(model.placement[2])};
-    const linkage::Pin& pin = model.structure.pins[model.guided->pin];
+PathRoles linkage_path_roles(const LinkageModel& model, const GuidedPoint& guided) {
+    PathRoles roles{no_dimension, no_dimension, dimension_of(model.placement[0]), dimension_of(model.placement[1]),
+                    dimension_of(model.placement[2])};
+    const linkage::Pin& pin = model.structure.pins[guided.pin];
     if (const linkage::Coordinates& at = pin.points.front().at; pin.points.size() == 1 && !at.polar) {
         const std::size_t along = dimension_of(model.numbers[at.first]),
                           across = dimension_of(model.numbers[at.second]);
         const auto is_its_own = [&](std::size_t d) { return d != no_dimension && uses_of(model, d) == 1; };
         if (along != across && is_its_own(along) && is_its_own(across)) {
-            guidance.roles.along = along;
-            guidance.roles.across = across;
+            roles.along = along;
+            roles.across = across;
         }
     }
+    return roles;
+}
+
+PointGuidance linkage_point_guidance(const LinkageModel& model, std::size_t dimensions) {
+    PointGuidance guidance;
+    guidance.reads = Reads(dimensions);
+    guidance.named = true;
+    guidance.roles = linkage_path_roles(model, model.guided.front());
     guidance.miss = miss_point;
     guidance.point = point_in_fifty_digits;
     return guidance;
@@ -188,14 +195,14 @@ PointGuidance linkage_point_guidance(const LinkageModel& model, std::size_t dime
 Vector<double> guided_point_of_linkage(Form form, std::span<const double> dimensions, double crank_angle) {
     const LinkageModel& model = linkage_of(form.model);
     const Ways ways = ways_of(model, dimensions, form.assembly);
-    const auto at = guided(model, form.assembly, ways, dimensions, crank_angle, 0.0).coordinates;
+    const auto at = guided(model, form, ways, dimensions, crank_angle, 0.0).coordinates;
     return {at[0], at[1]};
 }
 
-BodyGuidance linkage_body_guidance(const LinkageModel& model, std::size_t dimensions) {
+BodyGuidance linkage_body_guidance(const LinkageModel& model, const GuidedPoint& guided, std::size_t dimensions) {
     BodyGuidance guidance;
     guidance.reads = Reads(dimensions);
-    guidance.angle_from = "the x axis of the link '" + model.links[model.guided->link] + "'";
+    guidance.angle_from = "the x axis of the link '" + model.links[guided.link] + "'";
     guidance.miss = miss_body;
     guidance.direction = direction_in_fifty_digits;
     return guidance;

@@ -8,7 +8,9 @@ namespace mechwright {
 namespace {
 
 bool has_limits_along_normals(const Program& program) {
-    return program.path && program.path->squares && program.untimed_path() && residuals_per_point(program) == 2;
+    // Of several targets each may have a limit of its own.
+    return program.path && program.path->squares && program.untimed_path() && residuals_per_point(program) == 2 &&
+           program.problem->path->parts.empty();
 }
 
 /// Takes the limits on squared distances out of the rows: the least one, as a distance, or nothing where not every

@@ -19,7 +19,7 @@ struct Sample {
 };
 
 /// A point of the curve and, if asked for, its derivative by the crank angle.
-bool point_at(const Problem& problem, const Design& design, double angle, Vector<double>& point,
+bool point_at(const Problem& problem, const Design& design, std::size_t guided, double angle, Vector<double>& point,
               Vector<double>* slope) {
     std::array<double, PointGuidance::most_reads + 1> x{};
     std::array<double, PointGuidance::most_reads + 1> y{};
@@ -28,31 +28,32 @@ bool point_at(const Problem& problem, const Design& design, double angle, Vector
         miss.gradient_x = x;
         miss.gradient_y = y;
     }
-    miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly), design.dimensions, angle, {0, 0}, miss);
+    miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly, guided), design.dimensions, angle,
+                  {0, 0}, miss);
     point = -miss.miss;
     const std::size_t last = problem.mechanism->point->reads.size();
     if (slope) *slope = {-x[last], -y[last]};
     return miss.margin >= 0;
 }
 
-std::vector<Sample> sampled_curve(const Problem& problem, const Design& design) {
+std::vector<Sample> sampled_curve(const Problem& problem, const Design& design, std::size_t guided) {
     const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     std::vector<Sample> curve;
     if (!(motion.from <= motion.to)) return curve;
     for (int i = 0; i <= curve_samples; ++i) {
         Sample s{motion.from + i * (motion.to - motion.from) / curve_samples, {}};
-        if (point_at(problem, design, s.angle, s.point, nullptr)) curve.push_back(s);
+        if (point_at(problem, design, guided, s.angle, s.point, nullptr)) curve.push_back(s);
     }
     return curve;
 }
 
 /// The crank angle at which the distance from a target is least between two samples around a third.
-double refined(const Problem& problem, const Design& design, const Vector<double>& target, double left, double right,
-               double middle) {
+double refined(const Problem& problem, const Design& design, std::size_t guided, const Vector<double>& target,
+               double left, double right, double middle) {
     const auto slope = [&](double angle) {
         Vector<double> point;
         Vector<double> tangent;
-        point_at(problem, design, angle, point, &tangent);
+        point_at(problem, design, guided, angle, point, &tangent);
         return dot(point - target, tangent);
     };
     const double at_left = slope(left);
@@ -61,14 +62,14 @@ double refined(const Problem& problem, const Design& design, const Vector<double
     return zero_between(slope, left, right, at_left, at_right);
 }
 
-}  // namespace
-
-void meet_nearest_points(const Problem& problem, Design& design) {
-    const std::vector<Sample> curve = sampled_curve(problem, design);
+/// The points of one target, by the curve that is guided along them.
+void meet_points(const Problem& problem, std::size_t guided, Design& design) {
+    const std::vector<Sample> curve = sampled_curve(problem, design, guided);
     if (curve.empty()) return;
     const auto last = curve.size() - 1;
     const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
-    for (std::size_t i = 0; i < problem.path->points.size(); ++i) {
+    const PointRange points = problem.path->points_of(guided);
+    for (std::size_t i = points.first; i < points.end(); ++i) {
         const Vector<double>& target = problem.path->points[i];
         const auto square = [&](const Vector<double>& p) { return dot(p - target, p - target); };
         double least = std::numeric_limits<double>::infinity();
@@ -80,17 +81,32 @@ void meet_nearest_points(const Problem& problem, Design& design) {
             if (here > square(curve[before].point) || here > square(curve[after].point)) continue;
             const double step = (motion.to - motion.from) / curve_samples;
             const bool at_end = !motion.full_turn && (k == 0 || k == last);
-            const double angle =
-                at_end ? curve[k].angle
-                       : refined(problem, design, target, curve[k].angle - step, curve[k].angle + step, curve[k].angle);
+            const double angle = at_end ? curve[k].angle
+                                        : refined(problem, design, guided, target, curve[k].angle - step,
+                                                  curve[k].angle + step, curve[k].angle);
             Vector<double> point;
-            if (!point_at(problem, design, angle, point, nullptr)) continue;
+            if (!point_at(problem, design, guided, angle, point, nullptr)) continue;
             if (square(point) < least) {
                 least = square(point);
                 design.path_angles[i] = angle;
             }
         }
     }
+}
+
+}  // namespace
+
+void set_prescribed_angles(const Problem& problem, Design& design) {
+    const PathTarget& path = *problem.path;
+    design.path_angles.resize(path.crank_angles.size());
+    for (std::size_t i = 0; i < path.crank_angles.size(); ++i)
+        design.path_angles[i] =
+            design.dimensions[problem.mechanism->roles_of(path.target_of(i)).start] + path.crank_angles[i];
+}
+
+void meet_nearest_points(const Problem& problem, Design& design) {
+    for (std::size_t target = 0; target < problem.path->targets(); ++target)
+        meet_points(problem, target, design);
 }
 
 }  // namespace mechwright

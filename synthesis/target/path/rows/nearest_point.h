@@ -1,10 +1,14 @@
 #pragma once
 /// \file
-/// The points of a guided curve nearest to the targets of a path without timing.
+/// The crank angles of a design at its targets: prescribed ones, and those of the points of a guided curve nearest to
+/// the targets of a path without timing.
 
 #include "synthesis/program/result.h"
 
 namespace mechwright {
+
+/// Sets the crank angles at the points of a timed path: each is counted from the start of its target.
+void set_prescribed_angles(const Problem& problem, Design& design);
 
 /// Sets the crank angle of each target to that of the nearest point of the whole curve: the best of all local minima of
 /// the distance, each bracketed between samples and located to rounding. Angles stay as they are where the mechanism

@@ -66,6 +66,12 @@ void scale(Residual& r, double length, std::size_t arguments, int order) {
         r.hessian[k] *= length;
 }
 
+void set_zero(Residual& r, std::size_t arguments, int order) {
+    r.value = 0;
+    if (order >= 1) std::fill_n(r.gradient.begin(), arguments, 0.0);
+    if (order >= 2) std::fill_n(r.hessian.begin(), arguments * (arguments + 1) / 2, 0.0);
+}
+
 /// Derivatives by dimensions as those by the variables that they are multiples of.
 void by_variables(Residual& r, std::span<const double> times, int order) {
     for (std::size_t k = 0; order >= 1 && k < times.size(); ++k)
@@ -80,23 +86,27 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     const Mechanism& mechanism = *program.problem->mechanism;
     const PathTarget& target = *program.problem->path;
     const PathAngle angle = path_angle(program, dimensions, x, point);
-    const Reads& reads = target.guides_body() ? mechanism.body->reads : mechanism.point->reads;
+    const std::size_t guided = target.target_of(point);
+    const bool body = target.guides_body_at(point);
+    const Reads& reads = body ? mechanism.body_of(guided)->reads : mechanism.point->reads;
     auto& r = t.residuals;
     t.arguments = reads.size() + 1;
+    t.count = residuals_per_point(program);
     PoseMiss miss{into(r[0], r[1], order), into(r[2], r[3], order)};
-    if (target.guides_body()) {
+    if (body) {
         const double direction = target.faces(point) ? target.directions[point] : 0;
-        miss_of_body(mechanism, program.form(), dimensions, angle.angle, program.targets[point],
+        miss_of_body(mechanism, program.form(guided), dimensions, angle.angle, program.targets[point],
                      {std::cos(direction), std::sin(direction)}, miss);
-        t.count = 4;
         r[2].value = miss.turn.miss.x;
         r[3].value = miss.turn.miss.y;
-        const double length = target.faces(point) ? target.body_length / program.length : 0;
+        const double length = target.faces(point) ? target.body_length_at(point) / program.length : 0;
         scale(r[2], length, t.arguments, order);
         scale(r[3], length, t.arguments, order);
     } else {
-        miss_of_point(mechanism, program.form(), dimensions, angle.angle, program.targets[point], miss.place);
-        t.count = 2;
+        miss_of_point(mechanism, program.form(guided), dimensions, angle.angle, program.targets[point], miss.place);
+        // Beside poses a point that has no direction misses none.
+        for (std::size_t c = 2; c < t.count; ++c)
+            set_zero(r[c], t.arguments, order);
     }
     r[0].value = miss.place.miss.x;
     r[1].value = miss.place.miss.y;
@@ -111,7 +121,7 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
         times[i] = program.times[reads[i]];
     }
     t.variable[reads.size()] = angle.variable;
-    times[reads.size()] = program.untimed_path() ? 1 : program.times[program.problem->mechanism->point->roles.start];
+    times[reads.size()] = program.untimed_path() ? 1 : program.times[mechanism.roles_of(guided).start];
     if (std::all_of(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(t.arguments),
                     [](double f) { return f == 1; }))
         return;
@@ -119,11 +129,38 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
         by_variables(t.residuals[k], std::span(times).first(t.arguments), order);
 }
 
-double weight_sum(const Program& program) {
+/// Whether a point counts in a mean.
+bool counts(const PathBlock::Mean& mean, const PathTarget& target, std::size_t point) {
+    return mean.of_target == every_target || target.target_of(point) == mean.of_target;
+}
+
+double weight_sum(const PathTarget& target, const PathBlock::Mean& mean) {
+    const PointRange points = target.points_of(mean.of_target);
     double sum = 0;
-    for (const double w : program.problem->path->weights)
-        sum += w;
+    for (std::size_t i = points.first; i < points.end(); ++i)
+        sum += target.weights[i];
     return sum;
+}
+
+/// Sums and means, once the sums are known.
+void write_means(const Program& program, bool derivatives, Outputs& out) {
+    for (std::size_t m = 0; m < program.path->means.size(); ++m) {
+        const PathBlock::Mean& mean = program.path->means[m];
+        const auto column = static_cast<Index>(m);
+        const double sum = out.path_sums[column];
+        if (mean.sum) {
+            out.value[static_cast<Index>(*mean.sum)] = sum;
+            if (derivatives)
+                out.jacobian.row(static_cast<Index>(*mean.sum)) = out.path_gradients.col(column).transpose();
+        }
+        if (!mean.rms) continue;
+        const double weights = weight_sum(*program.problem->path, mean);
+        const double rms = std::sqrt(sum / weights);
+        out.value[static_cast<Index>(*mean.rms)] = rms;
+        if (derivatives && rms > 0)
+            out.jacobian.row(static_cast<Index>(*mean.rms)) =
+                out.path_gradients.col(column).transpose() / (2 * weights * rms);
+    }
 }
 
 }  // namespace
@@ -145,7 +182,7 @@ PathAngle path_angle(const Program& program, std::span<const double> dimensions,
         const auto variable = static_cast<std::ptrdiff_t>(program.first_path_angle + point);
         return {x[variable], variable};
     }
-    const std::size_t start = program.problem->mechanism->point->roles.start;
+    const std::size_t start = program.problem->mechanism->roles_of(program.problem->path->target_of(point)).start;
     return {dimensions[start] + program.problem->path->crank_angles[point], program.variable_of[start]};
 }
 
@@ -153,15 +190,17 @@ bool evaluate_path(const Program& program, const VectorXd& x, bool derivatives, 
     const PathBlock& path = *program.path;
     const PathTarget& target = *program.problem->path;
     PointTerms t;
-    double sum = 0;
-    VectorXd& sum_gradient = out.path_gradient;
-    if (derivatives) sum_gradient.setZero(static_cast<Index>(program.size()));
+    const auto means = static_cast<Index>(path.means.size());
+    const auto mean = [&](Index m) -> const PathBlock::Mean& { return path.means[static_cast<std::size_t>(m)]; };
+    out.path_sums.setZero(means);
+    if (derivatives) out.path_gradients.setZero(static_cast<Index>(program.size()), means);
     for (std::size_t i = 0; i < program.targets.size(); ++i) {
         evaluate_point(program, out.dimensions, x, i, derivatives ? 1 : 0, t);
         if (!(t.margin >= 0)) return false;
         const double w = target.weights[i];
         const double distance = std::sqrt(t.square);
-        sum += w * t.square;
+        for (Index m = 0; m < means; ++m)
+            if (counts(mean(m), target, i)) out.path_sums[m] += w * t.square;
         const auto square_row = static_cast<Index>(path.squares.value_or(0) + i);
         const auto distance_row = static_cast<Index>(path.distances.value_or(0) + i);
         const auto miss_row = static_cast<Index>(path.misses.value_or(0) + i * t.count);
@@ -173,27 +212,35 @@ bool evaluate_path(const Program& program, const VectorXd& x, bool derivatives, 
         for (std::size_t k = 0; k < t.arguments; ++k) {
             if (t.variable[k] < 0) continue;
             const double g = t.slope(k);
-            sum_gradient[t.variable[k]] += w * g;
+            for (Index m = 0; m < means; ++m)
+                if (counts(mean(m), target, i)) out.path_gradients(t.variable[k], m) += w * g;
             if (path.squares) out.jacobian(square_row, t.variable[k]) += g;
             if (path.distances && distance > 0) out.jacobian(distance_row, t.variable[k]) += g / (2 * distance);
             for (std::size_t c = 0; path.misses && c < t.count; ++c)
                 out.jacobian(miss_row + static_cast<Index>(c), t.variable[k]) += t.residuals[c].gradient[k];
         }
     }
-    const double weights = weight_sum(program);
-    if (path.sum) {
-        out.value[static_cast<Index>(*path.sum)] = sum;
-        if (derivatives) out.jacobian.row(static_cast<Index>(*path.sum)) = sum_gradient.transpose();
-    }
-    if (path.rms) {
-        const double rms = std::sqrt(sum / weights);
-        out.value[static_cast<Index>(*path.rms)] = rms;
-        if (derivatives && rms > 0)
-            out.jacobian.row(static_cast<Index>(*path.rms)) = sum_gradient.transpose() / (2 * weights * rms);
-    }
-    // What is not finite at a point shows in the sum.
-    return std::isfinite(sum) && (!derivatives || sum_gradient.allFinite());
+    write_means(program, derivatives, out);
+    // What is not finite at a point shows in the sum of all.
+    return std::isfinite(out.path_sums[0]) && (!derivatives || out.path_gradients.col(0).allFinite());
 }
+
+namespace {
+
+double root_mean_square(const Program& program, const VectorXd& x, const PathBlock::Mean& mean,
+                        std::span<const double> dimensions) {
+    const PathTarget& target = *program.problem->path;
+    const PointRange points = target.points_of(mean.of_target);
+    PointTerms t;
+    double sum = 0;
+    for (std::size_t i = points.first; i < points.end(); ++i) {
+        evaluate_point(program, dimensions, x, i, 0, t);
+        sum += target.weights[i] * t.square;
+    }
+    return std::sqrt(sum / weight_sum(target, mean));
+}
+
+}  // namespace
 
 void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessian& out) {
     const PathBlock& path = *program.path;
@@ -201,22 +248,15 @@ void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessi
     const auto weight_at = [&](const std::optional<std::size_t>& output, std::size_t offset) {
         return output ? out.weights[static_cast<Index>(*output + offset)] : 0.0;
     };
-    const double on_sum = weight_at(path.sum, 0);
-    const double on_rms = weight_at(path.rms, 0);
-    const double total = weight_sum(program);
-    const std::size_t each = residuals_per_point(program);
+    const std::size_t each = residuals_per_point(program), means = path.means.size();
     PointTerms t;
-    double rms = 0;
-    if (on_rms != 0) {
-        for (std::size_t i = 0; i < program.targets.size(); ++i) {
-            evaluate_point(program, out.dimensions, x, i, 0, t);
-            rms += target.weights[i] * t.square;
-        }
-        rms = std::sqrt(rms / total);
-    }
+    VectorXd& roots = out.path_roots;
+    roots.setZero(static_cast<Index>(means));
+    for (std::size_t m = 0; m < means; ++m)
+        if (weight_at(path.means[m].rms, 0) != 0)
+            roots[static_cast<Index>(m)] = root_mean_square(program, x, path.means[m], out.dimensions);
     MatrixXd& hessian = out.value;
-    VectorXd& sum_gradient = out.path_gradient;
-    sum_gradient.setZero(static_cast<Index>(program.size()));
+    out.path_gradients.setZero(static_cast<Index>(program.size()), static_cast<Index>(means));
     for (std::size_t i = 0; i < program.targets.size(); ++i) {
         const double w = target.weights[i];
         const double on_square = weight_at(path.squares, i);
@@ -225,16 +265,28 @@ void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessi
         for (std::size_t c = 0; c < each; ++c)
             on_miss[c] = weight_at(path.misses, i * each + c);
         const bool misses = std::any_of(on_miss.begin(), on_miss.end(), [](double weight) { return weight != 0; });
-        if (on_sum == 0 && on_rms == 0 && on_square == 0 && on_distance == 0 && !misses) continue;
+        double by_sums = 0, by_roots = 0;
+        bool in_mean = false;
+        for (std::size_t m = 0; m < means; ++m) {
+            const PathBlock::Mean& mean = path.means[m];
+            if (!counts(mean, target, i)) continue;
+            const double on_sum = weight_at(mean.sum, 0), on_rms = weight_at(mean.rms, 0);
+            const double rms = roots[static_cast<Index>(m)];
+            in_mean = in_mean || on_sum != 0 || on_rms != 0;
+            by_sums += on_sum * w;
+            if (rms > 0) by_roots += on_rms * w / (2 * weight_sum(target, mean) * rms);
+        }
+        if (!in_mean && on_square == 0 && on_distance == 0 && !misses) continue;
         evaluate_point(program, out.dimensions, x, i, 2, t);
         const double distance = std::sqrt(t.square);
-        const double on_q = on_sum * w + on_square + (rms > 0 ? on_rms * w / (2 * total * rms) : 0) +
-                            (distance > 0 ? on_distance / (2 * distance) : 0);
+        const double on_q = by_sums + on_square + by_roots + (distance > 0 ? on_distance / (2 * distance) : 0);
         const double on_gradient_square = distance > 0 ? on_distance / (4 * t.square * distance) : 0;
         std::array<double, most_arguments> g;
         for (std::size_t k = 0; k < t.arguments; ++k) {
             g[k] = t.slope(k);
-            if (t.variable[k] >= 0) sum_gradient[t.variable[k]] += w * g[k];
+            for (std::size_t m = 0; t.variable[k] >= 0 && m < means; ++m)
+                if (counts(path.means[m], target, i))
+                    out.path_gradients(t.variable[k], static_cast<Index>(m)) += w * g[k];
         }
         for (std::size_t k = 0, at = 0; k < t.arguments; ++k)
             for (std::size_t l = 0; l <= k; ++l, ++at) {
@@ -251,9 +303,14 @@ void add_path_hessian(const Program& program, const VectorXd& x, LagrangianHessi
                 if (k != l) hessian(b, a) += h;
             }
     }
-    if (rms > 0)
+    for (std::size_t m = 0; m < means; ++m) {
+        const double rms = roots[static_cast<Index>(m)];
+        if (!(rms > 0)) continue;
+        const double on_rms = weight_at(path.means[m].rms, 0), total = weight_sum(target, path.means[m]);
+        const auto gradient = out.path_gradients.col(static_cast<Index>(m));
         hessian.noalias() -=
-            (on_rms / (4 * total * total * rms * rms * rms) * sum_gradient).lazyProduct(sum_gradient.transpose());
+            (on_rms / (4 * total * total * rms * rms * rms) * gradient).lazyProduct(gradient.transpose());
+    }
 }
 
 bool path_residuals(const Program& program, const VectorXd& x, bool derivatives, PathResiduals& out) {

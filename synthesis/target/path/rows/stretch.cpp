@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "synthesis/target/path/rows/path_outputs.h"
 
@@ -14,13 +17,66 @@ bool needs_stretch(const Problem& problem, const Family& family) {
            problem.mechanism->input.has_value();
 }
 
-CrankStretch stretch_of(const Problem& problem, std::span<const double> path_angles) {
-    if (!problem.path->prescribed_timing && !problem.path->any_order) {
-        const auto [low, high] = std::minmax(path_angles.front(), path_angles.back());
-        return {low, high};
+namespace {
+
+/// The points of a target between whose crank angles it is met: of an ordered path the first and the last.
+struct EndPoints {
+    std::size_t least;
+    std::size_t greatest;
+};
+
+template <class AngleAt>
+EndPoints end_points(const PathTarget& path, std::size_t target, const AngleAt& angle_at) {
+    const PointRange points = path.points_of(target);
+    const bool ordered = !path.prescribed_timing && !path.any_order;
+    EndPoints ends{points.first, points.first};
+    for (std::size_t i = points.first; i < points.end(); ++i) {
+        if (ordered && i > points.first && i + 1 < points.end()) continue;
+        if (angle_at(i) < angle_at(ends.least)) ends.least = i;
+        if (angle_at(i) > angle_at(ends.greatest)) ends.greatest = i;
     }
-    const auto [least, greatest] = std::minmax_element(path_angles.begin(), path_angles.end());
-    return {*least, *greatest};
+    return ends;
+}
+
+/// The shortest stretch that holds the crank angles of every target, each turned on by whole turns: it begins where one
+/// of them does. Points that count by the nearest of the curve lie in one motion, and are not turned.
+template <class AngleAt>
+StretchEnds shortest_stretch(const PathTarget& path, const AngleAt& angle_at) {
+    constexpr double turn = 2 * std::numbers::pi;
+    const std::size_t targets = path.targets();
+    StretchEnds best;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t from = 0; from < targets; ++from) {
+        const double begin = angle_at(end_points(path, from, angle_at).least);
+        StretchEnds ends;
+        ends.first = ends.last = end_points(path, from, angle_at).least;
+        double least = begin, greatest = begin;
+        for (std::size_t k = 0; k < targets; ++k) {
+            const EndPoints of = end_points(path, k, angle_at);
+            const double turns =
+                k == from || path.any_order ? 0 : turn * std::ceil((begin - angle_at(of.least)) / turn);
+            if (angle_at(of.least) + turns < least) {
+                least = angle_at(of.least) + turns;
+                ends.first = of.least;
+            }
+            if (angle_at(of.greatest) + turns > greatest) {
+                greatest = angle_at(of.greatest) + turns;
+                ends.last = of.greatest;
+                ends.turns = turns;
+            }
+        }
+        if (!(greatest - least < shortest)) continue;
+        shortest = greatest - least;
+        best = ends;
+    }
+    return best;
+}
+
+}  // namespace
+
+CrankStretch stretch_of(const Problem& problem, std::span<const double> path_angles) {
+    const StretchEnds ends = shortest_stretch(*problem.path, [&](std::size_t i) { return path_angles[i]; });
+    return {path_angles[ends.first], path_angles[ends.last] + ends.turns};
 }
 
 double least_margin_along(const Problem& problem, const Design& design) {
@@ -43,17 +99,15 @@ double least_margin_along(const Problem& problem, const Design& design) {
 
 StretchEnds stretch_ends(const Program& program, const VectorXd& x) {
     const PathTarget& path = *program.problem->path;
-    const std::size_t last = path.points.size() - 1;
-    const auto index = [](const auto& at, const auto& begin) { return static_cast<std::size_t>(at - begin); };
-    if (path.prescribed_timing) {
-        const auto& angles = path.crank_angles;
-        const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
-        return {index(least, angles.begin()), index(greatest, angles.begin())};
-    }
-    if (!path.any_order) return {0, last};
-    const double* begin = x.data() + program.first_path_angle;
-    const auto [least, greatest] = std::minmax_element(begin, begin + path.points.size());
-    return {index(least, begin), index(greatest, begin)};
+    const auto angle_at = [&](std::size_t i) {
+        if (program.untimed_path()) return x[static_cast<Eigen::Index>(program.first_path_angle + i)];
+        const std::size_t start = program.problem->mechanism->roles_of(path.target_of(i)).start;
+        const std::ptrdiff_t variable = program.variable_of[start];
+        return path.crank_angles[i] + (variable < 0 ? program.dimensions[start] : program.times[start] * x[variable]);
+    };
+    // The crank may turn either way along an ordered path.
+    if (path.parts.empty() && !path.prescribed_timing && !path.any_order) return {0, path.points.size() - 1, 0};
+    return shortest_stretch(path, angle_at);
 }
 
 const QuantityBlock* stretch_block(const Program& program) {
@@ -70,12 +124,15 @@ void set_stretch_arguments(const Program& program, std::span<const double> dimen
     const StretchEnds ends = stretch_ends(program, x);
     const PathAngle first = path_angle(program, dimensions, x, ends.first);
     const PathAngle last = path_angle(program, dimensions, x, ends.last);
-    const double by_variable = program.untimed_path() ? 1 : program.times[mechanism.point->roles.start];
+    const PathTarget& path = *program.problem->path;
+    const auto by_variable = [&](std::size_t point) {
+        return program.untimed_path() ? 1 : program.times[mechanism.roles_of(path.target_of(point)).start];
+    };
     std::size_t& i = arguments.count;
     arguments.value[i] = first.angle;
-    arguments.source[i++] = {{first.variable, -1}, {by_variable, 0}};
-    arguments.value[i] = last.angle - first.angle;
-    arguments.source[i++] = {{last.variable, first.variable}, {by_variable, -by_variable}};
+    arguments.source[i++] = {{first.variable, -1}, {by_variable(ends.first), 0}};
+    arguments.value[i] = last.angle + ends.turns - first.angle;
+    arguments.source[i++] = {{last.variable, first.variable}, {by_variable(ends.last), -by_variable(ends.first)}};
 }
 
 }  // namespace mechwright

@@ -14,7 +14,7 @@ namespace mechwright {
 bool needs_stretch(const Problem& problem, const Family& family);
 
 /// The crank angles between which a design meets its path, the first less than the last; radians. Of an ordered path
-/// the crank may turn either way.
+/// the crank may turn either way. Of several targets it is the shortest stretch in which all are met.
 struct CrankStretch {
     double first;
     double last;
@@ -35,8 +35,9 @@ void set_stretch_arguments(const Program& program, std::span<const double> dimen
 
 /// The points of the path at the ends of the stretch, whose own crank angles an untimed path has as variables.
 struct StretchEnds {
-    std::size_t first;
-    std::size_t last;
+    std::size_t first = 0;
+    std::size_t last = 0;
+    double turns = 0;  ///< whole turns, in radians, by which that of the last is greater in the stretch
 };
 
 StretchEnds stretch_ends(const Program& program, const Eigen::VectorXd& x);

@@ -1,0 +1,64 @@
+#include "synthesis/target/path/rows/path_rows.h"
+
+#include <numbers>
+#include <string>
+
+#include "synthesis/target/path/read_parts.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// The least crank angle between neighbouring points of an untimed path.
+constexpr double least_between = 1e-6;
+
+/// The crank angles at the points of a target; the first of ordered ones is in the first turn.
+void add_angles(Program& program, const PathTarget& path, const PointRange& points) {
+    const int direction = program.variant.direction;
+    for (std::size_t i = points.first; i < points.end(); ++i) {
+        const bool first = i == points.first;
+        program.variables.push_back({"crank angle at " + point_name(path, i),
+                                     path.any_order           ? -3 * pi
+                                     : first || direction > 0 ? -pi
+                                                              : -3 * pi,
+                                     path.any_order           ? 3 * pi
+                                     : first || direction < 0 ? pi
+                                                              : 3 * pi});
+    }
+}
+
+/// The points of each target by itself are met in order within a turn, those of several in one direction.
+void add_order(Program& program, const PathTarget& path, const PointRange& points) {
+    const double sign = program.variant.direction;
+    const std::string of = path.parts.empty() ? "" : " of '" + path.parts[path.part_of[points.first]].name + "'";
+    const auto angle = [&](std::size_t number) { return program.first_path_angle + points.first + number; };
+    const auto add_row = [&](const std::string& name, std::size_t from, std::size_t to, double lower, double upper) {
+        program.rows.push_back({name + of, {{}, {{angle(to), sign}, {angle(from), -sign}}}, lower, upper});
+    };
+    for (std::size_t i = 0; i + 1 < points.count; ++i)
+        add_row("order of points " + std::to_string(i + 1) + " and " + std::to_string(i + 2), i, i + 1, least_between,
+                unlimited);
+    if (points.count < 3) return;
+    const Vector<double>&first = path.points[points.first], &last = path.points[points.end() - 1];
+    const bool meets = first.x == last.x && first.y == last.y;
+    add_row("points within one turn", 0, points.count - 1, -unlimited, 2 * pi - (meets ? 0 : least_between));
+}
+
+}  // namespace
+
+void add_path_rows(Program& program) {
+    const PathTarget& path = *program.problem->path;
+    program.path.emplace();
+    for (const Vector<double>& point : path.points)
+        program.targets.push_back({point.x / program.length, point.y / program.length});
+    if (path.prescribed_timing) return;
+    program.first_path_angle = program.variables.size();
+    for (std::size_t target = 0; target < path.targets(); ++target)
+        add_angles(program, path, path.points_of(target));
+    for (std::size_t target = 0; target < path.targets() && !path.any_order; ++target)
+        add_order(program, path, path.points_of(target));
+}
+
+}  // namespace mechwright
