@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "analysis/linkage/needed.h"
 #include "analysis/linkage/travel.h"
 #include "synthesis/mechanism/linkage/again/again.h"
 #include "synthesis/mechanism/linkage/drawing/drawing.h"
@@ -210,7 +211,11 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     made.table = linkage_table(model);
     if (has_own_lengths(model))
         made.model_over = [](const Model& m, double unit) { return Model(over_unit(*m.as<LinkageModel>(), unit)); };
-    if (model.guided) add_guidance(model, made);
+    if (model.guided) {
+        model.needed = linkage::needed_of(model.structure, model.order, model.numbers.size(), model.guided->pin,
+                                          model.guides_body ? model.guided->link : linkage::none, true);
+        add_guidance(model, made);
+    }
     if (model.output) add_function(model, made);
     made.model = Model(std::move(model));
     made.size = size_of_linkage;

@@ -16,6 +16,7 @@
 #include "analysis/linkage/driven.h"
 #include "analysis/linkage/follow_way.h"
 #include "analysis/linkage/inputs.h"
+#include "analysis/linkage/plain_steps.h"
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/steps.h"
 #include "analysis/linkage/structure.h"
@@ -59,12 +60,13 @@ struct LinkageModel {
     std::vector<linkage::Signal> signals{};
     std::vector<NamedSignal> signal_names{};  ///< one for each
     std::optional<GuidedPoint> guided{};
-    bool guides_body = false;               ///< the link of the guided point is a body that takes poses
-    Followed followed = Followed::nothing;  ///< by the guided point
-    std::optional<std::size_t> output{};    ///< the signal that is to be a function of the input
-    std::optional<double> at{};             ///< an input of the master that belongs to the motion
-    int turns = 1;                          ///< of the master, after which everything is where it was; 0: never
-    double unit = 1;                        ///< the length by which its lengths are divided (over_unit)
+    linkage::Needed needed{.closed = false};  ///< what the guided point depends on, and the guided body; set with them
+    bool guides_body = false;                 ///< the link of the guided point is a body that takes poses
+    Followed followed = Followed::nothing;    ///< by the guided point
+    std::optional<std::size_t> output{};      ///< the signal that is to be a function of the input
+    std::optional<double> at{};               ///< an input of the master that belongs to the motion
+    int turns = 1;                            ///< of the master, after which everything is where it was; 0: never
+    double unit = 1;                          ///< the length by which its lengths are divided (over_unit)
     /// Of a driven slide the displacement, not divided, that counts as much as a radian does: a power of two, so that
     /// inputs of the analysis are of order one and no digit is lost. 1 where the master turns.
     double input_length = 1;
@@ -98,7 +100,8 @@ LinkageModel over_unit(LinkageModel model, double unit);
 
 /// By which the drives follow an angle or displacement of the master; its own law is the identity.
 std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives);
-/// By which they follow an input of the analysis (LinkageModel::input_of).
+/// By which one of them follows an input of the analysis (LinkageModel::input_of), and by which all do.
+linkage::DriveLaw law_of(const LinkageModel& model, std::size_t drive);
 std::vector<linkage::DriveLaw> laws_of(const LinkageModel& model);
 
 /// The ways of its larger groups along the motion of a design, for the inputs of its cycle: what its assembly becomes
