@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "analysis/linkage/needed.h"
 #include "analysis/linkage/travel.h"
 #include "synthesis/mechanism/linkage/again/again.h"
 #include "synthesis/mechanism/linkage/branches.h"
@@ -220,6 +221,9 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     made.table = linkage_table(model);
     if (has_own_lengths(model))
         made.model_over = [](const Model& m, double unit) { return Model(over_unit(*m.as<LinkageModel>(), unit)); };
+    for (GuidedPoint& guided : model.guided)
+        guided.needed = linkage::needed_of(model.structure, model.order, model.numbers.size(), guided.pin,
+                                           guided.is_body ? guided.link : linkage::none, true);
     if (!model.guided.empty()) add_guidance(model, made);
     if (model.output) add_function(model, made);
     made.model = Model(std::move(model));

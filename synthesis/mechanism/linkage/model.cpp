@@ -30,13 +30,19 @@ std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives) {
     return laws;
 }
 
+linkage::DriveLaw law_of(const LinkageModel& model, std::size_t drive) {
+    const LinkageDrive& own = model.drives[drive];
+    linkage::DriveLaw law = drive == 0 ? linkage::DriveLaw{} : linkage::DriveLaw{own.ratio, own.phase};
+    const double unit = model.structure.drives[drive].of_slide ? model.unit : 1;
+    law.ratio *= model.input_length / unit;
+    law.phase /= unit;
+    return law;
+}
+
 std::vector<linkage::DriveLaw> laws_of(const LinkageModel& model) {
-    std::vector<linkage::DriveLaw> laws = laws_of(model.drives);
-    for (std::size_t i = 0; i < laws.size(); ++i) {
-        const double unit = model.structure.drives[i].of_slide ? model.unit : 1;
-        laws[i].ratio *= model.input_length / unit;
-        laws[i].phase /= unit;
-    }
+    std::vector<linkage::DriveLaw> laws;
+    for (std::size_t i = 0; i < model.drives.size(); ++i)
+        laws.push_back(law_of(model, i));
     return laws;
 }
 

@@ -16,6 +16,7 @@
 #include "analysis/linkage/driven.h"
 #include "analysis/linkage/follow_way.h"
 #include "analysis/linkage/inputs.h"
+#include "analysis/linkage/plain_steps.h"
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/steps.h"
 #include "analysis/linkage/structure.h"
@@ -42,8 +43,9 @@ struct NamedSignal {
 struct GuidedPoint {
     std::size_t pin = 0;
     std::size_t link = 0;
-    bool is_body = false;  ///< the link is a body that takes poses
-    std::string name{};    ///< of the target, where it has one
+    bool is_body = false;                     ///< the link is a body that takes poses
+    std::string name{};                       ///< of the target, where it has one
+    linkage::Needed needed{.closed = false};  ///< what it depends on; set when the mechanism is made
 };
 
 struct LinkageModel {
@@ -100,7 +102,8 @@ LinkageModel over_unit(LinkageModel model, double unit);
 
 /// By which the drives follow an angle or displacement of the master; its own law is the identity.
 std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives);
-/// By which they follow an input of the analysis (LinkageModel::input_of).
+/// By which one of them follows an input of the analysis (LinkageModel::input_of), and by which all do.
+linkage::DriveLaw law_of(const LinkageModel& model, std::size_t drive);
 std::vector<linkage::DriveLaw> laws_of(const LinkageModel& model);
 
 /// The ways of its larger groups along the motion of a design, for the inputs of its cycle: what its assembly becomes

@@ -1,5 +1,5 @@
-// Designs a crank-rocker of 60 deg swing and time ratio 1.2, and a six-bar of given links whose output shall swing by 40
-// deg; prints their dimensions, and fails unless they are solved and verified.
+// Designs a crank-rocker of 60 deg swing and time ratio 1.2, and a six-bar of given links whose output shall swing by
+// 40 deg; prints their dimensions, and fails unless they are solved and verified.
 #include <mechwright/synthesis/problem/by_name.h>
 #include <mechwright/synthesis/problem/reader.h>
 #include <mechwright/synthesis/program/quantity_value.h>

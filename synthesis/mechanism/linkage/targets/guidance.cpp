@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "analysis/linkage/driven.h"
 #include "synthesis/mechanism/linkage/again/follow.h"
+#include "synthesis/mechanism/linkage/targets/needed_guidance.h"
 #include "synthesis/mechanism/linkage/targets/seeded.h"
 
 namespace mechwright {
 
 namespace {
+
+constexpr std::size_t most_arguments = 64;  // for which no memory is asked for
 
 /// The guided point in the drawing, and the direction in which a body on its link faces there.
 template <class T>
@@ -59,6 +63,47 @@ struct Into {
     std::span<double> gradient, hessian;
 };
 
+/// The Hessian of coordinates by sweeps back in dual numbers.
+template <std::size_t Count>
+void add_hessians(const LinkageModel& model, const Form& form, std::span<const double> arguments,
+                  const std::array<Into, Count>& into) {
+    using First = Dual<double, seeded_at_once>;
+    const std::size_t n = arguments.size();
+    WorkingRow<First, most_arguments> room;
+    const std::span<First> seeded = room.of(n);
+    for (std::size_t from = 0; from < n; from += seeded_at_once) {
+        std::copy(arguments.begin(), arguments.end(), seeded.begin());
+        const std::size_t end = std::min(from + seeded_at_once, n);
+        for (std::size_t i = from; i < end; ++i)
+            seeded[i] = First::variable(arguments[i], i - from);
+        NeededGuidance<First> at(model, form, seeded, Count == 4);
+        for (std::size_t c = 0; c < Count; ++c) {
+            const std::span<const First> gradient = at.gradient(c);
+            for (std::size_t more = from; more < n; ++more)
+                for (std::size_t less = from; less < std::min(end, more + 1); ++less)
+                    into[c].hessian[more * (more + 1) / 2 + less] = -gradient[more].partial[less - from];
+        }
+    }
+}
+
+/// What is missed by the steps that the guided point needs alone; nothing where these do not say where it is.
+template <std::size_t Count>
+std::optional<double> miss_needed(const LinkageModel& model, const Form& form, std::span<const double> arguments,
+                                  const std::array<double, Count>& wanted, std::array<double, Count>& missed,
+                                  const std::array<Into, Count>& into) {
+    if (!model.guided[form.guided].needed.closed) return {};
+    NeededGuidance<double> at(model, form, arguments, Count == 4);
+    if (!at.exists()) return {};
+    for (std::size_t c = 0; c < Count; ++c) {
+        missed[c] = wanted[c] - at.coordinate(c);
+        if (into[c].gradient.empty()) continue;
+        const std::span<const double> gradient = at.gradient(c);
+        std::transform(gradient.begin(), gradient.end(), into[c].gradient.begin(), std::negate<>());
+    }
+    if (!into[0].hessian.empty()) add_hessians(model, form, arguments, into);
+    return at.least_margin();
+}
+
 /// What is missed of the first of four coordinates, with its derivatives by the dimensions, the angle of the body where
 /// it is guided, and the crank angle.
 template <std::size_t Count>
@@ -66,10 +111,13 @@ double miss(Form form, std::span<const double> dimensions, double crank_angle, c
             std::array<double, Count>& missed, const std::array<Into, Count>& into) {
     const LinkageModel& model = linkage_of(form.model);
     constexpr bool faces = Count == 4;
-    std::vector<double> arguments(dimensions.begin(), dimensions.end());
-    arguments.push_back(crank_angle);
+    WorkingRow<double, most_arguments> room;
+    const std::span<double> arguments = room.of(dimensions.size() + 1);
+    std::copy(dimensions.begin(), dimensions.end(), arguments.begin());
+    arguments.back() = crank_angle;
+    if (const auto margin = miss_needed(model, form, arguments, wanted, missed, into)) return *margin;
     const std::size_t n = arguments.size(), lengths = n - (faces ? 2 : 1);
-    const Ways ways = ways_of(model, std::span(arguments).first(lengths), form.assembly);
+    const Ways ways = ways_of(model, arguments.first(lengths), form.assembly);
     const auto place = [&]<class T>(std::span<const T> x) {
         return guided<T>(model, form, ways, x.first(lengths), x[n - 1], faces ? x[n - 2] : T(0));
     };
