@@ -7,6 +7,7 @@
 namespace mechwright::bench {
 
 Section kernels();
+Section linkages();
 Section start_up();
 Section derivatives();
 Section gradients();

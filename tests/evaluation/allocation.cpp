@@ -92,6 +92,23 @@ TEST_F(Allocation, IsNotNeededToScreenAGroupOfCandidates) {
     EXPECT_GT(score, 0);
 }
 
+TEST_F(Allocation, IsNotNeededForTheGuidedPointOfALinkage) {
+    const ReadProblem read = read_problem(MECHWRIGHT_SOURCE_DIR "/problems/linkage/six-bar-timed-points.toml");
+    ASSERT_TRUE(read.ok());
+    const Mechanism& six_bar = *read.problem.mechanism;
+    const std::vector<double> dimensions{40, 120, 150};
+    std::array<double, 4> gradient_x{}, gradient_y{};
+    std::array<double, 10> hessian_x{}, hessian_y{};
+    PathMiss out{{}, 0, gradient_x, gradient_y, hessian_x, hessian_y};
+    const auto miss = [&] {
+        six_bar.point->miss({six_bar.model.data(), 0}, dimensions, 1.0, Vector<double>{100, 200}, out);
+    };
+    EXPECT_EQ(requests_of(miss), 0);
+    EXPECT_GT(out.margin, 0);
+    EXPECT_NE(gradient_x[3], 0);
+    EXPECT_NE(hessian_y[9], 0);
+}
+
 /// Position, velocity, acceleration and the extremes of them, as numbers of type T.
 template <class T>
 double analysed() {
