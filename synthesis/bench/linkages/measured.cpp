@@ -51,16 +51,17 @@ OfProblem linkage_of_problem(const Effort& effort, std::string_view name, std::s
         made.dimensions.push_back(range.start.value_or((range.min + range.max) / 2));
     const auto at = std::find(made.model.pins.begin(), made.model.pins.end(), pin);
     if (at == made.model.pins.end()) throw std::runtime_error(fmt::format("{} has no point {}", name, pin));
-    made.model.guided = GuidedPoint{static_cast<std::size_t>(at - made.model.pins.begin()), 0};
-    made.model.needed = linkage::needed_of(made.model.structure, made.model.order, made.model.numbers.size(),
-                                           made.model.guided->pin, linkage::none, false);
+    GuidedPoint guided{static_cast<std::size_t>(at - made.model.pins.begin())};
+    guided.needed = linkage::needed_of(made.model.structure, made.model.order, made.model.numbers.size(), guided.pin,
+                                       linkage::none, false);
+    made.model.guided = {std::move(guided)};
     return made;
 }
 
 PointOfLinkage jansens_foot(const Effort& effort) {
     const OfProblem leg = linkage_of_problem(effort, "linkage/jansen-leg", "T");
     return {leg.model.structure, leg.model.order, numbers_of(leg.model, std::span<const double>(leg.dimensions)),
-            leg.model.sides.front(), leg.model.needed};
+            leg.model.sides.front(), leg.model.guided.front().needed};
 }
 
 /// A piece that places a point at one crank angle after the other; the design is set once.
