@@ -15,7 +15,7 @@
 
 namespace mechwright::testing {
 
-/// Those of the built-in kinds: a linkage of its own takes a hundred times as long to evaluate, and has its own tests.
+/// Those of the built-in kinds: a linkage of its own takes many times as long to evaluate, and has its own tests.
 inline std::vector<std::string> shipped_files() {
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(MECHWRIGHT_SOURCE_DIR "/problems"))

@@ -142,7 +142,7 @@ std::vector<Row> measured_gradients(const Effort& effort) {
         arguments.push_back(1);
         const auto at = [&](std::size_t k) {
             arguments.back() = 0.01 * static_cast<double>(k % 600);
-            return NeededGuidance<double>(of.model, 0, arguments, false);
+            return NeededGuidance<double>(of.model, Form{}, arguments, false);
         };
         const auto timings = timed({piece([&](std::size_t k) {
                                         const auto guided = at(k);
