@@ -172,8 +172,7 @@ std::string reason_to_refuse(const std::string& name) {
     if (const auto reason = reasons.find(name); reason != reasons.end()) return reason->second;
     if (name.starts_with("studies/")) return "cannot carry [study]";
     if (name.starts_with("cam/")) return "a cam is no linkage";
-    const bool function = text_of_file(problems + name).find("\n[function]") != std::string::npos;
-    return function ? "[function] is not carried over" : "";
+    return "";
 }
 
 TEST(Expanded, NamesWhatALinkageCannotCarryOfShippedProblems) {

@@ -12,9 +12,10 @@ constexpr char linkage_sections[] = {
 
 constexpr std::array<std::string_view, 2> sides{"left", "right"};
 
-constexpr std::array<AsLinkage::Target, 4> targets{{{"path", "point = \"P\"\n"},
+constexpr std::array<AsLinkage::Target, 5> targets{{{"path", "point = \"P\"\n"},
                                                     {"poses", "point = \"P\"\nlink = \"coupler\"\n"},
                                                     {"line", "point = \"P\"\n"},
+                                                    {"function", "signal = \"rocker-angle\"\n"},
                                                     {"arc", "point = \"P\"\n"}}};
 
 constexpr std::array<Assurance, 2> crank_rocker{

@@ -10,9 +10,10 @@ constexpr char linkage_sections[] = {
 #include "as_linkage_slider_crank.inc"
 };
 
-constexpr std::array<AsLinkage::Target, 4> targets{{{"path", "point = \"P\"\n"},
+constexpr std::array<AsLinkage::Target, 5> targets{{{"path", "point = \"P\"\n"},
                                                     {"poses", "point = \"P\"\nlink = \"rod\"\n"},
                                                     {"line", "point = \"P\"\n"},
+                                                    {"function", "signal = \"ram-position\"\n"},
                                                     {"arc", "point = \"P\"\n"}}};
 
 // The only dyad is that at the ram.

@@ -43,7 +43,33 @@ std::string number_of_target_text(const Expanding& e, const toml::node* node, st
     return fmt::format("{{ min = {}, max = {}, start = {} }}", in_file(range.min), in_file(range.max), *design);
 }
 
+/// Start and range of a function's input or output, as [function] or [dimensions] says them.
+std::string scale_text(const Expanding& e, const toml::table& section, std::string_view scale) {
+    const toml::table& dimensions = *e.table["dimensions"].as_table();
+    const auto& all = e.problem.mechanism->dimensions;
+    std::string text;
+    for (const std::string_view key : {"start", "range"}) {
+        const std::string name = fmt::format("{}-{}", scale, key);
+        const auto at = std::find_if(all.begin(), all.end(), [&](const Dimension& d) { return d.name == name; });
+        const toml::node* said = section[scale][key].node();
+        const std::string number = number_of_target_text(e, said != nullptr ? said : dimensions.get(name),
+                                                         static_cast<std::size_t>(at - all.begin()));
+        if (!number.empty()) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, number);
+    }
+    return text.empty() ? "" : fmt::format("{} = {{ {} }}\n", scale, text);
+}
+
+void write_function(Expanding& e, const AsLinkage::Target& target) {
+    const toml::table& section = *e.table[target.section].as_table();
+    e.text += fmt::format("\n[{}]\n{}", target.section, target.names);
+    for (const auto& [key, node] : in_order(section))
+        if (key != "input" && key != "output") e.text += fmt::format("{} = {}\n", key, value_text(*node));
+    for (const std::string_view scale : {"input", "output"})
+        e.text += scale_text(e, section, scale);
+}
+
 void write_target(Expanding& e, const AsLinkage::Target& target) {
+    if (target.section == "function") return write_function(e, target);
     const toml::table& section = *only_table(e.table, target.section);
     const toml::table& dimensions = *e.table["dimensions"].as_table();
     const auto& all = e.problem.mechanism->dimensions;
