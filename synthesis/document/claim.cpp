@@ -171,17 +171,16 @@ void read_design(Reader& in, const Json& document, Claim& claim) {
         in.fail(fmt::format("a {} does not have the assembly {}", mechanism.name, reading::quoted(name)));
 }
 
-void read_motion(Reader& in, const Json& document, Claim& claim) {
-    const Json* motion = member(document, of_finding("motion"));
-    if (!motion || !in.object(motion, "motion")) return;
+void read_circuit(Reader& in, const Json& document, Claim& claim) {
+    if (!member(document, of_finding("circuit")) && !member(document, of_finding("branch"))) return;
     const auto count = [&](const char* name) {
         constexpr double most = 1e6;
-        const double number = in.number(member(*motion, name), fmt::format("motion.{}", name));
+        const double number = in.number(member(document, name), name);
         if (number >= 1 && number <= most && number == std::floor(number)) return static_cast<int>(number);
-        in.fail(fmt::format("motion.{} is no whole number from 1", name));
+        in.fail(fmt::format("{} is no whole number from 1", name));
         return 0;
     };
-    claim.motion = CircuitAndBranch{count(of_motion("circuit")), count(of_motion("branch"))};
+    claim.circuit = CircuitAndBranch{count(of_finding("circuit")), count(of_finding("branch"))};
 }
 
 void read_crank_range(Reader& in, const Json& document, Claim& claim) {
@@ -287,7 +286,7 @@ ReadClaim read_claim(const Json& document) {
     if (const Json* instant = member(document, of_document("instant"))) claim.has_instant = in.flag(instant, "instant");
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
-    for (const auto read : {read_given, read_design, read_motion, read_crank_range, read_settings, read_function,
+    for (const auto read : {read_given, read_design, read_circuit, read_crank_range, read_settings, read_function,
                             read_followed, read_requirements, read_objective, read_quantities, read_path})
         if (in.understood()) read(in, document, claim);
     return {std::move(claim), in.defect};

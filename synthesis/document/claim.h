@@ -86,7 +86,7 @@ struct Claim {
     std::vector<double> design;                      ///< by dimension; 0 where an optional one is left out
     std::size_t assembly = 0;
     std::optional<std::string> kind;
-    std::optional<CircuitAndBranch> motion;
+    std::optional<CircuitAndBranch> circuit;
     std::optional<Vector<double>> crank_range;
     std::array<double, Setting::most> settings{};  ///< presets where they are not stated
     std::shared_ptr<const FunctionTarget> function;

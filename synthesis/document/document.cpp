@@ -189,8 +189,10 @@ void put_warnings(Json& json, const Problem& problem, const Design& design) {
 /// Where circuits and branches are numbered, unless single quantities are all that is asked for.
 void put_circuit(Json& json, const Problem& problem, const Design& design) {
     if (problem.wanted) return;
-    if (const auto found = circuit_of(problem, design))
-        json[of_finding("motion")] = {{of_motion("circuit"), found->circuit}, {of_motion("branch"), found->branch}};
+    const auto found = circuit_of(problem, design);
+    if (!found) return;
+    json[of_finding("circuit")] = found->circuit;
+    json[of_finding("branch")] = found->branch;
 }
 
 /// The members that are about one design.

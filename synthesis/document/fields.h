@@ -101,9 +101,6 @@ inline constexpr std::array design{
     Key{"laws", Shape::texts, "Law of motion of each segment of a cam, empty where it has none."},
     Key{"kind", Shape::text, "What kind of linkage the dimensions make.", true}};
 
-inline constexpr std::array motion{Key{"circuit", Shape::whole_number, "The circuit that it moves on, from 1.", true},
-                                   Key{"branch", Shape::whole_number, "The branch of that, from 1.", true}};
-
 inline constexpr std::array term{
     Key{"quantity", Shape::text, "What is optimised.", true}, Key{"sense", Shape::word, "Which way.", true, senses},
     Key{"weight", Shape::number, "Weight in the sum."}, Key{"value", Shape::number, "What the design has."}};
@@ -243,7 +240,8 @@ inline constexpr std::array search{
 /// What is said of one design.
 inline constexpr std::array finding{
     Key{"design", Shape::names, "Dimensions and what kind of mechanism they make."},
-    Key{"motion", Shape::table, "Which of the motions of a linkage it is.", false, {}, motion},
+    Key{"circuit", Shape::whole_number, "Of a linkage the circuit that it moves on, from 1."},
+    Key{"branch", Shape::whole_number, "Of a linkage the branch of that circuit, from 1."},
     Key{"objective", Shape::table, "What is optimised.", false, {}, objective},
     Key{"requirements", Shape::tables, "What the design has to meet.", false, {}, requirement},
     Key{"quantities", Shape::names, "Value of every quantity that is defined for the design."},
@@ -304,7 +302,6 @@ inline constexpr NamesOf<fields::followed> of_followed;
 inline constexpr NamesOf<fields::function> of_function;
 inline constexpr NamesOf<fields::half_plane> of_half_plane;
 inline constexpr NamesOf<fields::libraries> of_libraries;
-inline constexpr NamesOf<fields::motion> of_motion;
 inline constexpr NamesOf<fields::objective> of_objective;
 inline constexpr NamesOf<fields::certificate_part> of_part;
 inline constexpr NamesOf<fields::path> of_path;

@@ -75,7 +75,7 @@ Check check_kind(const Rebuilt& design) {
 /// That the motion is the circuit and the branch that are stated, as both are numbered.
 Check check_circuit(const Rebuilt& design) {
     const Mechanism& mechanism = *design.claim->mechanism;
-    const CircuitAndBranch stated = *design.claim->motion;
+    const CircuitAndBranch stated = *design.claim->circuit;
     CircuitAndBranch found{0, 0};
     if (mechanism.circuit) found = mechanism.circuit(design.motion, design.rounded).value_or(found);
     const auto words = [](const CircuitAndBranch& c) {
@@ -289,7 +289,7 @@ std::vector<Check> checks_of(const Claim& claim, bool infeasible, Stated parts) 
     std::vector<Check> checks{check_ranges(claim)};
     const Rebuilt design = rebuilt(claim);
     if (claim.kind) checks.push_back(check_kind(design));
-    if (claim.motion) checks.push_back(check_circuit(design));
+    if (claim.circuit) checks.push_back(check_circuit(design));
     checks.insert(checks.end(), design.of_motion.begin(), design.of_motion.end());
     if (!has_its_lengths(claim)) return checks;
     if (ends_by_itself(design) && all_passed(design.of_motion)) checks.push_back(check_whole_motion(design));

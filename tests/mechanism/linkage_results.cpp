@@ -53,11 +53,12 @@ Json analysed_circuit(const std::string& text) {
 TEST(LinkageResults, NameCircuitAndBranch) {
     for (const auto& [side, circuit] : {std::pair("left", 1), {"right", 2}}) {
         Json document = analysed_circuit(crank_rocker(side));
-        EXPECT_EQ(document["motion"], (Json{{"circuit", circuit}, {"branch", 1}}));
+        EXPECT_EQ(document["circuit"], circuit);
+        EXPECT_EQ(document["branch"], 1);
         expect_verified(document);
-        document["motion"]["circuit"] = 3 - circuit;
+        document["circuit"] = 3 - circuit;
         EXPECT_TRUE(is_refused(document));
-        document["motion"]["circuit"] = 0.5;
+        document["circuit"] = 0.5;
         EXPECT_TRUE(is_refused(document));
     }
 }
@@ -71,8 +72,10 @@ TEST(LinkageResults, TellBranchesOfOneCircuitApart) {
         return text;
     };
     const Json left = analysed_circuit(with_long_crank("left")), right = analysed_circuit(with_long_crank("right"));
-    EXPECT_EQ(left["motion"], (Json{{"circuit", 1}, {"branch", 1}}));
-    EXPECT_EQ(right["motion"], (Json{{"circuit", 1}, {"branch", 2}}));
+    EXPECT_EQ(left["circuit"], 1);
+    EXPECT_EQ(left["branch"], 1);
+    EXPECT_EQ(right["circuit"], 1);
+    EXPECT_EQ(right["branch"], 2);
     expect_verified(right);
     const ReadProblem read = testing::read_without_fault(with_long_crank("right"));
     const std::string summary = analysis_summary(read.problem, evaluate_given(read.problem), false);

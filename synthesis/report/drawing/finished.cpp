@@ -62,7 +62,7 @@ FinishedDesign finished_design(const Problem& problem, const Design& design) {
 nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& other) {
     nlohmann::ordered_json shown = document;
     for (const char* own :
-         {"objective", "quantities", "verification", "front", "alternatives", "note", "warnings", "motion"})
+         {"objective", "quantities", "verification", "front", "alternatives", "note", "warnings", "circuit", "branch"})
         shown.erase(own);
     for (const auto& [member, value] : other.items())
         shown[member] = value;
