@@ -8,9 +8,11 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "analysis/linkage/in_line.h"
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/travel.h"
 #include "analysis/linkage/turning_point.h"
@@ -220,11 +222,34 @@ bool ends_in_several_limits(Measured<double, K>& measured, std::size_t signal, c
     return at(travel.from, travel.first) || at(travel.to, travel.last);
 }
 
+/// Where the transmission angle of a dyad between the frame and a driven link is extreme; nothing of any other signal.
+template <std::size_t K>
+std::optional<std::vector<double>> inputs_in_line(Measured<double, K>& measured, const Asked& asked,
+                                                  const Course& course, const Stretch& stretch) {
+    const Signal& signal = measured.signals()[asked.signal];
+    if (signal.kind != Signal::Kind::transmission_angle || asked.derivative != 0) return {};
+    const auto& driven = measured.driven();
+    const auto round = carried_round(driven.order, step_of(driven.order, signal.of));
+    if (!round) return {};
+    const double from = stretch.at(0), to = stretch.at(1);
+    measured.margins(signal.of, from, course.turns.near(from));
+    const InLine found =
+        in_line(*round, driven.laws[round->input].ratio, from, to, size_of(driven), [&](std::size_t pin) {
+            const auto& at = driven.pose.pins[pin];
+            return Vector<double>{at.x.c[0], at.y.c[0]};
+        });
+    std::vector<double> inputs;
+    for (const InLine::Input& input : found.inputs)
+        inputs.push_back(input.at);
+    return inputs;
+}
+
 /// Where the slope of what is asked vanishes, in order; one that is not a number where the linkage does not close over
 /// the whole stretch.
 template <std::size_t K>
 std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked& asked, const Course& course,
                                       const Stretch& stretch) {
+    if (auto known = inputs_in_line(measured, asked, course, stretch)) return *std::move(known);
     const std::size_t order = asked.derivative + 1;
     const double floor = rounding_of(measured, asked, order, course, stretch);
     // At limits each derivative goes like two powers less of the share: as many of its speed make that finite. Where

@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "analysis/linkage/in_line.h"
 #include "analysis/linkage/moving_extremes.h"
 
 namespace mechwright::linkage {
@@ -70,6 +72,16 @@ struct KnownMargins {
     }
 };
 
+/// A margin at the ends of a part of a motion.
+template <std::size_t K>
+void add_margin_ends(Measured<double, K>& measured, const Limit& margin, const Travel& travel, const Turns& turns,
+                     std::vector<MarginPlace>& places) {
+    if (travel.whole) return;
+    for (const auto& [x, limit] : {std::pair(travel.from, travel.first), {travel.to, travel.last}})
+        if (!limit.parallel)
+            places.push_back({margin, {x, measured.margin(margin, x, turns.near(x), limit).c[0], false, limit}});
+}
+
 template <std::size_t K>
 void add_margin_places(KnownMargins<K>& along, bool inner, const Travel& travel, std::vector<MarginPlace>& places) {
     constexpr double seam_overlap = 0.125, unit = 2e-15;
@@ -94,13 +106,31 @@ void add_margin_places(KnownMargins<K>& along, bool inner, const Travel& travel,
         places.push_back({margin, {stretch.at(0.5), at(stretch.at(0.5)).c[0], false, {}}});
     // The slope jumps at a cusp: its panels are split until one of their nodes sees what lies about it.
     if (inner && along.passes_limit()) add_cusp(at, stretch, places, margin);
-    if (travel.whole) return;
-    const auto add_end = [&](double x, const Limit& limit) {
-        if (!limit.parallel)
-            places.push_back({margin, {x, measured.margin(margin, x, along.turns.near(x), limit).c[0], false, limit}});
+    add_margin_ends(measured, margin, travel, along.turns, places);
+}
+
+/// As add_margin_places for both margins of such a dyad: the distance of its outer pins is greatest and least where the
+/// driven link is in line with the frame (the law of cosines).
+template <std::size_t K>
+void add_margins_in_line(Measured<double, K>& measured, std::size_t margin, const CarriedRound& round,
+                         const Driven<double>& driven, const Travel& travel, std::vector<MarginPlace>& places) {
+    Driven<double> moving = driven;
+    moving.shortfall = std::numeric_limits<double>::infinity();
+    moving.place(travel.from, {}, margin);
+    const InLine found = in_line(round, driven.laws[round.input].ratio, travel.from, travel.to, size_of(driven),
+                                 [&](std::size_t pin) { return moving.pose.pins[pin]; });
+    const auto add = [&](bool inner, double at, bool stationary) {
+        const auto& both = measured.margins(margin, at, {});
+        places.push_back({{margin, inner}, {at, (inner ? both.inner : both.outer).c[0], stationary, {}}});
     };
-    add_end(travel.from, travel.first);
-    add_end(travel.to, travel.last);
+    for (const InLine::Input& input : found.inputs)
+        if (input.at < travel.to && (travel.whole || input.at > travel.from))
+            add(!input.stretched, input.at, input.stretched || !found.pins_meet);
+    if (found.constant)
+        for (const bool inner : {false, true})
+            add(inner, travel.from + 0.5 * (travel.to - travel.from), false);
+    for (const bool inner : {false, true})
+        add_margin_ends(measured, {margin, inner}, travel, Turns(), places);
 }
 
 }  // namespace detail
@@ -116,7 +146,9 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
     for (std::size_t margin = 0; margin < driven.order.margins && !now.empty(); ++margin) {
         std::vector<Travel> next;
         for (const Travel& travel : now) {
-            if (!is_of_lines(driven.order, margin) && step_together(driven.order, margin) == nullptr) {
+            if (const auto round = detail::carried_round(driven.order, step_of(driven.order, margin))) {
+                detail::add_margins_in_line(measured, margin, *round, driven, travel, places);
+            } else if (!is_of_lines(driven.order, margin) && step_together(driven.order, margin) == nullptr) {
                 Driven<double> moving = driven;
                 moving.shortfall = std::numeric_limits<double>::infinity();
                 const Turns turns(moving, travel.from, travel.to + (travel.whole ? 0.125 : 0));
@@ -124,7 +156,7 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
                 detail::add_margin_places(along, false, travel, places);
                 if (!driven.order.is_stop(margin)) detail::add_margin_places(along, true, travel, places);
             }
-            detail::split(driven, margin, size, travel, next);
+            if (margin + 1 < driven.order.margins) detail::split(driven, margin, size, travel, next);
         }
         now = std::move(next);
     }
