@@ -14,7 +14,7 @@
 namespace mechwright::test {
 namespace {
 
-constexpr double one_turn = 2 * std::numbers::pi;
+constexpr double turn_of_margins = 2 * std::numbers::pi;
 
 /// The least of both margins of the first dyad among places, which have them, and at many inputs of a travel.
 void expect_least_margins(Watched& w, const linkage::Travel& travel) {
@@ -54,12 +54,12 @@ TEST(LinkageMargins, OfADyadOnCrankAndFrameAreLeastInLine) {
         const double from = draw.number(-4, 4), to = from + draw.number(0.1, 6);
         expect_least_margins(w, {from, to, false});
         Watched whole(four_bar_linkage(m), {});
-        expect_least_margins(whole, {from, from + one_turn, true});
+        expect_least_margins(whole, {from, from + turn_of_margins, true});
         // In line the distance of crank pin and rocker pivot is the sum or the difference of ground and crank.
         auto measured = whole.measured<2>();
         const double total = m.coupler + m.rocker, difference = std::abs(m.coupler - m.rocker);
         for (const linkage::MarginPlace& place :
-             linkage::margin_places(measured, whole.driven, {from, from + one_turn, true})) {
+             linkage::margin_places(measured, whole.driven, {from, from + turn_of_margins, true})) {
             const double distance = place.margin.inner ? std::abs(m.ground - m.crank) : m.ground + m.crank;
             EXPECT_NEAR(place.place.value, place.margin.inner ? distance - difference : total - distance, 1e-13);
         }
