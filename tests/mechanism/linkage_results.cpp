@@ -63,14 +63,15 @@ TEST(LinkageResults, NameCircuitAndBranch) {
     }
 }
 
+std::string with_long_crank(const std::string& side) {
+    std::string text = crank_rocker(side);
+    text.replace(text.find("B = [2, 0]"), 10, "B = [6, 0]");
+    return text;
+}
+
 /// A crank that cannot turn fully goes to and fro on one circuit with two branches, which meet where the dyad is at its
 /// limits.
 TEST(LinkageResults, TellBranchesOfOneCircuitApart) {
-    const auto with_long_crank = [](const std::string& side) {
-        std::string text = crank_rocker(side);
-        text.replace(text.find("B = [2, 0]"), 10, "B = [6, 0]");
-        return text;
-    };
     const Json left = analysed_circuit(with_long_crank("left")), right = analysed_circuit(with_long_crank("right"));
     EXPECT_EQ(left["circuit"], 1);
     EXPECT_EQ(left["branch"], 1);
@@ -102,6 +103,22 @@ TEST(LinkageResults, HaveColumnsForSignals) {
         last = row["rocker-turn"];
         const Vector<double> way = place(angle + h) - place(angle - h);
         EXPECT_NEAR(row["speed"], std::hypot(way.x, way.y) / (2 * h), 1e-8);
+    }
+}
+
+/// Coupler and rocker in one line: the rocker pin is on the line from the rocker's pivot to the crank pin, and its
+/// speed is beyond all bounds.
+TEST(LinkageResults, HaveColumnsForSignalsAtLimits) {
+    const ReadProblem read = testing::read_without_fault(with_long_crank("left"));
+    ASSERT_TRUE(read.ok());
+    const FinishedDesign design = finished_design(read.problem, evaluate_given(read.problem).design);
+    for (const double end : {design.motion.from, design.motion.to}) {
+        const MotionRow row(design, end);
+        ASSERT_TRUE(row.assembled());
+        EXPECT_TRUE(std::isinf(row["speed"])) << row["speed"];
+        const Vector<double> crank_pin{6 * std::cos(end), 6 * std::sin(end)};
+        const double length = std::hypot(crank_pin.x - 5, crank_pin.y);
+        EXPECT_NEAR(row["C-x"], 5 + 4 * (crank_pin.x - 5) / length, 1e-13);
     }
 }
 

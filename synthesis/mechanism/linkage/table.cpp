@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "analysis/linkage/margins.h"
 #include "synthesis/mechanism/linkage/drawing/drawing.h"
 #include "synthesis/mechanism/linkage/measured_over.h"
 
@@ -63,7 +64,7 @@ std::vector<Column> columns_of(const LinkageModel& model) {
     return columns;
 }
 
-/// All signals at an input; angles are counted on from the start of the motion.
+/// All signals at an input; angles are counted on from the start of the motion. At a limit speeds are infinite.
 std::vector<double> signal_values(const LinkageModel& model, const Motion& motion, std::span<const double> dimensions,
                                   double crank_angle) {
     constexpr std::size_t derivatives = 2;  // of the poses, which accelerations need
@@ -72,12 +73,19 @@ std::vector<double> signal_values(const LinkageModel& model, const Motion& motio
     over_motion.of = &measure;
     const measuring::Over over(over_motion);
     auto values = measuring::measured<double, derivatives>(over, dimensions, model.signals);
-    const linkage::Travel so_far{model.input_of(motion.from), model.input_of(crank_angle)};
-    const linkage::Course course = linkage::course_along(over.driven(dimensions), so_far);
+    const linkage::Travel whole = over.travel();
+    const double input = model.input_of(crank_angle);
+    const bool first = input == whole.from, at_end = !whole.whole && (first || input == whole.to);
+    linkage::Course course =
+        linkage::course_along(over.driven(dimensions), at_end ? whole : linkage::Travel{whole.from, input});
     values.start_at(course);
+    const auto near = course.turns.near(input);
+    const linkage::Limit limit = at_end ? linkage::limit_at(values, input, near) : linkage::Limit{};
+    (first ? course.travel.first : course.travel.last) = limit;
     std::vector<double> all;
     for (std::size_t i = 0; i < model.signals.size(); ++i)
-        all.push_back(values.value(i, so_far.to, course.turns.near(so_far.to)).c[0]);
+        all.push_back(limit.exists() ? linkage::value_at_limit(values, {i, 0}, course, !first)
+                                     : values.value(i, input, near).c[0]);
     return all;
 }
 
