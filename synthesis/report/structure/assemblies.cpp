@@ -59,12 +59,9 @@ std::vector<LinkageAssembly> assemblies_at(const Linkage& linkage, double master
     const double size = linkage::farthest_point(linkage.structure, numbers);
     linkage::Driven<double> moving = driven(linkage, numbers);
     const std::vector<const linkage::Group*> dyads = chosen_dyads(linkage);
-    std::vector<std::int8_t> open(linkage.order.choices, 1);
-    for (const linkage::Group* group : dyads)
-        open[group->choice] = 0;
     std::vector<LinkageAssembly> all;
     const auto of_file = poses_of_file(linkage, numbers, master);
-    for_each_assembly(open, 10, [&](const std::vector<std::int8_t>& sides) {
+    for_each_assembly(open_sides(linkage.order, linkage.redundant), 10, [&](const std::vector<std::int8_t>& sides) {
         if (!linkage.order.closed()) {
             for (LargerAssembly& one : larger_assemblies(linkage, numbers, sides, master, true)) {
                 const bool asked = std::any_of(of_file.begin(), of_file.end(),
