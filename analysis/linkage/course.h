@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/linkage/in_line.h"
@@ -82,11 +83,18 @@ public:
         place(master, near, held, margin);
         return driven_.pose.margins[margin];
     }
+    /// How far a dyad is from its outer limit; not a number where those before it do not close, or it does not itself.
+    Value closed_margin(std::size_t margin, double master, std::span<const double> near) {
+        if (!place(master, near, {}, margin)) return Value(T(std::numeric_limits<double>::quiet_NaN()));
+        return driven_.pose.margins[margin].outer;
+    }
     /// The same of the limit of a larger group.
     Value beyond_limit(const Limit& limit, double master) {
         return Value::variable(T(master), T(rate_)) - turning(limit, master).at;
     }
 
+    /// Keeps the poses that are placed from now on: for many signals that are looked at for the same inputs.
+    void keep_poses() { keeps_poses_ = true; }
     /// What is asked of signals whose errors are measured.
     void ask(const Wanted<T>& wanted) {
         values_.wanted = {Value(wanted.from), Value(wanted.way), Value(wanted.start), Value(wanted.range), wanted.part};
@@ -100,6 +108,19 @@ private:
     bool place(double master, std::span<const double> near, const Limit& limit, std::size_t last_margin = none) {
         if (held_ != none) driven_.sides[held_] = held_side_;
         held_ = none;
+        if (!keeps_poses_ || limit.exists() || last_margin != none) return place_now(master, near, limit, last_margin);
+        const auto [entry, is_new] = kept_.try_emplace(master);
+        Kept& kept = entry->second;
+        if (is_new) {
+            kept.closes = place_now(master, near, limit, last_margin);
+            kept.pose = driven_.pose;
+        } else {
+            driven_.set_inputs(Value::variable(T(master), T(rate_)));
+            driven_.pose = kept.pose;
+        }
+        return kept.closes;
+    }
+    bool place_now(double master, std::span<const double> near, const Limit& limit, std::size_t last_margin) {
         for (GroupSolver<Value>& group : driven_.groups)
             group.held.clear();
         if (const Step* step = limit.exists() ? step_together(driven_.order, limit.margin) : nullptr) {
@@ -133,9 +154,16 @@ private:
     }
     static std::vector<Value> series(std::span<const T> numbers) { return {numbers.begin(), numbers.end()}; }
 
+    struct Kept {
+        bool closes = false;
+        Pose<Value> pose{};
+    };
+
     Driven<Value> driven_;
     SignalValues<Value> values_;
     double rate_;
+    bool keeps_poses_ = false;
+    std::unordered_map<double, Kept> kept_{};
     /// The dyad that is placed at its limit now, and its side elsewhere.
     std::size_t held_ = none;
     std::int8_t held_side_ = 1;
@@ -166,24 +194,34 @@ namespace detail {
 /// Of the size of what goes into a value.
 inline constexpr double one_rounding = 2e-15;
 
-/// What rounding makes of what is asked, where it is 0 itself.
-template <std::size_t K>
-double rounding_of(Measured<double, K>& measured, const Asked& asked, std::size_t derivative, const Course& course,
-                   const Stretch& stretch) {
+/// What rounding makes of a derivative where it is 0 itself, of a value along a stretch whose inputs are of that size.
+template <class Value>
+double rounding_of(const Value& value, std::size_t derivative, double size, double rate, const Stretch& stretch) {
     constexpr int samples = 8;
-    const auto kind_of = [&](std::size_t signal) { return measured.signals()[signal].kind; };
-    const bool error = kind_of(asked.signal) == Signal::Kind::error;
-    const Signal::Kind kind = kind_of(error ? measured.signals()[asked.signal].of : asked.signal);
-    const bool angle = kind == Signal::Kind::angle || kind == Signal::Kind::transmission_angle;
-    const double size = angle ? 1 : size_of(measured.driven());
-    double greatest = size * std::pow(std::abs(measured.rate()), static_cast<double>(derivative));
+    double greatest = size * std::pow(std::abs(rate), static_cast<double>(derivative));
     for (int i = 0; i < samples; ++i) {
-        const double at = stretch.at((i + 0.5) / samples);
-        const auto value = measured.value(asked.signal, at, course.turns.near(at));
+        const auto sample = value(stretch.at((i + 0.5) / samples));
         for (std::size_t k = 0; k <= derivative; ++k)
-            if (std::isfinite(value.c[k])) greatest = std::max(greatest, std::abs(value.derivative(k)));
+            if (std::isfinite(sample.c[k])) greatest = std::max(greatest, std::abs(sample.derivative(k)));
     }
     return one_rounding * greatest;
+}
+
+/// The size of what goes into a signal, or into what it is the error of.
+template <std::size_t K>
+double size_of_inputs(const Measured<double, K>& measured, std::size_t signal) {
+    const Signal& s = measured.signals()[signal];
+    const Signal::Kind kind = s.kind == Signal::Kind::error ? measured.signals()[s.of].kind : s.kind;
+    const bool angle = kind == Signal::Kind::angle || kind == Signal::Kind::transmission_angle;
+    return angle ? 1 : size_of(measured.driven());
+}
+
+/// The dyad whose margins are stationary where what is asked is: the transmission angle of one is a monotonic function
+/// of each of its margins, unless it is of lines or its radii follow from inputs. None of anything else.
+inline std::size_t stationary_with(std::span<const Signal> signals, const Asked& asked, const Order& order) {
+    const Signal& signal = signals[asked.signal];
+    if (signal.kind != Signal::Kind::transmission_angle || asked.derivative != 0) return none;
+    return is_of_lines(order, signal.of) || step_of(order, signal.of).is_extended() ? none : signal.of;
 }
 
 inline Stretch stretch_of(const Course& course, double from, double to) {
@@ -251,19 +289,21 @@ std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked
                                       const Stretch& stretch) {
     if (auto known = inputs_in_line(measured, asked, course, stretch)) return *std::move(known);
     const std::size_t order = asked.derivative + 1;
-    const double floor = rounding_of(measured, asked, order, course, stretch);
+    const std::size_t dyad = stationary_with(measured.signals(), asked, measured.driven().order);
+    const auto value_at = [&](double at) {
+        const auto near = course.turns.near(at);
+        return dyad == none ? measured.value(asked.signal, at, near) : measured.closed_margin(dyad, at, near);
+    };
+    const double size = dyad == none ? size_of_inputs(measured, asked.signal) : size_of(measured.driven());
+    const double floor = rounding_of(value_at, order, size, measured.rate(), stretch);
     // At limits each derivative goes like two powers less of the share: as many of its speed make that finite. Where
     // several dyads are at their limits, two more for each make rounding finite, too.
     const int derivatives = static_cast<int>(order + order_of(measured.signals(), asked.signal));
     const int powers = (ends_in_several_limits(measured, asked.signal, course) ? 4 : 2) * derivatives - 1;
     const auto share = [&](double s) { return stretch.speed(s) / stretch.length(); };
-    const auto value = [&](double s) {
-        const double at = stretch.at(s);
-        return measured.value(asked.signal, at, course.turns.near(at));
-    };
-    const auto slope = [&](double s) { return value(s).derivative(order) * std::pow(share(s), powers); };
+    const auto slope = [&](double s) { return value_at(stretch.at(s)).derivative(order) * std::pow(share(s), powers); };
     const auto curvature = [&](double s) {
-        const auto f = value(s);
+        const auto f = value_at(stretch.at(s));
         return f.derivative(order + 1) / measured.rate() * stretch.speed(s) * share(s) +
                f.derivative(order) * powers * (stretch.speed_slope(s) / stretch.length());
     };

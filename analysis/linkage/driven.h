@@ -69,7 +69,7 @@ public:
 
     /// Places all links into `pose`, or as far as to a margin; as linkage::place. `near` as of Input.
     bool place(const T& master, std::span<const double> near = {}, std::size_t last_margin = none) {
-        set_inputs<T>(laws, master, inputs_);
+        set_inputs(master);
         return linkage::place<T>(order, sizes,
                                  {inputs_, sides, near, shortfall, last_margin, groups, detail::plain(master)}, pose);
     }
@@ -79,6 +79,7 @@ public:
             groups[i].way = ways[i];
     }
 
+    void set_inputs(const T& master) { linkage::set_inputs<T>(laws, master, inputs_); }
     std::span<const T> inputs() const { return inputs_; }
 
 private:

@@ -3,10 +3,11 @@
 /// How near the dyads of a linkage come to their limits along its motion: all least values of their margins.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <unordered_map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -52,26 +53,6 @@ void add_cusp(const Function& margin_at, const Stretch& stretch, std::vector<Mar
     places.push_back({margin, {stretch.at(s), value(s), false, {}}});
 }
 
-/// Both margins of a dyad along a motion. Where they have been asked for they are known: their least places are sought
-/// on the same grids.
-template <std::size_t K>
-struct KnownMargins {
-    Measured<double, K>& measured;
-    const Turns& turns;
-    std::size_t margin;
-    std::unordered_map<double, Margin<Series<double, K>>> known{};
-
-    const Margin<Series<double, K>>& at(double master) {
-        const auto [entry, is_new] = known.try_emplace(master);
-        if (is_new) entry->second = measured.margins(margin, master, turns.near(master));
-        return entry->second;
-    }
-    /// Whether the inner margin was below 0 anywhere.
-    bool passes_limit() const {
-        return std::any_of(known.begin(), known.end(), [](const auto& one) { return one.second.inner.c[0] < 0; });
-    }
-};
-
 /// A margin at the ends of a part of a motion.
 template <std::size_t K>
 void add_margin_ends(Measured<double, K>& measured, const Limit& margin, const Travel& travel, const Turns& turns,
@@ -82,31 +63,50 @@ void add_margin_ends(Measured<double, K>& measured, const Limit& margin, const T
             places.push_back({margin, {x, measured.margin(margin, x, turns.near(x), limit).c[0], false, limit}});
 }
 
+/// Where the slope of one margin vanishes along a motion both margins of its dyad are looked at, for they have the same
+/// stationary places unless radii follow from inputs; `sought` are those that get places.
 template <std::size_t K>
-void add_margin_places(KnownMargins<K>& along, bool inner, const Travel& travel, std::vector<MarginPlace>& places) {
+void add_margin_places(Measured<double, K>& measured, std::size_t margin, std::span<const bool> sought,
+                       const Turns& turns, const Travel& travel, std::vector<MarginPlace>& places) {
     constexpr double seam_overlap = 0.125, unit = 2e-15;
     const double overlap = travel.whole ? seam_overlap : 0;
     const Stretch stretch{travel.from, travel.to + overlap, travel.first.is_singular(), travel.last.is_singular()};
-    Measured<double, K>& measured = along.measured;
-    const Limit margin{along.margin, inner};
-    const auto at = [&](double x) -> const Series<double, K>& { return inner ? along.at(x).inner : along.at(x).outer; };
+    bool passes_limit = false;
+    const auto both = [&](double x) -> const Margin<Series<double, K>>& {
+        const auto& at = measured.margins(margin, x, turns.near(x));
+        passes_limit = passes_limit || at.inner.c[0] < 0;
+        return at;
+    };
     // Where lines become parallel margins grow beyond all bounds, and their slopes like the inverse square of the way.
     const int powers = travel.first.parallel || travel.last.parallel ? 5 : 1;
+    const bool by_inner = sought.front();
     const auto slope = [&](double s) {
-        return at(stretch.at(s)).derivative(1) * std::pow(stretch.speed(s) / stretch.length(), powers);
+        const auto& at = both(stretch.at(s));
+        return (by_inner ? at.inner : at.outer).derivative(1) * std::pow(stretch.speed(s) / stretch.length(), powers);
     };
     const double floor = unit * size_of(measured.driven());
     const Panels panels(slope, stretch.first(), stretch.last(), {.first = first_panels(stretch), .floor = floor});
+    std::array<std::vector<Extreme>, 2> found;
     if (panels.greatest() > 4 * floor)
         panels.zeros(slope, [&](double s) {
-            const auto& value = at(stretch.at(s));
-            if (value.derivative(2) > 0) places.push_back({margin, {stretch.at(s), value.c[0]}});
+            const auto& at = both(stretch.at(s));
+            for (const bool inner : sought)
+                if (const auto& value = inner ? at.inner : at.outer; value.derivative(2) > 0)
+                    found[inner].push_back({stretch.at(s), value.c[0]});
         });
     else
-        places.push_back({margin, {stretch.at(0.5), at(stretch.at(0.5)).c[0], false, {}}});
-    // The slope jumps at a cusp: its panels are split until one of their nodes sees what lies about it.
-    if (inner && along.passes_limit()) add_cusp(at, stretch, places, margin);
-    add_margin_ends(measured, margin, travel, along.turns, places);
+        for (const bool inner : sought) {
+            const auto& at = both(stretch.at(0.5));
+            found[inner].push_back({stretch.at(0.5), (inner ? at.inner : at.outer).c[0], false, {}});
+        }
+    for (const bool inner : sought) {
+        for (const Extreme& place : found[inner])
+            places.push_back({{margin, inner}, place});
+        // The slope jumps at a cusp: its panels are split until one of their nodes sees what lies about it.
+        if (inner && passes_limit)
+            add_cusp([&](double x) -> const auto& { return both(x).inner; }, stretch, places, {margin, inner});
+        add_margin_ends(measured, {margin, inner}, travel, turns, places);
+    }
 }
 
 /// As add_margin_places for both margins of such a dyad: the distance of its outer pins is greatest and least where the
@@ -152,9 +152,15 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
                 Driven<double> moving = driven;
                 moving.shortfall = std::numeric_limits<double>::infinity();
                 const Turns turns(moving, travel.from, travel.to + (travel.whole ? 0.125 : 0));
-                detail::KnownMargins<K> along{measured, turns, margin};
-                detail::add_margin_places(along, false, travel, places);
-                if (!driven.order.is_stop(margin)) detail::add_margin_places(along, true, travel, places);
+                constexpr std::array both{false, true};
+                const auto add = [&](std::span<const bool> sought) {
+                    detail::add_margin_places(measured, margin, sought, turns, travel, places);
+                };
+                if (!driven.order.is_stop(margin) && !step_of(driven.order, margin).is_extended())
+                    add(both);
+                else
+                    for (const bool& inner : std::span(both).first(driven.order.is_stop(margin) ? 1 : 2))
+                        add({&inner, 1});
             }
             if (margin + 1 < driven.order.margins) detail::split(driven, margin, size, travel, next);
         }

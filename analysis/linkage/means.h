@@ -45,7 +45,9 @@ T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& ask
                length;
     }
     // The rounding of the input counts as much as that of the value.
-    const double floor = detail::rounding_of(plain, asked, std::min(asked.derivative + 1, L), course, stretch);
+    const double floor = detail::rounding_of(
+        [&](double at) { return plain.value(asked.signal, at, course.turns.near(at)); },
+        std::min(asked.derivative + 1, L), detail::size_of_inputs(plain, asked.signal), plain.rate(), stretch);
     const auto f = [&](double s) {
         const double at = stretch.at(s);
         const double value = plain.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "analysis/linkage/driven.h"
@@ -67,20 +68,20 @@ public:
     void follow(double from, double to) {
         if (unwinds_) turns_ = Turns(driven_, from, to);
     }
-    double operator()(std::size_t function, double master) {
+    Margin<double> operator()(double master) {
         driven_.place(master, turns_.near(master));
-        if (!lines_) return function == 0 ? driven_.pose.margins[margin_].outer : driven_.pose.margins[margin_].inner;
+        if (!lines_) return driven_.pose.margins[margin_];
         const Step& step = head_.steps.back();
         const Sized<double>& size = driven_.sizes[head_.steps.size() - 1];
-        return cross(locus_line(step.first, size.first, driven_.pose).direction,
-                     locus_line(step.second, size.second, driven_.pose).direction);
+        const double sine = cross(locus_line(step.first, size.first, driven_.pose).direction,
+                                  locus_line(step.second, size.second, driven_.pose).direction);
+        return {sine, sine};
     }
     /// What decides whether it closes.
     double least(double master) {
-        const double first = (*this)(0, master);
-        if (lines_) return std::abs(first);
-        const double second = (*this)(1, master);
-        return first <= second || std::isnan(first) ? first : second;
+        const auto [outer, inner] = (*this)(master);
+        if (lines_) return std::abs(outer);
+        return outer <= inner || std::isnan(outer) ? outer : inner;
     }
 
 private:
@@ -105,8 +106,15 @@ inline std::optional<std::vector<Vanishing>> vanishing(MarginAlong& margin, std:
     std::vector<Vanishing> found;
     const auto per_turn = static_cast<std::size_t>(std::ceil(stretch.length() / std::numbers::pi * 3));
     const double floor = rounding * margin.unit(size);
+    // The second function is mostly asked for where the first one was, in the same order.
+    std::vector<std::pair<double, Margin<double>>> sampled;
     for (std::size_t function = 0; function < margin.functions(); ++function) {
-        const auto g = [&](double s) { return margin(function, stretch.at(s)); };
+        std::size_t next = 0;
+        const auto g = [&](double s) {
+            if (function == 0) return sampled.emplace_back(s, margin(stretch.at(s))).second.outer;
+            if (next < sampled.size() && sampled[next].first == s) return sampled[next++].second.inner;
+            return margin(stretch.at(s)).inner;
+        };
         const Panels panels(g, stretch.first(), stretch.last(),
                             {.first = std::clamp<std::size_t>(per_turn, 2, 384), .floor = floor, .everywhere = true});
         if (!panels.finite()) return {};

@@ -271,6 +271,7 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
         if (over.is_of_function()) {
             found = found_of_error(over, plain, course, arguments);
         } else if (kind == Kind::transmission_angle_worst || kind == Kind::joint_distance_least) {
+            plain.keep_poses();
             found = found_of_all(over, plain, course);
         } else {
             const auto asked = kind == Kind::at ? std::optional(std::array{over.measure.input, over.measure.input})
