@@ -14,6 +14,7 @@
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/report/drawing/animation.h"
 #include "synthesis/report/drawing/linkage_sheets.h"
 #include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
@@ -27,6 +28,7 @@ namespace {
 
 constexpr int default_width = 640;
 constexpr int plot_steps = 360;
+constexpr double default_seconds = 4;
 
 struct DrawOptions {
     std::string file;
@@ -36,6 +38,8 @@ struct DrawOptions {
     bool assemblies = false;
     bool skeleton = false;
     bool centres = false;
+    bool animate = false;
+    std::string seconds;
     std::optional<std::uint64_t> alternative;
     std::optional<std::uint64_t> width;
 };
@@ -45,6 +49,11 @@ std::string picture_of(const ShownDesign& shown, const DrawOptions& options, con
     SvgPicture picture = with_marks;
     picture.title = shown.title;
     picture.width = width;
+    if (options.animate) {
+        const double seconds = options.seconds.empty() ? default_seconds : *decimal(options.seconds);
+        return options.out.ends_with(".gif") ? gif_animation(shown.design, picture, seconds)
+                                             : svg_animation(shown.design, picture, seconds);
+    }
     if (options.plots) {
         const MotionPlots plots = motion_plots(shown.design, shown.document, plot_steps);
         const int height = plots_height(plots, width);
@@ -174,6 +183,14 @@ std::string why_not_together(const DrawOptions& options) {
         return "--at is for --assemblies and --instant-centres";
     if (options.centres && (options.assemblies || options.skeleton))
         return "--instant-centres are of a design: leave --assemblies and --skeleton out";
+    if (options.animate && (options.assemblies || options.skeleton || options.centres || options.plots))
+        return "--animate is of a design alone: leave the other kinds of drawings out";
+    if (!options.seconds.empty() && !options.animate) return "--seconds is for --animate";
+    if (const auto seconds = decimal(options.seconds); !options.seconds.empty() && !(seconds && *seconds > 0))
+        return "--seconds must be a number greater than 0, not " + reading::quoted(options.seconds);
+    if (options.out.ends_with(".gif") && !options.animate) return "a .gif is for --animate";
+    if (options.animate && !options.out.empty() && !options.out.ends_with(".gif") && !options.out.ends_with(".svg"))
+        return "--animate makes .svg or .gif";
     if ((options.assemblies || options.skeleton) && (options.plots || options.alternative))
         return "--assemblies and --skeleton are of a problem file: leave --plots and --alternative out";
     return "";
@@ -181,8 +198,8 @@ std::string why_not_together(const DrawOptions& options) {
 
 int draw(const DrawOptions& options, Console& console) {
     const std::optional<RasterFormat> format = raster_format_of(options.out);
-    if (!options.out.empty() && !format && !options.out.ends_with(".svg")) {
-        complain(console, "--out: '" + options.out + "' must end in .svg, .png or .pdf");
+    if (!options.out.empty() && !format && !options.out.ends_with(".svg") && !options.out.ends_with(".gif")) {
+        complain(console, "--out: '" + options.out + "' must end in .svg, .png, .pdf, or .gif for --animate");
         return exit_code::wrong_usage;
     }
     if (const std::string why = why_not_together(options); !why.empty()) {
@@ -211,7 +228,7 @@ Command add_draw(CLI::App& program) {
     command->add_option("FILE", options->file, "Result document, or fully dimensioned problem")
         ->required()
         ->option_text(" ");
-    command->add_option("--out", options->out, "Picture to write: .svg, .png or .pdf (SVG, printed)")
+    command->add_option("--out", options->out, "Picture to write: .svg, .png, .pdf or .gif (SVG, printed)")
         ->type_name("FILE")
         ->check(not_empty);
     command->add_flag("--plots", options->plots, "The curves of the motion below it (with gnuplot)");
@@ -219,6 +236,8 @@ Command add_draw(CLI::App& program) {
                       "All sides on which a linkage closes, with what [assembly] says of them");
     command->add_flag("--instant-centres", options->centres, "With the instant centres of all pairs of links");
     command->add_option("--at", options->at, "Crank angle, or displacement, of these two")->option_text("NUMBER");
+    command->add_flag("--animate", options->animate, "Moving for ever: .svg or .gif");
+    command->add_option("--seconds", options->seconds, "Of one round of that (4)")->option_text("NUMBER");
     command->add_flag("--skeleton", options->skeleton, "The links of a linkage apart, even where it does not close");
     add_whole_number(*command, "--alternative", options->alternative, 1, 1'000'000, "Draw this alternative");
     add_whole_number(*command, "--width", options->width, 100, 10'000, "Width in pixels (640)");

@@ -14,9 +14,9 @@ std::optional<RasterFormat> raster_format_of(std::string_view file) {
     return std::nullopt;
 }
 
-std::string rasterised(const std::string& svg, RasterFormat format) {
+std::string rasterised(const std::string& svg, RasterFormat format, int zoom) {
     std::vector<std::string> command{"rsvg-convert", "--format", format == RasterFormat::png ? "png" : "pdf"};
-    if (format == RasterFormat::png) command.insert(command.end(), {"--zoom", "2"});
+    if (format == RasterFormat::png) command.insert(command.end(), {"--zoom", std::to_string(zoom)});
     ProgramRun run = run_program(std::move(command), svg);
     if (run.error == ENOENT) throw ChartFault("there is no rsvg-convert: install it (Debian: librsvg2-bin)");
     if (run.error != 0) throw ChartFault("cannot run rsvg-convert: " + std::generic_category().message(run.error));

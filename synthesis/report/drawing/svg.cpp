@@ -177,6 +177,8 @@ std::string svg_fixed(const FinishedDesign& design, const Scene& scene, const Sv
     return text;
 }
 
+std::string svg_body(const Body& body, const SvgView& view) { return body_elements(body, view.scale, {1, 0}); }
+
 std::string svg_bodies(const Scene& scene, const SvgView& view, std::span<const BodyPlace> places) {
     std::string text;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
@@ -210,8 +212,15 @@ double pictured_angle(const FinishedDesign& design) {
     return motion.from + 0.125 * (motion.to - motion.from);
 }
 
+namespace {
+
+constexpr double head = 34;  ///< the title's height
+
+}  // namespace
+
+Vector<double> svg_file_size(double width, double height) { return {width, head + height}; }
+
 std::string svg_file(std::string_view title, double width, double height, std::string_view content) {
-    constexpr double head = 34;
     // A letter is about half as wide as its size.
     const auto letters = static_cast<double>(std::max(1, reading::count_characters(title)));
     const double letter_size = std::min(16.0, 1.8 * width / letters);

@@ -35,6 +35,9 @@ std::string svg_matrix(const SvgView& view, const BodyPlace& place);
 std::string svg_fixed(const Scene& scene, const SvgView& view);
 std::string svg_fixed(const FinishedDesign& design, const Scene& scene, const SvgView& view);
 
+/// One body in its own frame, in pixels; its names stand upright where it is not turned.
+std::string svg_body(const Body& body, const SvgView& view);
+
 /// The bodies, each a group of class "body" with the name of the body, at the crank angle.
 std::string svg_bodies(const FinishedDesign& design, const Scene& scene, const SvgView& view, double crank_angle,
                        std::size_t assembly);
@@ -47,6 +50,9 @@ std::string svg_ghosts(const FinishedDesign& design, const Scene& scene, const S
 
 /// An SVG file with a title above its content (SVG, `height` high).
 std::string svg_file(std::string_view title, double width, double height, std::string_view content);
+
+/// Width and height of such a file.
+Vector<double> svg_file_size(double width, double height);
 
 /// A picture that stands alone, at the start of the motion, with its title above it and `below` (SVG, `below_height`
 /// high) beneath.

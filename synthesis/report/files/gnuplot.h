@@ -14,10 +14,11 @@ struct ChartFault : std::runtime_error {
 };
 
 struct Picture {
-    enum class Format { svg, png } format = Format::svg;
+    enum class Format { svg, png, gif } format = Format::svg;
     int width = 900;
     int height = 640;
     bool fixed = false;  ///< an SVG of this size in whatever it stands; else it fills that
+    double delay = 0.1;  ///< seconds between the plots of a script, which are the pictures of an animated GIF
 };
 
 /// The picture that gnuplot makes of a script, which leaves the terminal to the format. Throws ChartFault where there

@@ -51,7 +51,7 @@ std::vector<char*> environment_without_locale() {
 
 }  // namespace
 
-ProgramRun run_program(std::vector<std::string> command, std::string_view input) {
+ProgramRun run_program(std::vector<std::string> command, std::string_view input, bool quiet) {
     ProgramRun run;
     std::FILE* in = file_of(input);
     std::array<int, 2> pipe{};
@@ -64,6 +64,7 @@ ProgramRun run_program(std::vector<std::string> command, std::string_view input)
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ::fileno(in), STDIN_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
+    if (quiet) ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     std::vector<char*> arguments;
     for (std::string& word : command)
         arguments.push_back(word.data());

@@ -17,7 +17,7 @@ struct ProgramRun {
 };
 
 /// Runs a program, found as the shell finds it, with arguments and a text on its standard input, to its end. Its
-/// standard error is that of this program.
-ProgramRun run_program(std::vector<std::string> command, std::string_view input);
+/// standard error is that of this program, or, if `quiet`, nobody's.
+ProgramRun run_program(std::vector<std::string> command, std::string_view input, bool quiet = false);
 
 }  // namespace mechwright
