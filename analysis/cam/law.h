@@ -13,6 +13,7 @@
 
 #include "analysis/numbers/dual.h"
 #include "analysis/numbers/second_dual.h"
+#include "analysis/numbers/series.h"
 
 namespace mechwright::cam {
 
@@ -55,6 +56,10 @@ struct Underlying<Dual<T, N>> {
 template <class T, std::size_t N>
 struct Underlying<SecondDual<T, N>> {
     using type = T;
+};
+template <class T, std::size_t K>
+struct Underlying<Series<T, K>> {
+    using type = typename Underlying<T>::type;
 };
 
 }  // namespace detail

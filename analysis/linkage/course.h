@@ -6,168 +6,21 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
-#include <unordered_map>
+#include <tuple>
 #include <vector>
 
 #include "analysis/linkage/in_line.h"
+#include "analysis/linkage/measured.h"
+#include "analysis/linkage/motion_breaks.h"
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/travel.h"
-#include "analysis/linkage/turning_point.h"
 #include "analysis/numbers/resolved.h"
 #include "analysis/numbers/series.h"
 
 namespace mechwright::linkage {
-
-/// The motion over which signals are measured: a travel, or a part of one, with the turns of links along it (over a
-/// second cycle too, where it is whole, for stretches that go through its end).
-struct Course {
-    Travel travel{};
-    Turns turns{};
-
-    double period() const { return travel.to - travel.from; }
-};
-
-namespace detail {
-
-/// Extremes of a cycle are sought from here on, where they seldom are, and as much beyond its end.
-inline constexpr double seam_of_cycle = 0.7, overlap_of_cycle = 0.125, beyond_cycle = 1;
-
-}  // namespace detail
-
-/// Follows the links along a travel: from turns in (-pi, pi] at its start. Of a whole one that no stretch goes beyond
-/// one cycle is enough.
-inline Course course_along(const Driven<double>& driven, const Travel& travel, bool twice = true) {
-    Driven<double> moving = driven;
-    moving.shortfall = 1e-13 * size_of(driven);
-    const double beyond = !travel.whole ? 0 : twice ? travel.to - travel.from : detail::beyond_cycle;
-    return {travel, Turns(moving, travel.from, travel.to + beyond)};
-}
-
-/// A linkage with its signals as series of the time, in which the master's input grows by `rate`: numbers of the type T
-/// that is given, and all derivatives up to the K-th.
-template <class T, std::size_t K>
-class Measured {
-public:
-    using Value = Series<T, K>;
-
-    Measured(const Structure& s, const Order& order, std::span<const T> numbers, std::span<const std::int8_t> sides,
-             std::span<const DriveLaw> laws, std::span<const Signal> signals, const Placing<T>& placing,
-             double rate = 1, std::span<const std::shared_ptr<const Way>> ways = {})
-        : driven_(s, order, series(numbers), sides, laws),
-          values_(s, signals, std::span<const Value>(series(numbers)),
-                  {{placing.origin.x, placing.origin.y}, placing.tilt, placing.scale}),
-          rate_(rate) {
-        driven_.shortfall = 1e-13 * size_of(driven_);
-        driven_.set_ways(ways);
-    }
-
-    /// A signal at an input of the master. At a limit its dyad or larger group is placed exactly there. Not a number
-    /// where the linkage does not close.
-    Value value(std::size_t signal, double master, std::span<const double> near, const Limit& limit = {}) {
-        if (!place(master, near, limit)) return Value(T(std::numeric_limits<double>::quiet_NaN()));
-        return values_.value(signal, driven_, near);
-    }
-    /// A margin there; another one can be held at its limit. Of a larger group that is not held it is how far the
-    /// master is beyond the limit, times its rate.
-    Value margin(const Limit& limit, double master, std::span<const double> near, const Limit& held = {}) {
-        if (!held.exists() && step_together(driven_.order, limit.margin) != nullptr) return beyond_limit(limit, master);
-        const Margin<Value>& both = margins(limit.margin, master, near, held);
-        return limit.inner ? both.inner : both.outer;
-    }
-    const Margin<Value>& margins(std::size_t margin, double master, std::span<const double> near,
-                                 const Limit& held = {}) {
-        place(master, near, held, margin);
-        return driven_.pose.margins[margin];
-    }
-    /// How far a dyad is from its outer limit; not a number where those before it do not close, or it does not itself.
-    Value closed_margin(std::size_t margin, double master, std::span<const double> near) {
-        if (!place(master, near, {}, margin)) return Value(T(std::numeric_limits<double>::quiet_NaN()));
-        return driven_.pose.margins[margin].outer;
-    }
-    /// The same of the limit of a larger group.
-    Value beyond_limit(const Limit& limit, double master) {
-        return Value::variable(T(master), T(rate_)) - turning(limit, master).at;
-    }
-
-    /// Keeps the poses that are placed from now on: for many signals that are looked at for the same inputs.
-    void keep_poses() { keeps_poses_ = true; }
-    /// What is asked of signals whose errors are measured.
-    void ask(const Wanted<T>& wanted) {
-        values_.wanted = {Value(wanted.from), Value(wanted.way), Value(wanted.start), Value(wanted.range), wanted.part};
-    }
-    void start_at(const Course& course) { values_.start_at(course.turns.near(course.travel.from)); }
-    std::span<const Signal> signals() const { return values_.signals; }
-    const Driven<Value>& driven() const { return driven_; }
-    double rate() const { return rate_; }
-
-private:
-    bool place(double master, std::span<const double> near, const Limit& limit, std::size_t last_margin = none) {
-        if (held_ != none) driven_.sides[held_] = held_side_;
-        held_ = none;
-        if (!keeps_poses_ || limit.exists() || last_margin != none) return place_now(master, near, limit, last_margin);
-        const auto [entry, is_new] = kept_.try_emplace(master);
-        Kept& kept = entry->second;
-        if (is_new) {
-            kept.closes = place_now(master, near, limit, last_margin);
-            kept.pose = driven_.pose;
-        } else {
-            driven_.set_inputs(Value::variable(T(master), T(rate_)));
-            driven_.pose = kept.pose;
-        }
-        return kept.closes;
-    }
-    bool place_now(double master, std::span<const double> near, const Limit& limit, std::size_t last_margin) {
-        for (GroupSolver<Value>& group : driven_.groups)
-            group.held.clear();
-        if (const Step* step = limit.exists() ? step_together(driven_.order, limit.margin) : nullptr) {
-            std::vector<Value> places = turning(limit, master).places;
-            driven_.groups[step->joint].held = std::move(places);
-        }
-        for (const Step& step : driven_.order.steps)
-            if (limit.exists() && step.margin == limit.margin) held_ = step.choice;
-        if (held_ != none) {
-            held_side_ = driven_.sides[held_];
-            driven_.sides[held_] = 0;
-        }
-        return driven_.place(Value::variable(T(master), T(rate_)), near, last_margin);
-    }
-    /// Where a larger group turns back: its limit next to an input.
-    TurningPoint<Value> turning(const Limit& limit, double master) {
-        const GroupSolver<Value>& group = driven_.groups[step_together(driven_.order, limit.margin)->joint];
-        const WayEnd& end = limit.inner ? group.way->last : group.way->first;
-        const double period = group.way->period;
-        const double shift = period > 0 ? period * std::round((master - end.at) / period) : 0;
-        TurningPoint<Value> found;
-        if constexpr (K > 0)
-            found = turning_point(driven_, static_cast<std::size_t>(&group - driven_.groups.data()), end.at, end.places,
-                                  end.along);
-        if (!found.found) {
-            found.at = Value(T(end.at));
-            found.places.assign(end.places.begin(), end.places.end());
-        }
-        found.at = found.at + Value(T(shift));
-        return found;
-    }
-    static std::vector<Value> series(std::span<const T> numbers) { return {numbers.begin(), numbers.end()}; }
-
-    struct Kept {
-        bool closes = false;
-        Pose<Value> pose{};
-    };
-
-    Driven<Value> driven_;
-    SignalValues<Value> values_;
-    double rate_;
-    bool keeps_poses_ = false;
-    std::unordered_map<double, Kept> kept_{};
-    /// The dyad that is placed at its limit now, and its side elsewhere.
-    std::size_t held_ = none;
-    std::int8_t held_side_ = 1;
-};
 
 /// A signal, or a derivative of it by the time.
 struct Asked {
@@ -185,8 +38,9 @@ inline std::size_t order_for(std::span<const Signal> signals, const Asked& asked
 struct Extreme {
     double at = 0;
     double value = 0;
-    bool stationary = true;  ///< else it is an end of the motion, or of the stretch that was asked for
-    Limit limit{};           ///< an end that moves with the dimensions
+    bool stationary = true;     ///< else it is an end of the motion, or of the stretch that was asked for
+    Limit limit{};              ///< an end that moves with the dimensions
+    double within = by_itself;  ///< an input beside it, of the piece of drives' motions in which it has this value
 };
 
 namespace detail {
@@ -229,9 +83,10 @@ inline Stretch stretch_of(const Course& course, double from, double to) {
             course.travel.last.is_singular() && to == course.travel.to};
 }
 
-inline std::size_t first_panels(const Stretch& stretch) {
-    return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(stretch.length() / std::numbers::pi * 2)), 2,
-                                   4 * most_turns);
+/// Parts of a stretch between breaks are short.
+inline std::size_t first_panels(const Stretch& stretch, bool part = false) {
+    return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(stretch.length() / std::numbers::pi * 2)),
+                                   part ? 1 : 2, 4 * most_turns);
 }
 
 /// Whether another dyad is at its limit, to rounding, where one has just been placed at its own: pins may meet there,
@@ -268,7 +123,7 @@ std::optional<std::vector<double>> inputs_in_line(Measured<double, K>& measured,
     if (signal.kind != Signal::Kind::transmission_angle || asked.derivative != 0) return {};
     const auto& driven = measured.driven();
     const auto round = carried_round(driven.order, step_of(driven.order, signal.of));
-    if (!round) return {};
+    if (!round || driven.laws[round->input].motion) return {};
     const double from = stretch.at(0), to = stretch.at(1);
     measured.margins(signal.of, from, course.turns.near(from));
     const InLine found =
@@ -282,12 +137,11 @@ std::optional<std::vector<double>> inputs_in_line(Measured<double, K>& measured,
     return inputs;
 }
 
-/// Where the slope of what is asked vanishes, in order; one that is not a number where the linkage does not close over
-/// the whole stretch.
+/// Where the slope of what is asked vanishes in a stretch, or a `part` of one between breaks, in order; one that is not
+/// a number where the linkage does not close over all of it.
 template <std::size_t K>
-std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked& asked, const Course& course,
-                                      const Stretch& stretch) {
-    if (auto known = inputs_in_line(measured, asked, course, stretch)) return *std::move(known);
+std::vector<double> stationary_inputs_in(Measured<double, K>& measured, const Asked& asked, const Course& course,
+                                         const Stretch& stretch, bool part) {
     const std::size_t order = asked.derivative + 1;
     const std::size_t dyad = stationary_with(measured.signals(), asked, measured.driven().order);
     const auto value_at = [&](double at) {
@@ -307,7 +161,7 @@ std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked
         return f.derivative(order + 1) / measured.rate() * stretch.speed(s) * share(s) +
                f.derivative(order) * powers * (stretch.speed_slope(s) / stretch.length());
     };
-    const std::size_t first = first_panels(stretch);
+    const std::size_t first = first_panels(stretch, part);
     const Panels panels(slope, stretch.first(), stretch.last(),
                         {.first = first, .floor = floor, .most = first + 256, .everywhere = true});
     std::vector<double> found;
@@ -315,6 +169,56 @@ std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked
     if (panels.greatest() > 4 * floor)
         panels.zeros(slope, curvature, [&](double s) { found.push_back(stretch.at(s)); });
     return found;
+}
+
+/// The same in all of a stretch. Breaks of drives' motions are not looked at.
+template <std::size_t K>
+std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked& asked, const Course& course,
+                                      const Stretch& stretch) {
+    if (auto known = inputs_in_line(measured, asked, course, stretch)) return *std::move(known);
+    const auto parts = parts_of(measured.driven().laws, stretch);
+    std::vector<double> found;
+    for (const MotionPart& part : parts) {
+        const WithinPiece in_part(measured, part.within);
+        const auto more = stationary_inputs_in(measured, asked, course, part.stretch, parts.size() > 1);
+        found.insert(found.end(), more.begin(), more.end());
+    }
+    return found;
+}
+
+/// What is asked at the breaks of drives' motions in [from, to), where it can be extreme: where its slope changes its
+/// sense, or it jumps itself; then it has two values.
+template <std::size_t K>
+void add_breaks(Measured<double, K>& measured, const Asked& asked, const Course& course, double from, double to,
+                std::vector<Extreme>& found) {
+    const std::span<const DriveLaw> laws = measured.driven().laws;
+    const std::vector<double> breaks = breaks_between(laws, from, to);
+    if (breaks.empty()) return;
+    constexpr double turn = 2 * std::numbers::pi;
+    const std::vector<double> around = breaks_between(laws, from - turn, to + turn);
+    const Stretch all{from, to};
+    const auto value_at = [&](double at) { return measured.value(asked.signal, at, course.turns.near(at)); };
+    const double size = size_of_inputs(measured, asked.signal);
+    const double floor = 4 * rounding_of(value_at, asked.derivative, size, measured.rate(), all),
+                 flat = 4 * rounding_of(value_at, asked.derivative + 1, size, measured.rate(), all);
+    for (const double at : breaks) {
+        if (at >= to) continue;
+        const auto here = std::lower_bound(around.begin(), around.end(), at);
+        const auto beside = [&](double other) {
+            const double within = 0.5 * (at + other);
+            const WithinPiece in_piece(measured, within);
+            const auto f = measured.value(asked.signal, at, course.turns.near(at));
+            return std::tuple(f.derivative(asked.derivative), f.derivative(asked.derivative + 1), within);
+        };
+        if (here == around.begin() || here + 1 == around.end()) continue;
+        const auto [before, slope_before, within_before] = beside(*(here - 1));
+        const auto [after, slope_after, within_after] = beside(*(here + 1));
+        const bool jumps = !(std::abs(after - before) <= floor);
+        const auto sense = [&](double slope) { return slope > flat ? 1 : slope < -flat ? -1 : 0; };
+        if (!jumps && sense(slope_before) == sense(slope_after) && sense(slope_before) != 0) continue;
+        found.push_back({at, before, false, {}, within_before});
+        if (jumps) found.push_back({at, after, false, {}, within_after});
+    }
 }
 
 /// The limit of a signal at an end of the motion, from the places beside it: smooth in the root of the distance, it is
@@ -400,14 +304,18 @@ std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked,
                      std::abs(last - first) <= 1e-9 * size_of(measured.driven());
     }
     if (!comes_back) {
+        const auto parts = parts_of(measured.driven().laws, {from, to});
         const auto end = [&](double x, const Limit& limit, bool last) {
             const bool is_limit = limit.exists() && x == (last ? travel.to : travel.from);
-            if (!is_limit) return found.push_back({x, at(x), false, {}});
-            found.push_back({x, value_at_limit(measured, asked, course, last), false, limit});
+            const double within = last ? parts.back().within : parts.front().within;
+            const WithinPiece in_piece(measured, within);
+            if (!is_limit) return found.push_back({x, at(x), false, {}, within});
+            found.push_back({x, value_at_limit(measured, asked, course, last), false, limit, within});
         };
         end(from, travel.first, false);
         for (const double x : detail::stationary_inputs(measured, asked, course, detail::stretch_of(course, from, to)))
             if (!(x <= from) && !(x >= to)) found.push_back({x, at(x)});
+        if (parts.size() > 1) detail::add_breaks(measured, asked, course, parts.front().stretch.to, to, found);
         end(to, travel.last, true);
         return found;
     }
@@ -424,6 +332,7 @@ std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked,
         if (each.at >= to) each.at -= period;
         each.value = at(each.at);
     }
+    detail::add_breaks(measured, asked, course, from, to, found);
     std::sort(found.begin(), found.end(), [](const Extreme& a, const Extreme& b) { return a.at < b.at; });
     return found;
 }

@@ -6,27 +6,51 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "analysis/linkage/drive_motion.h"
 #include "analysis/linkage/group_solver.h"
 #include "analysis/linkage/place.h"
 #include "analysis/linkage/steps.h"
 
 namespace mechwright::linkage {
 
-/// The input of a drive: ratio times the master's + phase.
-struct DriveLaw {
-    double ratio = 1;
-    double phase = 0;
+/// The input of a drive: ratio times the master's + phase; or scale times the lift of a motion + phase, with what a
+/// turn adds to that over a turn as its ratio. R is the type of its numbers.
+template <class R>
+struct DriveLawIn {
+    R ratio{1};
+    R phase{0};
+    std::shared_ptr<const DriveMotion<R>> motion{};
+    R scale{1};
 };
+using DriveLaw = DriveLawIn<double>;
+
+/// No input: pieces of motions are those in which the master's own is.
+inline constexpr double by_itself = std::numeric_limits<double>::quiet_NaN();
+
+/// The input of a drive for one of the master, or its derivative by that: of a motion by the formula of the piece in
+/// which an input `within` lies.
+template <class T>
+T input_by(const DriveLawIn<cam::Constant<T>>& law, const T& master, double within = by_itself, bool slope = false) {
+    using R = cam::Constant<T>;
+    if (law.motion) {
+        const T lift = detail::motion_at(*law.motion, master,
+                                         std::isnan(within) ? number_as<R>(value_of(master)) : R(within), slope);
+        return slope ? T(T(law.scale) * lift) : T(T(law.scale) * lift + T(law.phase));
+    }
+    return slope ? T(law.ratio) : T(T(law.ratio) * master + T(law.phase));
+}
 
 /// The inputs of all drives for one of the master.
 template <class T>
-void set_inputs(std::span<const DriveLaw> laws, const T& master, std::span<T> inputs) {
+void set_inputs(std::span<const DriveLawIn<cam::Constant<T>>> laws, const T& master, std::span<T> inputs,
+                double within = by_itself) {
     for (std::size_t i = 0; i < laws.size(); ++i)
-        inputs[i] = T(laws[i].ratio) * master + T(laws[i].phase);
+        inputs[i] = input_by(laws[i], master, within);
 }
 
 template <class T>
@@ -34,17 +58,18 @@ class Driven {
 public:
     const Order& order;
     std::vector<Sized<T>> sizes;
-    std::vector<DriveLaw> laws;
+    std::vector<DriveLawIn<cam::Constant<T>>> laws;
     /// One for each choice: 1 or -1, and 0 where a dyad is to be placed exactly at its limit.
     std::vector<std::int8_t> sides;
-    double shortfall = 0;  ///< as of Input
+    double shortfall = 0;       ///< as of Input
+    double within = by_itself;  ///< an input in the pieces of motions by whose formulas drives follow (input_by)
     Pose<T> pose;
     std::vector<GroupSolver<T>> groups;  ///< for each larger group of the order
 
     /// The order must outlive this, and larger groups need their ways (GroupSolver::way); drives without a law have the
     /// master's input.
     Driven(const Structure& s, const Order& steps, std::span<const T> numbers, std::span<const std::int8_t> on_sides,
-           std::span<const DriveLaw> drive_laws = {})
+           std::span<const DriveLawIn<cam::Constant<T>>> drive_laws = {})
         : order(steps),
           sizes(sizes_of(s, steps, numbers)),
           laws(drive_laws.begin(), drive_laws.end()),
@@ -63,6 +88,7 @@ public:
           laws(other.laws),
           sides(other.sides),
           shortfall(other.shortfall),
+          within(other.within),
           pose(other.pose),
           groups(other.groups),
           inputs_(other.inputs_) {}
@@ -79,7 +105,7 @@ public:
             groups[i].way = ways[i];
     }
 
-    void set_inputs(const T& master) { linkage::set_inputs<T>(laws, master, inputs_); }
+    void set_inputs(const T& master) { linkage::set_inputs<T>(laws, master, inputs_, within); }
     std::span<const T> inputs() const { return inputs_; }
 
 private:

@@ -58,9 +58,15 @@ template <std::size_t K>
 void add_margin_ends(Measured<double, K>& measured, const Limit& margin, const Travel& travel, const Turns& turns,
                      std::vector<MarginPlace>& places) {
     if (travel.whole) return;
-    for (const auto& [x, limit] : {std::pair(travel.from, travel.first), {travel.to, travel.last}})
+    const auto parts = parts_of(measured.driven().laws, {travel.from, travel.to});
+    const auto add = [&](double x, const Limit& limit, double within) {
+        const WithinPiece in_part(measured, within);
         if (!limit.parallel)
-            places.push_back({margin, {x, measured.margin(margin, x, turns.near(x), limit).c[0], false, limit}});
+            places.push_back(
+                {margin, {x, measured.margin(margin, x, turns.near(x), limit).c[0], false, limit, within}});
+    };
+    add(travel.from, travel.first, parts.front().within);
+    add(travel.to, travel.last, parts.back().within);
 }
 
 /// Where the slope of one margin vanishes along a motion both margins of its dyad are looked at, for they have the same
@@ -70,7 +76,7 @@ void add_margin_places(Measured<double, K>& measured, std::size_t margin, std::s
                        const Turns& turns, const Travel& travel, std::vector<MarginPlace>& places) {
     constexpr double seam_overlap = 0.125, unit = 2e-15;
     const double overlap = travel.whole ? seam_overlap : 0;
-    const Stretch stretch{travel.from, travel.to + overlap, travel.first.is_singular(), travel.last.is_singular()};
+    const Stretch all{travel.from, travel.to + overlap, travel.first.is_singular(), travel.last.is_singular()};
     bool passes_limit = false;
     const auto both = [&](double x) -> const Margin<Series<double, K>>& {
         const auto& at = measured.margins(margin, x, turns.near(x));
@@ -80,31 +86,50 @@ void add_margin_places(Measured<double, K>& measured, std::size_t margin, std::s
     // Where lines become parallel margins grow beyond all bounds, and their slopes like the inverse square of the way.
     const int powers = travel.first.parallel || travel.last.parallel ? 5 : 1;
     const bool by_inner = sought.front();
-    const auto slope = [&](double s) {
-        const auto& at = both(stretch.at(s));
-        return (by_inner ? at.inner : at.outer).derivative(1) * std::pow(stretch.speed(s) / stretch.length(), powers);
-    };
     const double floor = unit * size_of(measured.driven());
-    const Panels panels(slope, stretch.first(), stretch.last(), {.first = first_panels(stretch), .floor = floor});
     std::array<std::vector<Extreme>, 2> found;
-    if (panels.greatest() > 4 * floor)
-        panels.zeros(slope, [&](double s) {
+    std::array<double, 2> slope_before{};
+    const auto parts = parts_of(measured.driven().laws, all);
+    for (const MotionPart& part : parts) {
+        const Stretch& stretch = part.stretch;
+        const WithinPiece in_part(measured, part.within);
+        const auto slope = [&](double s) {
             const auto& at = both(stretch.at(s));
-            for (const bool inner : sought)
-                if (const auto& value = inner ? at.inner : at.outer; value.derivative(2) > 0)
-                    found[inner].push_back({stretch.at(s), value.c[0]});
-        });
-    else
+            return (by_inner ? at.inner : at.outer).derivative(1) *
+                   std::pow(stretch.speed(s) / stretch.length(), powers);
+        };
+        const Panels panels(slope, stretch.first(), stretch.last(),
+                            {.first = first_panels(stretch, parts.size() > 1), .floor = floor});
+        if (panels.greatest() > 4 * floor)
+            panels.zeros(slope, [&](double s) {
+                const auto& at = both(stretch.at(s));
+                for (const bool inner : sought)
+                    if (const auto& value = inner ? at.inner : at.outer; value.derivative(2) > 0)
+                        found[inner].push_back({stretch.at(s), value.c[0]});
+            });
+        else
+            for (const bool inner : sought) {
+                const auto& at = both(stretch.at(0.5));
+                found[inner].push_back({stretch.at(0.5), (inner ? at.inner : at.outer).c[0], false, {}});
+            }
+        // Between two parts they may be least, too.
         for (const bool inner : sought) {
-            const auto& at = both(stretch.at(0.5));
-            found[inner].push_back({stretch.at(0.5), (inner ? at.inner : at.outer).c[0], false, {}});
+            const auto value_at = [&](double x) {
+                const auto& at = both(x);
+                return inner ? at.inner : at.outer;
+            };
+            if (stretch.from > all.from && slope_before[inner] <= 0)
+                if (const auto value = value_at(stretch.from); value.derivative(1) >= 0)
+                    found[inner].push_back({stretch.from, value.c[0], false, {}, part.within});
+            if (stretch.to < all.to) slope_before[inner] = value_at(stretch.to).derivative(1);
         }
+    }
     for (const bool inner : sought) {
         for (const Extreme& place : found[inner])
             places.push_back({{margin, inner}, place});
         // The slope jumps at a cusp: its panels are split until one of their nodes sees what lies about it.
         if (inner && passes_limit)
-            add_cusp([&](double x) -> const auto& { return both(x).inner; }, stretch, places, {margin, inner});
+            add_cusp([&](double x) -> const auto& { return both(x).inner; }, all, places, {margin, inner});
         add_margin_ends(measured, {margin, inner}, travel, turns, places);
     }
 }
@@ -146,7 +171,8 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
     for (std::size_t margin = 0; margin < driven.order.margins && !now.empty(); ++margin) {
         std::vector<Travel> next;
         for (const Travel& travel : now) {
-            if (const auto round = detail::carried_round(driven.order, step_of(driven.order, margin))) {
+            const auto round = detail::carried_round(driven.order, step_of(driven.order, margin));
+            if (round && !driven.laws[round->input].motion) {
                 detail::add_margins_in_line(measured, margin, *round, driven, travel, places);
             } else if (!is_of_lines(driven.order, margin) && step_together(driven.order, margin) == nullptr) {
                 Driven<double> moving = driven;
@@ -173,6 +199,7 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
 template <class T, std::size_t K>
 T margin_at(Measured<T, K>& measured, const MarginPlace& least, std::span<const double> near, const Travel& travel,
             const MovingEnds<T>& ends = {}) {
+    const WithinPiece in_piece(measured, least.place.within);
     const auto f = measured.margin(least.margin, least.place.at, near, least.place.limit);
     if (least.place.stationary) return detail::after_shift(f, 0, detail::shift_of_zero(f, 1, measured.rate()));
     if (!least.place.limit.exists()) return detail::after_shift(f, 0, ends.at(least.place, travel));

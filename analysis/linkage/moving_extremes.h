@@ -73,6 +73,7 @@ template <class T, std::size_t K>
 T shift_of(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place,
            const MovingEnds<T>& ends = {}) {
     const auto near = course.turns.near(place.at);
+    const WithinPiece in_piece(measured, place.within);
     if (place.limit.exists())
         return detail::shift_of_zero(measured.margin(place.limit, place.at, near), 0, measured.rate());
     if (!place.stationary) return ends.at(place, course.travel);
@@ -87,12 +88,14 @@ T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, c
     if (!std::isfinite(place.value)) return T(place.value);
     const auto near = course.turns.near(place.at);
     if (!place.limit.exists()) {
+        const WithinPiece in_piece(measured, place.within);
         const auto f = measured.value(asked.signal, place.at, near);
         const T shift = place.stationary ? detail::shift_of_zero(f, asked.derivative + 1, measured.rate())
                                          : ends.at(place, course.travel);
         return detail::after_shift(f, asked.derivative, shift);
     }
     const T shift = shift_of(measured, asked, course, place);
+    const WithinPiece in_piece(measured, place.within);
     const bool exactly = !place.limit.stop && asked.derivative + order_of(measured.signals(), asked.signal) == 0;
     const auto f = measured.value(asked.signal, place.at, near, exactly ? place.limit : Limit{});
     const T value = detail::after_shift(f, asked.derivative, shift);
@@ -108,6 +111,7 @@ T value_at_share(Measured<T, K>& measured, const Asked& asked, const Course& cou
     if (place.at == travel.from || place.at == travel.to) return value_at(measured, asked, course, place, ends);
     const double share = (place.at - travel.from) / (travel.to - travel.from);
     const T shift = T(1 - share) * ends.from + T(share) * ends.to;
+    const WithinPiece in_piece(measured, place.within);
     return detail::after_shift(measured.value(asked.signal, place.at, course.turns.near(place.at)), asked.derivative,
                                shift);
 }

@@ -15,6 +15,7 @@
 
 #include "analysis/linkage/driven.h"
 #include "analysis/linkage/inputs.h"
+#include "analysis/linkage/motion_breaks.h"
 #include "analysis/linkage/turns.h"
 #include "analysis/numbers/resolved.h"
 
@@ -65,6 +66,9 @@ public:
     std::size_t functions() const { return lines_ || stop_ ? 1 : 2; }
     /// What it is measured against, for a linkage of a size.
     double unit(double size) const { return lines_ || angle_ ? 1 : size; }
+    std::span<const DriveLaw> laws() const { return driven_.laws; }
+    /// As of Driven.
+    void follow_within(double input) { driven_.within = input; }
     void follow(double from, double to) {
         if (unwinds_) turns_ = Turns(driven_, from, to);
     }
@@ -99,11 +103,10 @@ struct Vanishing {
     Limit limit;
 };
 
-/// In order; absent where the margin is not a number somewhere, as of dyads whose outer pins coincide.
-inline std::optional<std::vector<Vanishing>> vanishing(MarginAlong& margin, std::size_t index, const Stretch& stretch,
-                                                       double size) {
+/// Adds those in a stretch, or a `part` of one between breaks. Returns whether the margin is a number all over it.
+inline bool add_vanishing(MarginAlong& margin, std::size_t index, const Stretch& stretch, bool part, double size,
+                          std::vector<Vanishing>& found) {
     constexpr double rounding = 2e-15;
-    std::vector<Vanishing> found;
     const auto per_turn = static_cast<std::size_t>(std::ceil(stretch.length() / std::numbers::pi * 3));
     const double floor = rounding * margin.unit(size);
     // The second function is mostly asked for where the first one was, in the same order.
@@ -115,14 +118,29 @@ inline std::optional<std::vector<Vanishing>> vanishing(MarginAlong& margin, std:
             if (next < sampled.size() && sampled[next].first == s) return sampled[next++].second.inner;
             return margin(stretch.at(s)).inner;
         };
-        const Panels panels(g, stretch.first(), stretch.last(),
-                            {.first = std::clamp<std::size_t>(per_turn, 2, 384), .floor = floor, .everywhere = true});
-        if (!panels.finite()) return {};
+        const Panels panels(
+            g, stretch.first(), stretch.last(),
+            {.first = std::clamp<std::size_t>(per_turn, part ? 1 : 2, 384), .floor = floor, .everywhere = true});
+        if (!panels.finite()) return false;
         if (panels.greatest() > 4 * floor)
             panels.zeros(g, [&](double s) {
                 found.push_back({stretch.at(s), {index, function == 1, margin.lines(), margin.stop()}});
             });
     }
+    return true;
+}
+
+/// All in a stretch, in order; absent where the margin is not a number somewhere, as of dyads whose outer pins
+/// coincide.
+inline std::optional<std::vector<Vanishing>> vanishing(MarginAlong& margin, std::size_t index, const Stretch& stretch,
+                                                       double size) {
+    std::vector<Vanishing> found;
+    const auto parts = parts_of(margin.laws(), stretch);
+    for (const MotionPart& part : parts) {
+        margin.follow_within(part.within);
+        if (!add_vanishing(margin, index, part.stretch, parts.size() > 1, size, found)) return {};
+    }
+    margin.follow_within(by_itself);
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
     return found;
 }

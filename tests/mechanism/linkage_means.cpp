@@ -58,7 +58,8 @@ TEST(LinkageMeans, AreThoseOfTheClosedForm) {
     const Json document =
         analysed_means(isosceles, {"way.mean", "way.rms", "speed.mean", "speed.rms", "way.speed.mean"});
     const Json& found = document["quantities"];
-    constexpr double degree = 3.14159265358979323846 / 180, from = -60 * degree, to = 75 * degree, length = to - from;
+    constexpr double radian_per_degree = 3.14159265358979323846 / 180, from = -60 * radian_per_degree,
+                     to = 75 * radian_per_degree, length = to - from;
     const auto expect = [&](const char* name, double value) {
         EXPECT_NEAR(found[name].get<double>(), value, 1e-12) << name;
     };

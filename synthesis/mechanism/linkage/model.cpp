@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace mechwright {
 
@@ -23,27 +24,55 @@ LinkageModel over_unit(LinkageModel model, double unit) {
     return model;
 }
 
-std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives) {
-    std::vector<linkage::DriveLaw> laws;
-    for (const LinkageDrive& drive : drives)
-        laws.push_back(laws.empty() ? linkage::DriveLaw{} : linkage::DriveLaw{drive.ratio, drive.phase});
-    return laws;
-}
+namespace {
 
-linkage::DriveLaw law_of(const LinkageModel& model, std::size_t drive) {
-    const LinkageDrive& own = model.drives[drive];
-    linkage::DriveLaw law = drive == 0 ? linkage::DriveLaw{} : linkage::DriveLaw{own.ratio, own.phase};
-    const double unit = model.structure.drives[drive].of_slide ? model.unit : 1;
-    law.ratio *= model.input_length / unit;
-    law.phase /= unit;
+template <class R>
+linkage::DriveLawIn<R> law_in(const LinkageDrive& drive, bool master) {
+    if (master) return {};
+    linkage::DriveLawIn<R> law{R(drive.ratio), R(drive.phase)};
+    if constexpr (std::is_same_v<R, double>)
+        law.motion = drive.motion;
+    else
+        law.motion = drive.motion_again;
+    if (law.motion) law.ratio = law.motion->net / (R(2) * pi<R>());
     return law;
 }
 
-std::vector<linkage::DriveLaw> laws_of(const LinkageModel& model) {
-    std::vector<linkage::DriveLaw> laws;
+/// The same for inputs of the analysis.
+template <class R>
+linkage::DriveLawIn<R> law_in_model(const LinkageModel& model, std::size_t drive) {
+    linkage::DriveLawIn<R> law = law_in<R>(model.drives[drive], drive == 0);
+    const R unit(model.structure.drives[drive].of_slide ? model.unit : 1);
+    law.ratio *= R(model.input_length) / unit;
+    law.phase /= unit;
+    law.scale /= unit;
+    return law;
+}
+
+template <class R>
+std::vector<linkage::DriveLawIn<R>> laws_in_model(const LinkageModel& model) {
+    std::vector<linkage::DriveLawIn<R>> laws;
     for (std::size_t i = 0; i < model.drives.size(); ++i)
-        laws.push_back(law_of(model, i));
+        laws.push_back(law_in_model<R>(model, i));
     return laws;
+}
+
+}  // namespace
+
+template <class R>
+std::vector<linkage::DriveLawIn<R>> laws_in(std::span<const LinkageDrive> drives) {
+    std::vector<linkage::DriveLawIn<R>> laws;
+    for (const LinkageDrive& drive : drives)
+        laws.push_back(law_in<R>(drive, laws.empty()));
+    return laws;
+}
+template std::vector<linkage::DriveLawIn<double>> laws_in<double>(std::span<const LinkageDrive> drives);
+template std::vector<linkage::DriveLawIn<Digits50>> laws_in<Digits50>(std::span<const LinkageDrive> drives);
+
+linkage::DriveLaw law_of(const LinkageModel& model, std::size_t drive) { return law_in_model<double>(model, drive); }
+std::vector<linkage::DriveLaw> laws_of(const LinkageModel& model) { return laws_in_model<double>(model); }
+std::vector<linkage::DriveLawIn<Digits50>> laws_again_of(const LinkageModel& model) {
+    return laws_in_model<Digits50>(model);
 }
 
 namespace {
@@ -61,8 +90,14 @@ Ways followed_ways(const LinkageModel& model, std::span<const double> dimensions
         start = *moved;
     }
     constexpr double turn = 2 * std::numbers::pi;
-    const linkage::Reach reach{start.input - farthest_turns * turn, start.input + farthest_turns * turn,
-                               turn * model.turns, 1};
+    linkage::Reach reach{start.input - farthest_turns * turn, start.input + farthest_turns * turn, turn * model.turns,
+                         1};
+    if (model.driven_by_slide()) {
+        const linkage::Driven<double> placed(model.structure, model.order, std::span<const double>(numbers), sides,
+                                             laws);
+        const linkage::Inputs inputs = inputs_of(model, dimensions, placed);
+        reach = {std::min(inputs.from, start.input), std::max(inputs.to, start.input), 0, 1};
+    }
     return linkage::follow_ways(model.structure, model.order, numbers, sides, laws, start, reach);
 }
 
@@ -99,8 +134,12 @@ linkage::Driven<double> driven(const LinkageModel& model, std::span<const double
 
 linkage::Inputs inputs_of(const LinkageModel& model, std::span<const double> dimensions,
                           const linkage::Driven<double>& driven) {
-    linkage::Inputs inputs =
-        linkage::inputs_of(model.structure, numbers_of(model, dimensions), size_of(driven), std::max(model.turns, 1));
+    const std::vector<double> numbers = numbers_of(model, dimensions);
+    // Steps say nothing of the lengths in larger groups.
+    const double size = model.order.closed()
+                            ? size_of(driven)
+                            : std::max(size_of(driven), linkage::farthest_point(model.structure, numbers));
+    linkage::Inputs inputs = linkage::inputs_of(model.structure, numbers, size, std::max(model.turns, 1));
     if (!model.driven_by_slide()) return inputs;
     inputs.from = model.input_of(inputs.from * model.unit);
     inputs.to = model.input_of(inputs.to * model.unit);

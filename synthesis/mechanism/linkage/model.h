@@ -26,11 +26,14 @@
 
 namespace mechwright {
 
-/// A drive beside its joint: input = ratio times that of the master + phase.
+/// A drive beside its joint: input = ratio times that of the master + phase, or the lift of a motion + phase.
 struct LinkageDrive {
     double ratio = 1;
     double phase = 0;               ///< radians, or a length
     std::optional<double> speed{};  ///< turns per minute
+    /// Lifts are radians, or lengths.
+    std::shared_ptr<const linkage::DriveMotion<double>> motion{};
+    std::shared_ptr<const linkage::DriveMotion<Digits50>> motion_again{};
 };
 
 /// A signal's name and the unit of its values.
@@ -100,11 +103,14 @@ std::vector<T> numbers_of(const LinkageModel& model, std::span<const T> dimensio
 /// The same linkage where lengths that are no dimensions are over a unit, as the dimensions are then to be.
 LinkageModel over_unit(LinkageModel model, double unit);
 
-/// By which the drives follow an angle or displacement of the master; its own law is the identity.
-std::vector<linkage::DriveLaw> laws_of(std::span<const LinkageDrive> drives);
+/// By which the drives follow an angle or displacement of the master, in doubles or fifty digits; its own law is the
+/// identity.
+template <class R>
+std::vector<linkage::DriveLawIn<R>> laws_in(std::span<const LinkageDrive> drives);
 /// By which one of them follows an input of the analysis (LinkageModel::input_of), and by which all do.
 linkage::DriveLaw law_of(const LinkageModel& model, std::size_t drive);
 std::vector<linkage::DriveLaw> laws_of(const LinkageModel& model);
+std::vector<linkage::DriveLawIn<Digits50>> laws_again_of(const LinkageModel& model);
 
 /// The ways of its larger groups along the motion of a design, for the inputs of its cycle: what its assembly becomes
 /// where the dimensions change from `sketched`. Empty where there are no such groups.

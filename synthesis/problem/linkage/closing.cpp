@@ -31,7 +31,7 @@ std::vector<double> inputs_over_motion(const Linkage& linkage, std::span<const d
 }  // namespace
 
 linkage::Driven<double> driven(const Linkage& linkage, std::span<const double> numbers) {
-    return {linkage.structure, linkage.order, numbers, {}, laws_of(linkage.drives)};
+    return {linkage.structure, linkage.order, numbers, {}, laws_in<double>(linkage.drives)};
 }
 
 namespace {

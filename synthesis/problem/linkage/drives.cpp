@@ -59,10 +59,19 @@ void read_drive(LinkageReading& reading, Section& section, bool master) {
     if (!drive.of_slide && drive.stops.min.has_value() != drive.stops.max.has_value())
         add_error(reading.messages, place_of(section, drive.stops.min ? "min" : "max"),
                   fmt::format("one stop does not end the turning of {}: give both 'min' and 'max'", section.title));
-    if (section.table->contains("segment")) {
-        section.reported.push_back("segment");
-        add_error(reading.messages, place_of(section, "segment"),
-                  "drives that follow a motion of segments are not known to this version: write 'ratio' and 'phase'");
+    if (const toml::node* node = find(section, "segment")) {
+        const auto fail = [&](std::string_view text) {
+            add_error(reading.messages, place_of(*node), fmt::format("{} {}", name_of(section, "segment"), text));
+        };
+        if (master)
+            fail("is of further drives: the first is what they follow");
+        else if (find(section, "ratio") != nullptr)
+            fail("stands in place of 'ratio': leave one of them out");
+        else if (!made.structure.drives.empty() && made.structure.drives.front().of_slide)
+            fail(
+                "is a motion over a turn of the first drive, which has to turn a link: let another drive be the first");
+        else
+            read_drive_motion(reading, section, *node, drive.of_slide, more);
     }
     report_unknown_keys(section, reading.messages);
     if (!whole) return;

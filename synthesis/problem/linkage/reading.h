@@ -80,6 +80,9 @@ void read_slots(LinkageReading& reading);
 void read_gears(LinkageReading& reading);
 void read_racks(LinkageReading& reading);
 void read_drives(LinkageReading& reading);
+/// The segments of a drive's motion, into `made`.
+void read_drive_motion(LinkageReading& reading, const Section& drive, const toml::node& node, bool of_slide,
+                       LinkageDrive& made);
 void read_linkage_motion(LinkageReading& reading);
 void read_sketch(LinkageReading& reading);
 void read_placement(LinkageReading& reading);

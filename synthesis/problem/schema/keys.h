@@ -11,6 +11,7 @@
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/problem/schema/key.h"
 #include "synthesis/problem/schema/linkage_keys.h"
+#include "synthesis/problem/schema/segment_keys.h"
 
 namespace mechwright::keys {
 
@@ -22,7 +23,6 @@ inline constexpr Words<3> rotations{"ccw", "cw", "either"};
 inline constexpr Words<3> path_timings{"free", "prescribed", "none"};
 inline constexpr Words<2> pose_timings{"free", "prescribed"};
 inline constexpr Words<1> reductions{"max"};
-inline constexpr Words<4> ends_of_polynomials{"R", "G", "U", "B"};
 inline constexpr Words<4> designs{"grid", "one-at-a-time", "sobol", "latin-hypercube"};
 inline constexpr Words<2> spacings{"linear", "log"};
 inline constexpr Words<2> distributions{"normal", "uniform"};
@@ -43,26 +43,6 @@ inline constexpr std::array cam{
         rotations},
     Key{"contour", Shape::word, "A specified contour, from which the motion follows: without segments.", false,
         cam_contour_names}};
-
-inline constexpr std::array end_of_polynomial{
-    Key{"velocity", Shape::range, "First derivative of the lift with respect to the part of the segment."},
-    Key{"acceleration", Shape::range, "Second derivative."}, Key{"jerk", Shape::range, "Third derivative."}};
-
-inline constexpr std::array segment{
-    Key{"kind", Shape::word, "What the follower does; cycle: a whole turn by a table of points.", true,
-        segment_kind_names},
-    Key{"angle", Shape::range, "Angle of the cam that the segment takes, or a range of it."},
-    Key{"lift", Shape::range, "Lift of a rise or return, an angle where the follower oscillates, or a range of it."},
-    Key{"law", Shape::name, "Law of motion of a rise or return; of a list the best is chosen."},
-    Key{"start", Shape::value,
-        "Derivatives of a polynomial at its start: a list of numbers or ranges, the first the velocity; or its kind "
-        "after "
-        "VDI 2143.",
-        false, ends_of_polynomials, end_of_polynomial},
-    Key{"end", Shape::value, "The same at its end.", false, ends_of_polynomials, end_of_polynomial},
-    Key{"shape", Shape::ranges, "Further terms of a polynomial or a spline: numbers or ranges."},
-    Key{"points", Shape::pairs, "Table of a cycle: [cam angle, lift]."},
-    Key{"points_file", Shape::text, "File with two columns, in place of points."}};
 
 inline constexpr std::array path{
     Key{"points", Shape::pairs, "Points that the coupler point shall pass: [x, y]."},

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "synthesis/problem/schema/key.h"
+#include "synthesis/problem/schema/segment_keys.h"
 
 namespace mechwright::keys {
 
@@ -71,6 +72,14 @@ inline constexpr std::array drive{
     Key{"slide", Shape::value, "The slide whose displacement is the input: its name or its number from 1."},
     Key{"ratio", Shape::number, "Of a further drive: its input over that of the first. Preset: 1."},
     Key{"phase", Shape::number, "Of a further drive: its input where that of the first is 0. Preset: 0."},
+    Key{"segment",
+        Shape::tables,
+        "Of a further drive, in place of the ratio: a part of its motion over a turn of the first; `phase` is the "
+        "input "
+        "at its start.",
+        false,
+        {},
+        drive_segment},
     Key{"speed", Shape::number, "Turns per minute."},
     Key{"min", Shape::expression, "Stop: the least input."},
     Key{"max", Shape::expression, "Stop: the greatest input."}};

@@ -256,14 +256,6 @@ Json of_linkage() {
     return where(is_named("linkage"), {{"properties", std::move(properties)}, {"required", {"links", "drive"}}});
 }
 
-/// One drive, or several.
-Json drives(const Key& key) {
-    Json one = table_of(keys::drive);
-    one["properties"]["slide"].update(any_of({Json{{"type", "string"}}, Json{{"type", "integer"}, {"minimum", 1}}}));
-    one["oneOf"] = {{{"required", {"link"}}}, {{"required", {"slide"}}}};
-    return with_meaning(any_of({one, list_of(one)}), key.meaning);
-}
-
 /// A section that may be repeated.
 Json one_or_several(const Key& key) {
     Json list = list_of(table_of(key.below));
@@ -289,6 +281,23 @@ Names law_names() {
     for (const NamedLaw& law : cam_law_aliases())
         names.push_back(law.name);
     return names;
+}
+
+/// One drive, or several.
+Json drives(const Key& key) {
+    Json one = table_of(keys::drive);
+    one["properties"]["slide"].update(any_of({Json{{"type", "string"}}, Json{{"type", "integer"}, {"minimum", 1}}}));
+    Json& segment = one["properties"]["segment"]["items"]["properties"];
+    segment["law"].update(one_of(law_names()));
+    Json end{{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
+    for (const Key& derivative : keys::end_of_polynomial)
+        end["properties"][std::string(derivative.name)] = with_meaning({{"type", "number"}}, derivative.meaning);
+    for (const char* side : {"start", "end"})
+        segment[side].update(any_of({list_of({{"type", "number"}}), one_of(keys::ends_of_polynomials), end}));
+    one["properties"]["segment"]["minItems"] = 1;
+    one["properties"]["segment"]["maxItems"] = MotionProgram::most_segments;
+    one["oneOf"] = {{{"required", {"link"}}}, {{"required", {"slide"}}}};
+    return with_meaning(any_of({one, list_of(one)}), key.meaning);
 }
 
 Json segments(const Key& key) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/problem/linkage/larger_groups.h"
 #include "synthesis/problem/linkage/sides.h"
 #include "synthesis/report/structure/assemblies.h"
@@ -87,6 +88,19 @@ Json redundant_names(const Linkage& l) {
                                    l.redundant.end() - static_cast<std::ptrdiff_t>(l.kept_by_redundant.size())));
 }
 
+/// The segments of a drive's motion.
+Json segments_of(const Linkage& l, const linkage::DriveMotion<double>& motion, bool of_slide) {
+    const double angle_unit = l.units.degrees ? 180 / std::numbers::pi : 1;
+    Json segments = Json::array();
+    for (const cam::Segment<double>& segment : motion.segments) {
+        Json one{{"kind", segment_kind_names[static_cast<std::size_t>(segment.kind)]},
+                 {"angle", segment.angle * angle_unit}};
+        if (segment.kind != cam::SegmentKind::dwell) one["lift"] = segment.lift * (of_slide ? 1 : angle_unit);
+        segments.push_back(std::move(one));
+    }
+    return segments;
+}
+
 Json drives_of(const Linkage& l) {
     Json drives = Json::array();
     for (std::size_t i = 0; i < l.structure.drives.size(); ++i) {
@@ -94,7 +108,10 @@ Json drives_of(const Linkage& l) {
         Json one = drive.of_slide ? Json{{"slide", slide_name(l, drive.slide)}}
                                   : Json{{"link", l.links[drive.link]}, {"on", l.links[drive.on]}};
         if (i > 0) {
-            one["ratio"] = l.drives[i].ratio;
+            if (l.drives[i].motion)
+                one["segments"] = segments_of(l, *l.drives[i].motion, drive.of_slide);
+            else
+                one["ratio"] = l.drives[i].ratio;
             one["phase"] = l.drives[i].phase * (drive.of_slide || !l.units.degrees ? 1 : 180 / std::numbers::pi);
         }
         if (l.drives[i].speed) one["speed"] = *l.drives[i].speed;
@@ -342,10 +359,12 @@ std::string structure_text(const Linkage& l, std::optional<double> at, bool colo
                                      list_text(json["mobility"]["redundant"])));
     std::string drives;
     for (const Json& drive : json["drives"])
-        drives += (drives.empty() ? "" : "; ") +
-                  (drive.contains("slide") ? "displacement of " + drive["slide"].get<std::string>()
-                                           : fmt::format("angle of {} against {}", drive["link"].get<std::string>(),
-                                                         drive["on"].get<std::string>()));
+        drives +=
+            (drives.empty() ? "" : "; ") +
+            (drive.contains("slide") ? "displacement of " + drive["slide"].get<std::string>()
+                                     : fmt::format("angle of {} against {}", drive["link"].get<std::string>(),
+                                                   drive["on"].get<std::string>())) +
+            (!drive.contains("segments") ? "" : fmt::format(" by a motion of {} segments", drive["segments"].size()));
     text += folded("drives     ", drives) + "\nOrder of solution\n" + groups_text(json["groups"]);
     if (json.contains("assemblies")) text += assemblies_text(json, l);
     if (json.contains("circuits")) text += circuits_text(l, json["circuits"]);

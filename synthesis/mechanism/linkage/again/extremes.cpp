@@ -38,7 +38,7 @@ Extreme by_golden_section(const Measured& f, SignalsAgain<Digits50>& signals, co
 /// From a sample at which it is extreme among its neighbours to where its derivative vanishes, or to a cusp.
 Extreme polished(const Measured& f, double left, double middle, double right, double sign) {
     constexpr double settled = 1e-16, varies = 1e-6;
-    SignalsAgain<Digits50> signals = f.scan.precise(f.scan.nearest(middle));
+    SignalsAgain<Digits50> signals = f.precise(middle);
     Digits50 x = middle;
     bool found = false;
     for (int i = 0; i < 8 && !found; ++i) {
@@ -72,29 +72,80 @@ Extreme polished_end(const Measured& f, double end, double neighbour, double sig
 
 }  // namespace
 
-Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, double sign) {
+namespace {
+
+/// Inputs of a piece at which it is looked at: the samples in it, and its ends; some more between `breaks`, where there
+/// may be few.
+std::vector<double> inputs_to_look_at(const Scan& scan, const Vector<double>& piece, bool breaks) {
+    constexpr int fewest = 16;
+    const auto [from, to] = piece;
+    std::vector<double> x{from};
+    for (const double at : scan.at)
+        if (at > from && at < to) x.push_back(at);
+    if (to > from) x.push_back(to);
+    if (!breaks || x.size() >= fewest) return x;
+    x = {from};
+    for (int i = 1; i < fewest; ++i)
+        x.push_back(from + (to - from) * i / fewest);
+    x.push_back(to);
+    return x;
+}
+
+/// Of a piece that is constant to the rounding of differences of doubles every so manieth is looked at: no law has an
+/// acceleration, or a jerk, that is nearly constant and not quite. 1 of any other.
+std::size_t thinned(const std::vector<double>& seen, bool breaks) {
+    constexpr double rounding = 1e-7;
+    constexpr std::size_t some = 4;
+    const auto [least, greatest] = std::minmax_element(seen.begin(), seen.end());
+    const bool flat = breaks && *greatest - *least <= rounding * (1 + std::abs(*greatest));
+    return flat && seen.size() > some ? seen.size() / some : 1;
+}
+
+}  // namespace
+
+std::vector<Vector<double>> between_breaks(const Scan& scan, const std::vector<Vector<double>>& parts) {
+    const auto laws = laws_in<double>(scan.model.drives);
+    std::vector<Vector<double>> pieces;
+    for (const auto& [from, to] : parts)
+        for (const linkage::MotionPart& part : linkage::parts_of(laws, {from, to}))
+            pieces.push_back({part.stretch.from, part.stretch.to});
+    return pieces;
+}
+
+std::vector<Measured> on_each(const Measured& f, const std::vector<Vector<double>>& parts,
+                              const std::vector<Vector<double>>& pieces) {
+    std::vector<Measured> all;
+    for (const Vector<double>& piece : pieces)
+        all.push_back(pieces.size() > parts.size() ? f.on(piece) : f);
+    return all;
+}
+
+Extreme extreme(const Measured& of_all, const std::vector<Vector<double>>& parts, double sign) {
     struct Candidate {
         double left, at, right, seen;
+        const Measured* f;
     };
+    const std::vector<Vector<double>> pieces = between_breaks(of_all.scan, parts);
+    const std::vector<Measured> on_pieces = on_each(of_all, parts, pieces);
     std::vector<Candidate> candidates;
     double best = -std::numeric_limits<double>::infinity(), worst = -best;
-    for (const auto& [from, to] : parts) {
-        std::vector<double> x{from};
-        for (const double at : f.scan.at)
-            if (at > from && at < to) x.push_back(at);
-        if (to > from) x.push_back(to);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const Measured& f = on_pieces[k];
+        std::vector<double> x = inputs_to_look_at(f.scan, pieces[k], pieces.size() > parts.size());
         std::vector<double> seen;
         for (const double at : x)
             seen.push_back(sign * f.seen(at));
+        const std::size_t every_of_piece = thinned(seen, pieces.size() > parts.size());
         for (std::size_t i = 0; i < x.size(); ++i) {
             const bool first = i == 0, last = i + 1 == x.size();
             if (std::isfinite(seen[i])) {
                 best = std::max(best, seen[i]);
                 worst = std::min(worst, seen[i]);
             }
+            if (!first && !last && i % every_of_piece != 0) continue;
             // At the very ends of a motion doubles may see nothing.
             if (first || last || (!(seen[i] < seen[i - 1]) && !(seen[i] < seen[i + 1])))
-                candidates.push_back({first ? x[i] : x[i - 1], x[i], last ? x[i] : x[i + 1], seen[i]});
+                candidates.push_back({first ? x[i] : x[i - 1], x[i], last ? x[i] : x[i + 1], seen[i], &f});
         }
     }
     // What is constant to rounding has an extreme at every sample: some of them tell what there is to be told.
@@ -106,10 +157,13 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
         constexpr double near_best = 1e-2;
         const Candidate& c = candidates[i];
         const bool end = c.left == c.at || c.right == c.at;
+        const bool of_motion = c.at == c.f->scan.from() || c.at == c.f->scan.to();
         // Next to a limit doubles see little of what is at an end.
-        if (!end && (c.seen < best - near_best * (best - worst) - 1e-12 || i % every != 0)) continue;
-        const Extreme one = end ? polished_end(f, c.at, c.left == c.at ? c.right : c.left, sign)
-                                : polished(f, c.left, c.at, c.right, sign);
+        if (!(end && (of_motion || pieces.size() == parts.size())) &&
+            (c.seen < best - near_best * (best - worst) - 1e-12 || i % every != 0))
+            continue;
+        const Extreme one = end ? polished_end(*c.f, c.at, c.left == c.at ? c.right : c.left, sign)
+                                : polished(*c.f, c.left, c.at, c.right, sign);
         if (!isnan(one.value) && (isnan(found.value) || sign * one.value > sign * found.value)) found = one;
     }
     return found;

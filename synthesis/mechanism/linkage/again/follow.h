@@ -21,11 +21,9 @@ public:
     Follower(const LinkageModel& model, std::vector<T> numbers)
         : model_(model),
           loop(model.structure, std::move(numbers)),
-          laws_(laws_of(model.drives)),
-          inputs_(laws_.size()) {
-        for (const linkage::DriveLaw& law : laws_)
-            speeds_.push_back(T(law.ratio));
-    }
+          laws_(laws_in<T>(model.drives)),
+          inputs_(laws_.size()),
+          speeds_(laws_.size()) {}
 
     /// Takes a pose that is nearly one at this input; false where none is next to it.
     bool start(const T& input, LoopPose<T> near) {
@@ -43,6 +41,8 @@ public:
         constexpr double astray = 0.02;
         if (pose.turns.empty()) return false;
         LoopPose<T> speed;
+        for (std::size_t i = 0; i < laws_.size(); ++i)
+            speeds_[i] = linkage::input_by(laws_[i], at, linkage::by_itself, true);
         if (!loop.velocities(speeds_, pose, speed)) return false;
         LoopPose<T> next = pose;
         for (std::size_t i = 0; i < next.turns.size(); ++i) {
@@ -116,7 +116,7 @@ public:
     bool heeds_stops = true;  ///< differences at a stop look beyond it
 
 private:
-    std::vector<linkage::DriveLaw> laws_;
+    std::vector<linkage::DriveLawIn<T>> laws_;
     std::vector<T> inputs_, speeds_;
     int sign_ = 0;  ///< of the determinant on the branch that it follows
 };

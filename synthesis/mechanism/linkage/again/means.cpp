@@ -38,52 +38,81 @@ Integral bisected(const Term& term, double from, double to, const Integral& whol
     return {one.value + two.value, one.missed + two.missed, one.of_sizes + two.of_sizes};
 }
 
-/// The integral over a part of the motion of a power of it. Ends are approached as the square of the way, so that what
-/// has a root there is smooth: the way from them is exact, as rounding of the input itself would be noise. Not a number
-/// where it does not settle, as what grows beyond all bounds does not.
-double integral_of_power(const Measured& f, const Vector<double>& part, const std::array<Digits50, 2>& ends,
-                         int power) {
-    constexpr int deepest = 16;
-    constexpr double within = 1e-10, settled = 1e-9;
-    const bool by_slide = f.scan.model.driven_by_slide();
-    const double way = part.y - part.x, turns = by_slide ? 1 : std::ceil(way / (2 * std::numbers::pi));
-    const Digits50 from = part.x == f.scan.from() ? ends[0] : Digits50(part.x),
-                   to = part.y == f.scan.to() ? ends[1] : Digits50(part.y);
-    // Beside an end differences of doubles have no digits left.
-    const double beside = 1e-3 * (by_slide ? way : 1);
-    const auto term = [&](double u) -> double {
-        const double rest = 1 - u, passed = way * u * u * (3 - 2 * u), left = way * rest * rest * (1 + 2 * u);
+/// A power of what is measured over a part of the motion, as a function of [0, 1]. Ends are approached as the square of
+/// the way, so that what has a root there is smooth: the way from them is exact, as rounding of the input itself would
+/// be noise.
+struct Term {
+    const Measured& f;
+    Vector<double> part;
+    std::array<Digits50, 2> ends;  ///< of the motion
+    int power;
+    bool pieces;  ///< whether the part lies between breaks
+
+    double operator()(double u) const {
+        const double way = part.y - part.x, rest = 1 - u, passed = way * u * u * (3 - 2 * u),
+                     left = way * rest * rest * (1 + 2 * u);
+        const Digits50 from = part.x == f.scan.from() ? ends[0] : Digits50(part.x),
+                       to = part.y == f.scan.to() ? ends[1] : Digits50(part.y);
+        // Beside an end differences of doubles have no digits left.
+        const double beside = pieces ? way : 1e-3 * (f.scan.model.driven_by_slide() ? way : 1);
         const double value = std::min(passed, left) < beside
                                  ? f.between(ends, passed < left ? from + passed : to - left).convert_to<double>()
                                  : f.seen(part.x + passed, true);
         return (power == 2 ? value * value : value) * 6 * u * rest * way;
-    };
-    Integral sum;
-    for (double turn = 0; turn < turns; ++turn) {
-        const double first = turn / turns, last = (turn + 1) / turns;
-        const Integral whole = by_one_rule(term, first, last);
-        const Integral one = bisected(term, first, last, whole, within * whole.of_sizes, deepest);
-        sum = {sum.value + one.value, sum.missed + one.missed, sum.of_sizes + one.of_sizes};
     }
-    return sum.missed <= settled * sum.of_sizes ? sum.value : missing;
-}
+};
+
+/// A stretch of such a part.
+struct Chunk {
+    Term term;
+    double first, last, share;  ///< of all that is integrated
+    Integral whole{};
+};
 
 }  // namespace
 
 Digits50 mean_power(const Measured& f, const std::vector<Vector<double>>& parts, int power) {
+    constexpr int deepest = 16;
+    constexpr double within = 1e-10, settled = 1e-9;
     const std::array<Digits50, 2> ends{f.scan.exact_end(false), f.scan.exact_end(true)};
-    Digits50 sum = 0, length = 0;
-    for (const Vector<double>& part : parts) {
-        length += part.y - part.x;
-        sum += integral_of_power(f, part, ends, power);
+    const std::vector<Vector<double>> pieces = between_breaks(f.scan, parts);
+    const std::vector<Measured> on_pieces = on_each(f, parts, pieces);
+    Digits50 length = 0;
+    for (const Vector<double>& piece : pieces)
+        length += piece.y - piece.x;
+    std::vector<Chunk> chunks;
+    double size = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const double way = pieces[i].y - pieces[i].x;
+        const double turns = f.scan.model.driven_by_slide() ? 1 : std::ceil(way / (2 * std::numbers::pi));
+        for (double turn = 0; turn < turns; ++turn) {
+            Chunk chunk{{on_pieces[i], pieces[i], ends, power, pieces.size() > parts.size()},
+                        turn / turns,
+                        (turn + 1) / turns,
+                        way / turns / length.convert_to<double>()};
+            chunk.whole = by_one_rule(chunk.term, chunk.first, chunk.last);
+            size += chunk.whole.of_sizes;
+            chunks.push_back(std::move(chunk));
+        }
     }
-    return sum / length;
+    // Where a drive dwells there may be nothing but rounding, beside which that of the others is much.
+    Integral sum;
+    for (const Chunk& chunk : chunks) {
+        const double allowed = within * std::max(chunk.whole.of_sizes, chunk.share * size);
+        const Integral one = bisected(chunk.term, chunk.first, chunk.last, chunk.whole, allowed, deepest);
+        sum = {sum.value + one.value, sum.missed + one.missed, sum.of_sizes + one.of_sizes};
+    }
+    // Not a number where it does not settle, as what grows beyond all bounds does not.
+    return sum.missed <= settled * sum.of_sizes ? Digits50(sum.value) / length : Digits50(missing);
 }
 
 Digits50 mean_of_derivative(const Measured& f, const std::vector<Vector<double>>& parts) {
+    const std::vector<Vector<double>> pieces = between_breaks(f.scan, parts);
+    const std::vector<Measured> on_pieces = on_each(f, parts, pieces);
     Digits50 grown = 0, length = 0;
-    for (const auto& [from, to] : parts) {
-        grown += f.at(to, -1) - f.at(from, -1);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const auto& [from, to] = pieces[i];
+        grown += on_pieces[i].at(to, -1) - on_pieces[i].at(from, -1);
         length += to - from;
     }
     return grown / length;

@@ -4,6 +4,7 @@
 /// extremes and its means.
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -20,18 +21,37 @@ struct Measured {
     std::function<double(SignalsAgain<double>&, double)> look;
     /// Its derivative of some order by the input; -1: its integral, where it is a derivative itself.
     std::function<Digits50(SignalsAgain<Digits50>&, int, const Digits50&)> measure;
+    static constexpr double rounding_of_input = 1e-12;
+    /// Inputs between which drives are on one piece of their motions each: differences look no farther.
+    Vector<double> piece{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
+    /// The same on one piece.
+    Measured on(const Vector<double>& part) const {
+        Measured made = *this;
+        made.piece = part;
+        return made;
+    }
     double seen(double input, bool finely = false) const {
         SignalsAgain<double> signals = scan.plain(scan.nearest(input));
+        keep_on_piece(signals);
         signals.finely = finely;
         return look(signals, input);
     }
+    SignalsAgain<Digits50> precise(double input) const {
+        SignalsAgain<Digits50> signals = scan.precise(scan.nearest(input));
+        keep_on_piece(signals);
+        return signals;
+    }
     Digits50 at(double input, int order = 0) const {
+        // What is at an end of the piece but for rounding is looked at from inside.
+        for (const double end : {piece.x, piece.y})
+            if (std::abs(input - end) < rounding_of_input) input = end;
         if (input == scan.from() || input == scan.to()) {
             SignalsAgain<Digits50> end = scan.at_end(input == scan.to());
+            keep_on_piece(end);
             return measure(end, order, end.follower.at);
         }
-        SignalsAgain<Digits50> signals = scan.precise(scan.nearest(input));
+        SignalsAgain<Digits50> signals = precise(input);
         return measure(signals, order, input);
     }
     /// Between the exact ends of the motion, so close to one of them as it may be.
@@ -41,9 +61,23 @@ struct Measured {
             signals.first_input = ends[0];
             signals.last_input = ends[1];
         }
+        keep_on_piece(signals);
         return measure(signals, 0, input);
     }
+
+private:
+    template <class T>
+    void keep_on_piece(SignalsAgain<T>& signals) const {
+        if (T(piece.x) > signals.first_input) signals.first_input = T(piece.x);
+        if (T(piece.y) < signals.last_input) signals.last_input = T(piece.y);
+    }
 };
+
+/// Parts of the motion as those between the breaks of drives' motions.
+std::vector<Vector<double>> between_breaks(const Scan& scan, const std::vector<Vector<double>>& parts);
+/// What is measured on each of the pieces of these parts; where no part has several, as it is.
+std::vector<Measured> on_each(const Measured& f, const std::vector<Vector<double>>& parts,
+                              const std::vector<Vector<double>>& pieces);
 
 /// An extreme and its input; not a number where nothing was found.
 struct Extreme {

@@ -50,7 +50,15 @@ Digits50 reduced(const Measured& f, const LinkageMeasure& q) {
     using Kind = LinkageMeasure::Kind;
     if (q.kind == Kind::at) {
         const auto parts = parts_of(f.scan, std::array{q.input, q.input});
-        return parts.empty() ? Digits50(missing) : f.at(parts[0].x);
+        if (parts.empty()) return missing;
+        // Where drives come to another piece of their motions it is the one after.
+        const std::vector<Vector<double>> whole{{f.scan.from(), f.scan.to()}};
+        const std::vector<Vector<double>> pieces = again::between_breaks(f.scan, whole);
+        for (const Vector<double>& piece : pieces)
+            if (pieces.size() > 1 && parts[0].x >= piece.x - Measured::rounding_of_input &&
+                (parts[0].x < piece.y - Measured::rounding_of_input || piece.y == whole[0].y))
+                return f.on(piece).at(parts[0].x);
+        return f.at(parts[0].x);
     }
     const auto parts = parts_of(f.scan, q.stretch);
     if (parts.empty()) return missing;
@@ -189,7 +197,7 @@ std::vector<Digits50> lengths_of(const LinkageModel& model, std::span<const Digi
 Digits50 full_turn_margin(const LinkageModel& model, std::size_t assembly, std::span<const Digits50> dimensions) {
     const std::vector<Digits50> numbers = numbers_of(model, dimensions);
     linkage::Driven<Digits50> precise(model.structure, model.order, std::span<const Digits50>(numbers),
-                                      model.sides[assembly], laws_of(model));
+                                      model.sides[assembly], laws_again_of(model));
     std::vector<double> rounded;
     for (const Digits50& d : dimensions)
         rounded.push_back(d.convert_to<double>());

@@ -151,8 +151,13 @@ Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, con
     Found found;
     if (m.kind == Kind::mean || m.kind == Kind::rms) return found;
     if (m.kind == Kind::at) {
+        const auto laws = std::span<const linkage::DriveLaw>(plain.driven().laws);
+        const bool end = !course.travel.whole && from == course.travel.to;
+        const double within =
+            end ? linkage::parts_of(laws, {course.travel.from, from}).back().within : linkage::within_after(laws, from);
+        const linkage::WithinPiece in_piece(plain, within);
         const double value = plain.value(m.asked.signal, from, course.turns.near(from)).derivative(m.asked.derivative);
-        found.plus.push_back({m.asked, {from, value, false}});
+        found.plus.push_back({m.asked, {from, value, false, {}, within}});
         found.possible = !std::isnan(value);
         return found;
     }

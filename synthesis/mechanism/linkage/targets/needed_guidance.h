@@ -51,8 +51,7 @@ public:
         constexpr double any = std::numeric_limits<double>::infinity();
         closed_ = linkage::set_design<T, T>(needed, numbers, model.sides[form.assembly], row_, any);
         for (std::size_t i = 0; i < model.drives.size(); ++i) {
-            const linkage::DriveLaw law = law_of(model, i);
-            linkage::set_input<T>(needed, i, T(law.ratio) * arguments.back() + T(law.phase), row_);
+            linkage::set_input<T>(needed, i, linkage::input_by(law_of(model, i), arguments.back()), row_);
         }
         closed_ = closed_ && linkage::place_needed<T>(needed, row_, any);
         const T tilt = model.placement[2].at(dimensions);
@@ -102,12 +101,16 @@ public:
         for (std::size_t i = 0; i < model_.numbers.size(); ++i)
             add(gradient, model_.numbers[i], change[needed.number(i)]);
         for (std::size_t i = 0; i < model_.drives.size(); ++i)
-            gradient.back() = gradient.back() + T(law_of(model_, i).ratio) * change[needed.drive(i)];
+            gradient.back() = gradient.back() + rate_of(i) * change[needed.drive(i)];
         return gradient;
     }
 
 private:
     std::span<const T> dimensions() const { return arguments_.first(arguments_.size() - (of_body_ ? 2 : 1)); }
+    /// The derivative of a drive's input by the master's.
+    T rate_of(std::size_t drive) const {
+        return linkage::input_by(law_of(model_, drive), arguments_.back(), linkage::by_itself, true);
+    }
     Vector<T> vector(linkage::Spot spot) const { return {row_[spot], row_[spot + 1]}; }
     static Vector<T> conjugate(const Vector<T>& a) { return {a.x, -a.y}; }
     static void put(std::span<T> change, linkage::Spot spot, const Vector<T>& x) {
