@@ -3,6 +3,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "synthesis/mechanism/cycle.h"
 #include "synthesis/program/program.h"
 #include "synthesis/target/path/rows/path_rows.h"
 #include "synthesis/target/path/rows/stretch.h"
@@ -106,7 +107,9 @@ struct Builder {
             const double lower = length ? std::max(range.min, least_length * range.max) : range.min;
             program.variable_of[i] = static_cast<std::ptrdiff_t>(program.variables.size());
             // An angle that may take any value has no ends that a search could run against.
-            const double beyond = is_angle(kinds[i]) && range.any_angle() ? 2 * std::numbers::pi : 0;
+            // After a turn of a cycle of several nothing is where it was.
+            const bool comes_back = !is_start(i) || turns_of_cycle(*problem.mechanism) == 1;
+            const double beyond = is_angle(kinds[i]) && range.any_angle() && comes_back ? 2 * std::numbers::pi : 0;
             program.variables.push_back(
                 {std::string(kinds[i].name), lower / scale - beyond, range.max / scale + beyond});
         }

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "synthesis/mechanism/cycle.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/target/path/rows/stretch.h"
 
@@ -45,13 +45,13 @@ double least_advance(const PathTarget& path, const std::vector<double>& angles) 
     return least;
 }
 
-/// By how much less than a turn the crank meets all points of any target.
-double least_rest_of_turn(const PathTarget& path, const std::vector<double>& angles) {
+/// By how much less than a turn, or a longer cycle, the crank meets all points of any target.
+double least_rest_of_cycle(const PathTarget& path, double cycle, const std::vector<double>& angles) {
     double least = endless;
     for (std::size_t target = 0; target < path.targets(); ++target) {
         const PointRange points = path.points_of(target);
         if (has_order(path, points))
-            least = std::min(least, 2 * std::numbers::pi - std::abs(angles[points.end() - 1] - angles[points.first]));
+            least = std::min(least, cycle - std::abs(angles[points.end() - 1] - angles[points.first]));
     }
     return least;
 }
@@ -79,8 +79,8 @@ void add_margins_of_path(const Problem& problem, const Design& design, std::vect
     const double advance = least_advance(path, design.path_angles);
     if (advance == endless) return;
     all.push_back({"the targets are met in their order", advance, true});
-    all.push_back(
-        {"the targets are met within one turn of the crank", least_rest_of_turn(path, design.path_angles), true});
+    all.push_back({"the targets are met within one turn of the crank",
+                   least_rest_of_cycle(path, cycle_of(*problem.mechanism), design.path_angles), true});
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <span>
 
+#include "synthesis/mechanism/cycle.h"
+
 namespace mechwright {
 
 namespace {
@@ -25,26 +27,27 @@ std::vector<double> parts_of_way(const Points& points) {
 }
 
 /// The turn of the crank from the first to the last point of a target.
-double swept(const Points& points, bool closed, double span) {
+double swept(const Points& points, bool closed, double span, double cycle) {
     const Vector<double>&first = points.front(), &last = points.back();
-    if (points.size() > 2 && first.x == last.x && first.y == last.y) return turn;
-    if (!closed) return (0.1 + 0.85 * span) * turn;
+    if (points.size() > 2 && first.x == last.x && first.y == last.y) return cycle;
+    if (!closed) return (0.1 + 0.85 * span) * cycle;
     double way = 0;
     for (std::size_t i = 1; i < points.size(); ++i)
         way += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
     const double way_of_gap = std::hypot(last.x - first.x, last.y - first.y);
     const double n = static_cast<double>(points.size());
     const double by_way = way > 0 ? way / (way + way_of_gap) : 1;
-    return 0.5 * (by_way + (n - 1) / n) * turn;
+    return 0.5 * (by_way + (n - 1) / n) * cycle;
 }
 
 /// Those of one target.
-void set_angles(const Points& points, bool closed, int direction, const PathTiming& timing, std::span<double> angles) {
+void set_angles(const Points& points, bool closed, int direction, double cycle, const PathTiming& timing,
+                std::span<double> angles) {
     const std::size_t n = points.size();
     std::vector<double> parts = parts_of_way(points);
 
-    const double whole = swept(points, closed, timing.span);
-    const double first = (timing.start - 0.5) * turn;
+    const double whole = swept(points, closed, timing.span, cycle);
+    const double first = (timing.start - 0.5) * cycle;
     // A swell keeps the ends and the order: its slope is less than one.
     const double swell = 0.9 * timing.swell / turn;
     const double phase = timing.where * turn;
@@ -73,12 +76,13 @@ PathTiming timing_of_target(const PathTiming& timing, std::size_t target) {
 
 std::vector<double> path_angles(const Program& program, const PathTiming& timing) {
     const PathTarget& path = *program.problem->path;
+    const double cycle = cycle_of(*program.problem->mechanism);
     std::vector<double> angles(program.targets.size());
     for (std::size_t target = 0; target < path.targets(); ++target) {
         const PointRange points = path.points_of(target);
         const bool closed = path.parts.empty() ? path.closed : path.parts[target].closed;
         set_angles(Points(program.targets).subspan(points.first, points.count), closed, program.variant.direction,
-                   timing_of_target(timing, target), std::span(angles).subspan(points.first, points.count));
+                   cycle, timing_of_target(timing, target), std::span(angles).subspan(points.first, points.count));
     }
     return angles;
 }

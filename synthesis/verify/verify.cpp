@@ -8,6 +8,7 @@
 #include <new>
 #include <numbers>
 
+#include "synthesis/mechanism/cycle.h"
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
@@ -102,7 +103,7 @@ Check check_whole_motion(const Rebuilt& design) {
     const Unit unit = input_unit(*design.claim->mechanism);
     const double far = std::max(std::abs(design.motion.from), std::abs(design.motion.to));
     const double little = 1e-6 * (unit == Unit::angle ? 1 : far);  // radians, or of the displacement
-    const double gap = 2 * std::numbers::pi - (design.motion.to - design.motion.from);
+    const double gap = cycle_of(*design.claim->mechanism) - (design.motion.to - design.motion.from);
     if (unit == Unit::angle && gap >= 0 && gap < closed_but_for_rounding)
         return {"moves as far as it can", true, "all but a full turn: between the ends it comes apart by rounding"};
     Check check{"moves as far as it can", true, "beyond both ends of its motion it comes apart"};

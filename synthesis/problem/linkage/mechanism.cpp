@@ -272,11 +272,6 @@ double stops_apart(const Linkage& linkage) {
 
 std::string why_no_mechanism(const Linkage& linkage) {
     if (!linkage.unassembled.empty()) return linkage.unassembled;
-    if (!linkage.order.closed() && linkage.structure.drives.front().of_slide)
-        return fmt::format(
-            "the links {} are placed together; such groups are followed by the angle of a driven link, "
-            "not by a slide, in this version",
-            name_of_larger(linkage, 0));
     for (const LinkageSignal& signal : linkage.signals)
         if (signal.value.kind == linkage::Signal::Kind::transmission_angle &&
             margin_at(linkage, signal.value.of) == linkage::none)
@@ -310,6 +305,8 @@ std::shared_ptr<const Mechanism> mechanism_of(const Linkage& linkage, std::strin
     if (!linkage.order.closed()) {
         const std::vector<DimensionRange> ranges = ranges_of(linkage);
         model.starts = std::move(assemblies.starts);
+        for (linkage::Assembled& start : model.starts)
+            start.input = model.input_of(start.input);
         model.sketched = usual(ranges);
         for (const Dimension& dimension : dimensions_of(linkage))
             model.sketched_lengths.push_back(scales(dimension.kind));
@@ -427,11 +424,6 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
                          fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "
                                      "give the motion an end, [motion] crank_range = [0, 360]",
                                      linkage::most_turns));
-    if (model.turns > 1 && !linkage.guided.empty())
-        return add_error(messages, place_of(*table.get("drive")),
-                         fmt::format("it is where it was after {} turns of its drive: targets are met within one in "
-                                     "this version",
-                                     model.turns));
     problem.dimensions = ranges_of(linkage);
     problem.dimensions.resize(problem.mechanism->dimensions.size());
     problem.crank_range = linkage.crank_range;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "synthesis/mechanism/cycle.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/target/path/read_parts.h"
 
@@ -39,8 +40,8 @@ std::vector<double> read_weights(Section& path, const PointList& list, Messages&
     return *weights;
 }
 
-/// The mechanism passes the points in one turn, in one direction.
-void check_order(const Section& path, const std::vector<double>& angles, double turn, Messages& messages) {
+/// The mechanism passes the points in one turn, or as many as its cycle has, in one direction.
+void check_order(const Section& path, const std::vector<double>& angles, double turn, int turns, Messages& messages) {
     if (angles.size() < 2) return;
     const bool rising = angles[1] > angles[0];
     for (std::size_t i = 1; i < angles.size(); ++i) {
@@ -51,20 +52,22 @@ void check_order(const Section& path, const std::vector<double>& angles, double 
                               angles[i]));
         return;
     }
-    if (std::abs(angles.back() - angles.front()) > turn)
+    if (std::abs(angles.back() - angles.front()) > turns * turn)
         add_error(messages, place_of(path, "crank_angles"),
-                  fmt::format("crank_angles go from {} to {}: they must stay within one full turn", angles.front(),
-                              angles.back()));
+                  fmt::format("crank_angles go from {} to {}: they must stay within {}", angles.front(), angles.back(),
+                              turns == 1 ? "one full turn" : fmt::format("{} turns", turns)));
 }
 
-std::vector<double> read_crank_angles(Section& path, const Units& units, const PointList& list, Messages& messages) {
+std::vector<double> read_crank_angles(Section& path, const Problem& problem, const PointList& list,
+                                      Messages& messages) {
+    const Units& units = problem.units;
     if (!has(path, "crank_angles"))
         add_error(messages, place_of(path, "timing"),
                   "timing = \"prescribed\" needs 'crank_angles', one for each point");
     auto angles = read_numbers(path, "crank_angles", messages);
     if (!angles) return {};
     same_length(path, "crank_angles", angles->size(), list, messages);
-    check_order(path, *angles, full_turn(units), messages);
+    check_order(path, *angles, full_turn(units), problem.mechanism ? turns_of_cycle(*problem.mechanism) : 1, messages);
     for (double& angle : *angles)
         angle = to_radians(units, angle);
     return *angles;
@@ -174,7 +177,7 @@ void read_one_path(Section& path, Problem& problem, Messages& messages) {
     target.closed = read_bool(path, "closed", messages).value_or(false);
     target.weights = read_weights(path, list, messages);
     if (target.prescribed_timing)
-        target.crank_angles = read_crank_angles(path, problem.units, list, messages);
+        target.crank_angles = read_crank_angles(path, problem, list, messages);
     else if (timing || !has(path, "timing"))
         check_free_timing(path, list, messages);
     find(path, "crank_angles");
@@ -277,7 +280,7 @@ void read_these_poses(Section& poses, Problem& problem, Messages& messages) {
     target.body_length = read_body_length(poses, list, messages);
     target.weights = read_weights(poses, list, messages);
     if (target.prescribed_timing)
-        target.crank_angles = read_crank_angles(poses, problem.units, list, messages);
+        target.crank_angles = read_crank_angles(poses, problem, list, messages);
     else if (const toml::node* angles = find(poses, "crank_angles"); angles != nullptr)
         add_error(messages, place_of(*angles),
                   fmt::format("'crank_angles' in {} need timing = \"prescribed\"; with free timing leave them out",

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/numbers/golden_section.h"
+#include "synthesis/mechanism/cycle.h"
 namespace mechwright {
 
 namespace {
@@ -29,6 +30,12 @@ const Digits50& full_turn() { return boost::math::constants::two_pi<Digits50>();
 
 /// The angle counted up from zero, in [0, 2 pi).
 Digits50 within_turn(const Digits50& angle) { return angle - full_turn() * floor(angle / full_turn()); }
+
+/// The turns of the crank after which everything is where it was.
+Digits50 cycle(const Rebuilt& design) { return full_turn() * turns_of_cycle(*design.claim->mechanism); }
+
+/// The angle counted up from zero to a cycle.
+Digits50 within(const Digits50& cycle, const Digits50& angle) { return angle - cycle * floor(angle / cycle); }
 
 /// The error of each point against a limit; passes if every error is finite and within it.
 template <class Error>
@@ -92,8 +99,8 @@ Check check_prescribed(const Rebuilt& design) {
     return check_each(
         "meets the points at the prescribed crank angles", *claim.path, angular, [&](std::size_t i) -> Digits50 {
             const Digits50 due = start(i) + from_document(claim.path->prescribed_angles[i], Unit::angle, claim.units);
-            const Digits50 off = within_turn(design.path->crank_angles[i] - due);
-            return std::min(off, Digits50(full_turn() - off));
+            const Digits50 off = within(cycle(design), design.path->crank_angles[i] - due);
+            return std::min(off, Digits50(cycle(design) - off));
         });
 }
 
@@ -104,20 +111,21 @@ struct Range {
 };
 
 /// The crank angles that are swept if the points of a target are met in order in a direction; nothing if they cannot
-/// be: an angle is met twice, or the crank needs more than a turn (exactly one is allowed where the last point is the
+/// be: an angle is met twice, or the crank needs more than a cycle (exactly one is allowed where the last point is the
 /// first again).
 std::optional<Range> swept_in_order(const Rebuilt& design, const PointRange& points, int direction) {
     const std::vector<Vector<double>>& asked = design.claim->path->points;
     const Vector<double>&first = asked[points.first], &last = asked[points.end() - 1];
     const bool ends_meet = points.count > 2 && first.x == last.x && first.y == last.y;
     const std::vector<Digits50>& angles = design.path->crank_angles;
+    const Digits50 whole = cycle(design);
     Digits50 swept = 0;
     for (std::size_t i = points.first + 1; i < points.end(); ++i) {
-        const Digits50 step = within_turn(direction * (angles[i] - angles[i - 1]));
+        const Digits50 step = within(whole, direction * (angles[i] - angles[i - 1]));
         if (step < least_step) return std::nullopt;
         swept += step;
     }
-    if (swept > full_turn() + (ends_meet ? angular : -least_step)) return std::nullopt;
+    if (swept > whole + (ends_meet ? angular : -least_step)) return std::nullopt;
     const Digits50& begin = angles[points.first];
     return direction > 0 ? Range{begin, begin + swept} : Range{begin - swept, begin};
 }
@@ -129,15 +137,15 @@ Range range_of(const std::vector<Digits50>& angles, const PointRange& points) {
     return {*least, *greatest};
 }
 
-/// The shortest range that holds several, each turned on by whole turns.
-Range shortest_over(const std::vector<Range>& ranges) {
+/// The shortest range that holds several, each turned on by whole cycles.
+Range shortest_over(const std::vector<Range>& ranges, const Digits50& whole) {
     std::optional<Range> shortest;
     for (const Range& first : ranges) {
         Range one = first;
         for (const Range& range : ranges) {
-            const Digits50 ahead = within_turn(range.from - first.from);
-            // What begins where the first does may by rounding seem to begin a turn later.
-            const Digits50 begin = full_turn() - ahead < angular ? Digits50(0) : ahead;
+            const Digits50 ahead = within(whole, range.from - first.from);
+            // What begins where the first does may by rounding seem to begin a cycle later.
+            const Digits50 begin = whole - ahead < angular ? Digits50(0) : ahead;
             one.to = std::max<Digits50>(one.to, first.from + begin + (range.to - range.from));
         }
         if (!shortest || one.to - one.from < shortest->to - shortest->from) shortest = one;
@@ -157,10 +165,10 @@ std::vector<Range> sweeps(const Rebuilt& design) {
                           from_document(path.prescribed_angles[i], Unit::angle, claim.units));
         for (std::size_t target = 0; target < path.targets(); ++target)
             ranges.push_back(range_of(due, path.points_of(target)));
-        return {shortest_over(ranges)};
+        return {shortest_over(ranges, cycle(design))};
     }
     if (path.any_order) {
-        if (design.motion.full_turn) return {{0, full_turn()}};
+        if (design.motion.full_turn) return {{0, cycle(design)}};
         return {range_of(design.path->crank_angles, path.points_of(every_target))};
     }
     std::vector<Range> possible;
@@ -168,7 +176,7 @@ std::vector<Range> sweeps(const Rebuilt& design) {
         ranges.clear();
         for (std::size_t target = 0; target < path.targets(); ++target)
             if (const auto range = swept_in_order(design, path.points_of(target), direction)) ranges.push_back(*range);
-        if (ranges.size() == path.targets()) possible.push_back(shortest_over(ranges));
+        if (ranges.size() == path.targets()) possible.push_back(shortest_over(ranges, cycle(design)));
     }
     return possible;
 }
@@ -199,7 +207,7 @@ double distance_between(const Vector<double>& a, const Vector<double>& b) { retu
 SampledCurve sampled_curve(const Rebuilt& design, std::size_t target) {
     constexpr int steps = 720;
     const Motion& motion = design.motion;
-    const double step = (motion.full_turn ? plain(full_turn()) : motion.to - motion.from) / steps;
+    const double step = (motion.full_turn ? plain(cycle(design)) : motion.to - motion.from) / steps;
     const int beyond = motion.full_turn ? 1 : 0;
     SampledCurve curve{target};
     for (int i = -beyond; i <= steps + beyond; ++i) {

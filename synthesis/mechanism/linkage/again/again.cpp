@@ -158,7 +158,7 @@ std::optional<double> astray_at(const LinkageModel& model, linkage::Driven<doubl
                                 const std::vector<std::pair<double, LoopPose<double>>>& poses) {
     constexpr double within = 1e-5;  // near a limit places are as exact as the root of the digits
     for (const auto& [at, pose] : poses) {
-        if (!moving.place(at)) return at;
+        if (!moving.place(model.input_of(at))) return at;
         for (const linkage::LargerGroup& group : model.order.larger)
             for (const linkage::LinkUnknown& unknown : group.unknowns) {
                 const Vector<double> apart = moving.pose.links[unknown.link].along - pose.along(unknown.link);

@@ -1,35 +1,35 @@
 #include "synthesis/target/path/rows/path_rows.h"
 
-#include <numbers>
 #include <string>
 
+#include "synthesis/mechanism/cycle.h"
 #include "synthesis/target/path/read_parts.h"
 
 namespace mechwright {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// The least crank angle between neighbouring points of an untimed path.
 constexpr double least_between = 1e-6;
 
-/// The crank angles at the points of a target; the first of ordered ones is in the first turn.
+/// The crank angles at the points of a target; the first of ordered ones is in the first cycle.
 void add_angles(Program& program, const PathTarget& path, const PointRange& points) {
+    const double half = cycle_of(*program.problem->mechanism) / 2;
     const int direction = program.variant.direction;
     for (std::size_t i = points.first; i < points.end(); ++i) {
         const bool first = i == points.first;
         program.variables.push_back({"crank angle at " + point_name(path, i),
-                                     path.any_order           ? -3 * pi
-                                     : first || direction > 0 ? -pi
-                                                              : -3 * pi,
-                                     path.any_order           ? 3 * pi
-                                     : first || direction < 0 ? pi
-                                                              : 3 * pi});
+                                     path.any_order           ? -3 * half
+                                     : first || direction > 0 ? -half
+                                                              : -3 * half,
+                                     path.any_order           ? 3 * half
+                                     : first || direction < 0 ? half
+                                                              : 3 * half});
     }
 }
 
-/// The points of each target by itself are met in order within a turn, those of several in one direction.
+/// The points of each target by itself are met in order within a turn or a longer cycle, those of several in one
+/// direction.
 void add_order(Program& program, const PathTarget& path, const PointRange& points) {
     const double sign = program.variant.direction;
     const std::string of = path.parts.empty() ? "" : " of '" + path.parts[path.part_of[points.first]].name + "'";
@@ -43,7 +43,8 @@ void add_order(Program& program, const PathTarget& path, const PointRange& point
     if (points.count < 3) return;
     const Vector<double>&first = path.points[points.first], &last = path.points[points.end() - 1];
     const bool meets = first.x == last.x && first.y == last.y;
-    add_row("points within one turn", 0, points.count - 1, -unlimited, 2 * pi - (meets ? 0 : least_between));
+    add_row("points within one turn", 0, points.count - 1, -unlimited,
+            cycle_of(*program.problem->mechanism) - (meets ? 0 : least_between));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "synthesis/mechanism/cycle.h"
 #include "synthesis/target/path/rows/path_outputs.h"
 
 namespace mechwright {
@@ -38,11 +38,10 @@ EndPoints end_points(const PathTarget& path, std::size_t target, const AngleAt& 
     return ends;
 }
 
-/// The shortest stretch that holds the crank angles of every target, each turned on by whole turns: it begins where one
-/// of them does. Points that count by the nearest of the curve lie in one motion, and are not turned.
+/// The shortest stretch that holds the crank angles of every target, each turned on by whole cycles: it begins where
+/// one of them does. Points that count by the nearest of the curve lie in one motion, and are not turned.
 template <class AngleAt>
-StretchEnds shortest_stretch(const PathTarget& path, const AngleAt& angle_at) {
-    constexpr double turn = 2 * std::numbers::pi;
+StretchEnds shortest_stretch(const PathTarget& path, double cycle, const AngleAt& angle_at) {
     const std::size_t targets = path.targets();
     StretchEnds best;
     double shortest = std::numeric_limits<double>::infinity();
@@ -54,7 +53,7 @@ StretchEnds shortest_stretch(const PathTarget& path, const AngleAt& angle_at) {
         for (std::size_t k = 0; k < targets; ++k) {
             const EndPoints of = end_points(path, k, angle_at);
             const double turns =
-                k == from || path.any_order ? 0 : turn * std::ceil((begin - angle_at(of.least)) / turn);
+                k == from || path.any_order ? 0 : cycle * std::ceil((begin - angle_at(of.least)) / cycle);
             if (angle_at(of.least) + turns < least) {
                 least = angle_at(of.least) + turns;
                 ends.first = of.least;
@@ -75,7 +74,8 @@ StretchEnds shortest_stretch(const PathTarget& path, const AngleAt& angle_at) {
 }  // namespace
 
 CrankStretch stretch_of(const Problem& problem, std::span<const double> path_angles) {
-    const StretchEnds ends = shortest_stretch(*problem.path, [&](std::size_t i) { return path_angles[i]; });
+    const StretchEnds ends =
+        shortest_stretch(*problem.path, cycle_of(*problem.mechanism), [&](std::size_t i) { return path_angles[i]; });
     return {path_angles[ends.first], path_angles[ends.last] + ends.turns};
 }
 
@@ -107,7 +107,7 @@ StretchEnds stretch_ends(const Program& program, const VectorXd& x) {
     };
     // The crank may turn either way along an ordered path.
     if (path.parts.empty() && !path.prescribed_timing && !path.any_order) return {0, path.points.size() - 1, 0};
-    return shortest_stretch(path, angle_at);
+    return shortest_stretch(path, cycle_of(*program.problem->mechanism), angle_at);
 }
 
 const QuantityBlock* stretch_block(const Program& program) {
