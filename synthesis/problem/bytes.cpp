@@ -41,7 +41,8 @@ Bytes too_large(std::size_t most_bytes) {
 
 }  // namespace
 
-Bytes read_bytes(const std::string& file, std::size_t most_bytes, bool special_files) {
+Bytes read_bytes(const std::string& named, std::size_t most_bytes, bool special_files) {
+    const std::string file = special_files && named == "-" ? "/dev/stdin" : named;
     if (std::string why = objection(file, special_files); !why.empty()) return unreadable(std::move(why));
     // What is known to be too large is not read at all; special files say nothing of their size.
     std::error_code unknown;

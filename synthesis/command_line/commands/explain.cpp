@@ -118,6 +118,7 @@ std::string kind_of(const Dimension& dimension) {
         case DimensionKind::coordinate: return "length of either sign" + also;
         case DimensionKind::angle: return "angle" + also;
         case DimensionKind::force: return "force" + also;
+        case DimensionKind::rate: return "force over length" + also;
         case DimensionKind::number: return "number" + also;
     }
     return "";

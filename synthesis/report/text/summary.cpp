@@ -173,6 +173,36 @@ std::string excluded_section(const Problem& problem, const Result& result, bool 
     return heading("Excluded", colour) + to_text(table, 2);
 }
 
+/// The best of the other designs, with what an engineer chooses by, in the units of the design above.
+std::string alternatives_table(const Problem& problem, const Result& result) {
+    constexpr std::size_t most_shown = 5;
+    const Mechanism& mechanism = *problem.mechanism;
+    Table table{{Align::right, Align::point, Align::point, Align::point, Align::left, Align::left},
+                {{"", "objective"}}};
+    if (!problem.objective) table.rows.front().back().clear();
+    std::vector<std::size_t> chosen_by;
+    for (const auto& [name, head] :
+         {std::pair("total-length", "total-length"), std::pair("transmission-angle-worst", "transmission")}) {
+        const int q = find_quantity(mechanism, name);
+        if (q < 0) return {};
+        chosen_by.push_back(static_cast<std::size_t>(q));
+        table.rows.front().emplace_back(head);
+    }
+    for (std::size_t i = 0; i < std::min(most_shown, result.alternatives.size()); ++i) {
+        const Solution& solution = result.alternatives[i].solution;
+        auto& row = table.rows.emplace_back();
+        row = {std::to_string(i + 1), problem.objective ? number_text(solution.objective, 6) : ""};
+        for (const std::size_t q : chosen_by) {
+            const auto value = quantity_value(problem, q, solution.design);
+            const Unit unit = mechanism.quantities[q].unit;
+            row.push_back(value ? number_text(in_file_unit(*value, unit, problem.units), 6) : "-");
+        }
+        row.push_back(mechanism.describe(mechanism.form(0), solution.design.dimensions));
+        row.push_back(problem.assemblies.size() < 2 ? "" : mechanism.assemblies[solution.design.assembly]);
+    }
+    return to_text(table, 2);
+}
+
 std::string alternatives_section(const Problem& problem, const Result& result) {
     if (result.alternatives.empty()) return {};
     const auto cognates = std::count_if(result.alternatives.begin(), result.alternatives.end(),
@@ -183,7 +213,7 @@ std::string alternatives_section(const Problem& problem, const Result& result) {
                             number_text(result.alternatives.front().solution.objective));
     if (cognates > 0)
         text += fmt::format("; {} of them {} of another", cognates, cognates == 1 ? "a cognate" : "cognates");
-    return folded("Alternatives: ", text + " (see --json or --out).");
+    return folded("Alternatives: ", text + " (see --json or --out).") + alternatives_table(problem, result);
 }
 
 /// What a search found and verification does not pass: the best of it by name, above all where it is better than the
