@@ -10,8 +10,10 @@
 #include "synthesis/document/claimed_cam.h"
 #include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/problem/affine.h"
 #include "synthesis/problem/linkage/mechanism.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/problem/units.h"
 #include "synthesis/target/followed/document.h"
 #include "synthesis/target/function/document.h"
 #include "synthesis/target/path/document.h"
@@ -99,6 +101,13 @@ void read_head(Reader& in, const Json& document, Claim& claim) {
         }
         if (const Json* length = member(*units, of_units("length")))
             claim.units.length = in.text(length, "units.length");
+        if (const Json* force = member(*units, of_units("force"))) claim.units.force = in.text(force, "units.force");
+        if (const Json* mass = member(*units, of_units("mass"))) {
+            claim.units.mass = in.text(mass, "units.mass");
+            const auto times = times_mass(claim.units.mass, claim.units.force, claim.units.length);
+            if (!times) in.fail("units.mass does not go with units.force and units.length");
+            claim.units.per_mass = times.value_or(1);
+        }
     }
     if (const Json* tolerance = member(document, of_document("tolerance"))) {
         claim.tolerance = in.number(tolerance, "tolerance");
@@ -124,7 +133,17 @@ void read_given(Reader& in, const Json& document, Claim& claim) {
             const int of = find_dimension(*claim.mechanism, in.text(member(value, of_tie("of")), place + ".of"));
             if (of < 0) return in.fail(fmt::format("{} is tied to a dimension that does not exist", place));
             const double times = in.number(member(value, of_tie("times")), place + ".times");
-            claim.given[i] = ClaimedRange{0, 0, Tie{static_cast<std::size_t>(of), times}};
+            claim.given[i] = ClaimedRange{0, 0, {0, {{static_cast<std::size_t>(of), times}}}};
+        } else if (value.is_string()) {
+            const ParsedAffine sum =
+                parse_affine(value.get<std::string>(), [&](std::string_view other, std::string& fault) {
+                    const int of = find_dimension(*claim.mechanism, other);
+                    if (of < 0) fault = "it names a dimension that does not exist";
+                    return of < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(of));
+                });
+            if (!sum.fault.empty() || sum.value.terms.empty())
+                return in.fail(fmt::format("{} is no sum of dimensions: {}", place, sum.fault));
+            claim.given[i] = ClaimedRange{0, 0, sum.value};
         } else if (value.is_object()) {
             const double min = dimension_number(in, claim, i, member(value, of_range("min")), place + ".min");
             const double max = dimension_number(in, claim, i, member(value, of_range("max")), place + ".max");
@@ -206,7 +225,8 @@ void read_settings(Reader& in, const Json& document, Claim& claim) {
         const double number = in.number(&value, place);
         if (number != at->preset && !at->allows(number))
             in.fail(fmt::format("{} is {}, not between {} and {}", place, number, at->above, at->below));
-        claim.settings[static_cast<std::size_t>(at - settings.begin())] = number;
+        claim.settings[static_cast<std::size_t>(at - settings.begin())] =
+            number * (at->is_mass ? claim.units.per_mass : 1);
     }
 }
 

@@ -18,7 +18,9 @@ namespace mechwright {
 struct ClaimedRange {
     double min;
     double max;
-    Tie tie{};  ///< where there is one, the limits are not read
+    Affine tie{};  ///< in the document's units; where it has terms the limits are not read
+
+    bool tied() const { return !tie.terms.empty(); }
 };
 
 struct ClaimedRequirement {

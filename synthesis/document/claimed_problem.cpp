@@ -25,6 +25,7 @@ DimensionRange range_of(const Claim& claim, std::size_t dimension) {
     const Unit unit = unit_of(claim.mechanism->dimensions[dimension].kind);
     range.named = true;
     range.tie = given->tie;
+    range.tie.constant = from_file_unit(given->tie.constant, unit, claim.units);
     range.min = from_file_unit(given->min, unit, claim.units);
     range.max = from_file_unit(given->max, unit, claim.units);
     // A tied dimension has no limits of its own.

@@ -10,6 +10,7 @@
 #include "synthesis/document/versions.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/input.h"
+#include "synthesis/problem/affine.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/singular.h"
@@ -31,6 +32,16 @@ void put(Json& object, std::string_view name, double number) {
     if (std::isfinite(number)) object[std::string(name)] = number;
 }
 
+/// A multiple of another dimension, or a sum as files write it; its constant in the file's unit.
+Json given_tie(const Problem& problem, Affine tie, double constant) {
+    const auto& dimensions = problem.mechanism->dimensions;
+    tie.constant = constant;
+    if (tie.terms.size() > 1 || tie.constant != 0)
+        return text_of(tie, [&](std::size_t i) { return std::string(dimensions[i].name); });
+    const auto& [other, times] = tie.terms.front();
+    return {{of_tie("of"), dimensions[other].name}, {of_tie("times"), times}};
+}
+
 Json given_dimensions(const Problem& problem) {
     Json given = Json::object();
     for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
@@ -39,8 +50,7 @@ Json given_dimensions(const Problem& problem) {
         const Dimension& dimension = problem.mechanism->dimensions[i];
         const auto outside = [&](double x) { return in_file_unit(x, unit_of(dimension.kind), problem.units); };
         if (range.tied())
-            given[std::string(dimension.name)] = {{of_tie("of"), problem.mechanism->dimensions[range.tie.of].name},
-                                                  {of_tie("times"), range.tie.times}};
+            given[std::string(dimension.name)] = given_tie(problem, range.tie, outside(range.tie.constant));
         else if (range.fixed())
             given[std::string(dimension.name)] = outside(range.min);
         else
@@ -48,6 +58,13 @@ Json given_dimensions(const Problem& problem) {
                                                   {of_range("max"), outside(range.max)}};
     }
     return given;
+}
+
+Json units_document(const Units& units) {
+    Json json{{of_units("angle"), units.degrees ? "deg" : "rad"}, {of_units("length"), units.length}};
+    if (!units.force.empty()) json[of_units("force")] = units.force;
+    if (!units.mass.empty()) json[of_units("mass")] = units.mass;
+    return json;
 }
 
 Json design_of(const Problem& problem, const Design& design) {
@@ -256,8 +273,7 @@ Json head(const Problem& problem) {
                {{of_libraries("ipopt"), ipopt_version()},
                 {of_libraries("nlopt"), nlopt_version()},
                 {of_libraries("eigen"), eigen_version()}}}}},
-            {of_document("units"),
-             {{of_units("angle"), problem.units.degrees ? "deg" : "rad"}, {of_units("length"), problem.units.length}}}};
+            {of_document("units"), units_document(problem.units)}};
 }
 
 /// The members from tolerance to path.
@@ -273,7 +289,8 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
     }
     Json settings = Json::object();  // made whole: one that null turns into is none where memory runs out
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)
-        settings[problem.mechanism->settings[i].name] = problem.settings[i];
+        settings[problem.mechanism->settings[i].name] =
+            problem.settings[i] / (problem.mechanism->settings[i].is_mass ? problem.units.per_mass : 1);
     if (!settings.empty()) json[of_document("settings")] = std::move(settings);
     if (problem.has_instant) json[of_document("instant")] = true;
     if (best) return put_findings(json, problem, *best);

@@ -50,7 +50,9 @@ inline constexpr std::array program{
     Key{"libraries", Shape::table, "Versions of what it is made with.", true, {}, libraries}};
 
 inline constexpr std::array units{Key{"angle", Shape::word, "Unit of angles.", true, keys::angle_units},
-                                  Key{"length", Shape::text, "Name of the unit of lengths.", true}};
+                                  Key{"length", Shape::text, "Name of the unit of lengths.", true},
+                                  Key{"force", Shape::word, "Unit of forces.", false, keys::force_units},
+                                  Key{"mass", Shape::word, "Unit of masses.", false, keys::mass_units}};
 
 inline constexpr std::array range{Key{"min", Shape::number, "Least value.", true},
                                   Key{"max", Shape::number, "Greatest value.", true}};
@@ -266,7 +268,8 @@ inline constexpr std::array of_run{
     Key{"status", Shape::word, "How the run ended.", false, statuses},
     Key{"note", Shape::text, "One sentence for the user where the status needs one."},
     Key{"tolerance", Shape::number, "Relative, on every requirement.", true, {}, {}, positive},
-    Key{"dimensions", Shape::names, "What was given: a number, a range, or a tie to another dimension.", true},
+    Key{"dimensions", Shape::names,
+        "What was given: a number, a range, a multiple of another dimension, or a sum of such.", true},
     Key{"cam", Shape::table, "What was given of a cam.", false, {}, cam},
     Key{"linkage", Shape::value, "Of a linkage the sections that describe it, as its problem file has them."},
     Key{"crank_range", Shape::ends, "Crank angles that the file limits the motion to."},

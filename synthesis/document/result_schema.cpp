@@ -77,7 +77,7 @@ Json findings_of(const Kinds& kinds) {
 }
 
 Json of_kinds(const Kinds& kinds) {
-    const Json given = any_of({number(), table_of(fields::range), table_of(fields::tie)});
+    const Json given = any_of({number(), table_of(fields::range), table_of(fields::tie), Json{{"type", "string"}}});
     Json properties = findings_of(kinds);
     for (const char* target : {"path", "poses"})
         properties[target] = {{"type", "object"}};
@@ -101,10 +101,12 @@ Json of_linkages() {
     Json design = table_of(fields::design);
     design["properties"]["assembly"].update(table_of_any(any_of({table_of(fields::side), table_of(larger_group)})));
     design["additionalProperties"] = number();
-    Json properties{{"design", design},
-                    {"quantities", table_of_any(number())},
-                    {"dimensions", table_of_any(any_of({number(), table_of(fields::range), table_of(fields::tie)}))},
-                    {"linkage", table_of(fields::linkage)}};
+    Json properties{
+        {"design", design},
+        {"quantities", table_of_any(number())},
+        {"dimensions",
+         table_of_any(any_of({number(), table_of(fields::range), table_of(fields::tie), Json{{"type", "string"}}}))},
+        {"linkage", table_of(fields::linkage)}};
     properties["front"] = {{"items", {{"properties", properties}}}};
     properties["alternatives"] = {{"items", {{"properties", {{"design", std::move(design)}}}}}};
     Json is_one{{"properties", {{"mechanism", {{"const", "linkage"}}}}}};

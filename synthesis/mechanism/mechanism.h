@@ -27,11 +27,14 @@ enum class DimensionKind {
     coordinate,  ///< a length of either sign
     angle,       ///< radians, of either sign
     force,       ///< of either sign; grows with the lengths for given masses and spring rates
-    number       ///< anything that does not grow with the lengths: a spring rate
+    rate,        ///< force over length, of a spring; does not grow with the lengths
+    number       ///< anything else that does not
 };
 
 /// Whether dimensions of this kind grow in proportion when a mechanism is made larger.
-constexpr bool scales(DimensionKind kind) { return kind != DimensionKind::angle && kind != DimensionKind::number; }
+constexpr bool scales(DimensionKind kind) {
+    return kind != DimensionKind::angle && kind != DimensionKind::rate && kind != DimensionKind::number;
+}
 
 struct Dimension {
     std::string name;

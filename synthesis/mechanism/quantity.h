@@ -18,7 +18,7 @@ namespace mechwright {
 /// Fifty decimal digits: what verification computes with.
 using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
-enum class Unit { none, length, area, angle, force, torque };
+enum class Unit { none, length, area, angle, force, torque, rate };
 
 /// A plain number that says how a mechanism is judged, from a section of its own in the problem file.
 struct Setting {
@@ -29,6 +29,7 @@ struct Setting {
     double below;
     std::string meaning;
     bool or_above = false;  ///< may be equal to `above`
+    bool is_mass = false;   ///< inside such that times length over second squared it is a force
 
     static constexpr std::size_t most = 4;  ///< of one mechanism
 

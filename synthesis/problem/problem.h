@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "analysis/geometry/vector.h"
+#include "synthesis/mechanism/affine.h"
 #include "synthesis/mechanism/mechanism.h"
 
 namespace mechwright {
@@ -24,24 +25,21 @@ struct Study;
 struct Units {
     bool degrees = true;        ///< else radians
     std::string length = "mm";  ///< a label; lengths are never converted
+    std::string force{};        ///< a label of forces, and with lengths of torques and rates; empty: none is known
+    std::string mass{};         ///< of the file's masses; empty: one that goes with force, length and second
+    double per_mass = 1;        ///< what the file's masses are times that one
 };
 
-/// One dimension: a fixed number, or a range to be designed in.
-/// A dimension that always is so many times another; none where `times` is 0.
-struct Tie {
-    std::size_t of = 0;
-    double times = 0;
-};
-
+/// One dimension: a fixed number, a range to be designed in, or a sum of multiples of others.
 struct DimensionRange {
     double min = 0;
     double max = 0;
     std::optional<double> start;
     bool named = false;  ///< stands in the file; else the default 0
-    Tie tie{};           ///< where there is one, the range follows from that of the other
+    Affine tie{};        ///< of dimensions that are not tied; where it has terms the range follows from theirs
 
-    bool fixed() const { return min == max; }
-    bool tied() const { return tie.times != 0; }
+    bool fixed() const { return min == max && !tied(); }
+    bool tied() const { return !tie.terms.empty(); }
     /// For an angle: whether the range is a full turn or more.
     bool any_angle() const { return max - min >= 2 * std::numbers::pi * (1 - 1e-12); }
 };
@@ -169,6 +167,19 @@ inline bool has_input_range(const Problem& problem) { return problem.function !=
 /// What a mechanism's point follows; none where it cannot.
 inline const std::optional<FollowedShape>& followed_shape_of(const Mechanism& mechanism, const FollowedTarget& target) {
     return target.shape == Followed::line ? mechanism.line : mechanism.arc;
+}
+
+/// Whether a dimension is an angle that may take any value: its range is a full turn, and what is tied to it is the
+/// same a turn later.
+inline bool turns_freely(const Problem& problem, std::size_t dimension) {
+    const auto is_alike = [&](const DimensionRange& range) {
+        return std::all_of(range.tie.terms.begin(), range.tie.terms.end(), [&](const auto& term) {
+            return term.first != dimension || term.second == std::round(term.second);
+        });
+    };
+    return problem.mechanism->dimensions[dimension].kind == DimensionKind::angle &&
+           problem.dimensions[dimension].any_angle() &&
+           std::all_of(problem.dimensions.begin(), problem.dimensions.end(), is_alike);
 }
 
 inline bool has_ties(const Problem& problem) {

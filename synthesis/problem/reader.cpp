@@ -86,6 +86,8 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     read_motion(file, problem, messages);
     read_function(file, problem, messages);
     read_followed(file, problem, messages);
+    conclude_dimensions(file, problem, messages);
+    set_crank_range(problem);
     read_settings(file, problem, messages);
     read_solver(file, problem, messages);
     check_front(file, problem, messages);

@@ -3,7 +3,9 @@
 /// Units at the edge of the program: inside, angles are radians and lengths are the file's; outside, everything is in
 /// the file's units.
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "synthesis/problem/problem.h"
 
@@ -23,7 +25,11 @@ double from_file_unit(double number, Unit unit, const Units& units);
 /// What a difference or a derivative of inner values is multiplied by to be in the file's units.
 double file_units_per_inner(Unit unit, const Units& units);
 
-/// "deg", "rad", "mm", "mm^2", or empty for plain numbers.
+/// What a mass is times the one that, times length over second squared, is a force of those units. Absent where a unit
+/// is not known.
+std::optional<double> times_mass(std::string_view mass, std::string_view force, std::string_view length);
+
+/// "deg", "rad", "mm", "mm^2", "N mm", "N/mm", or empty for plain numbers and where no unit of forces is known.
 std::string unit_label(Unit unit, const Units& units);
 
 }  // namespace mechwright

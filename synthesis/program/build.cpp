@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -47,8 +49,6 @@ double length_scale(const Problem& problem) {
     return ranged > 0 ? ranged : coordinates > 0 ? coordinates : 1;
 }
 
-bool is_angle(const Dimension& d) { return d.kind == DimensionKind::angle; }
-
 /// What a value of this unit is divided by in the program.
 double unit_scale(Unit unit, double length) {
     switch (unit) {
@@ -57,6 +57,7 @@ double unit_scale(Unit unit, double length) {
         case Unit::area:
         case Unit::torque: return length * length;
         case Unit::none:
+        case Unit::rate:
         case Unit::angle: return 1;
     }
     return 1;
@@ -90,7 +91,7 @@ struct Builder {
     void add_dimensions() {
         const auto& kinds = problem.mechanism->dimensions;
         program.variable_of.assign(kinds.size(), -1);
-        program.times.assign(kinds.size(), 1);
+        program.follows.resize(kinds.size());
         for (std::size_t i = 0; i < kinds.size(); ++i) {
             const DimensionRange& range = problem.dimensions[i];
             const double scale = scales(kinds[i].kind) ? program.length : 1;
@@ -105,20 +106,33 @@ struct Builder {
             }
             const bool length = kinds[i].kind == DimensionKind::length;
             const double lower = length ? std::max(range.min, least_length * range.max) : range.min;
+            program.dimensions.back() = 0;
+            program.follows[i] = {{program.variables.size(), 1}};
             program.variable_of[i] = static_cast<std::ptrdiff_t>(program.variables.size());
             // An angle that may take any value has no ends that a search could run against.
             // After a turn of a cycle of several nothing is where it was.
             const bool comes_back = !is_start(i) || turns_of_cycle(*problem.mechanism) == 1;
-            const double beyond = is_angle(kinds[i]) && range.any_angle() && comes_back ? 2 * std::numbers::pi : 0;
+            const double beyond = turns_freely(problem, i) && comes_back ? 2 * std::numbers::pi : 0;
             program.variables.push_back(
                 {std::string(kinds[i].name), lower / scale - beyond, range.max / scale + beyond});
         }
-        for (std::size_t i = 0; i < kinds.size(); ++i) {
-            const Tie& tie = problem.dimensions[i].tie;
-            if (!problem.dimensions[i].tied()) continue;
-            program.variable_of[i] = program.variable_of[tie.of];
-            program.times[i] = tie.times;
-        }
+        for (std::size_t i = 0; i < kinds.size(); ++i)
+            if (problem.dimensions[i].tied()) add_tie(i);
+    }
+
+    void add_tie(std::size_t dimension) {
+        const DimensionRange& range = problem.dimensions[dimension];
+        const Dimension& kind = problem.mechanism->dimensions[dimension];
+        program.dimensions[dimension] = range.tie.constant / (scales(kind.kind) ? program.length : 1);
+        for (const auto& [other, times] : range.tie.terms)
+            if (program.variable_of[other] >= 0)
+                program.follows[dimension].push_back({static_cast<std::size_t>(program.variable_of[other]), times});
+            else
+                program.dimensions[dimension] += times * program.dimensions[other];
+        if (kind.kind != DimensionKind::length || range.min > 0) return;
+        LinearForm form{{}, program.follows[dimension], program.dimensions[dimension]};
+        add_row(fmt::format("{} is greater than 0", kind.name), std::move(form),
+                least_length * range.max / program.length, unlimited);
     }
 
     void add_path() {
@@ -135,11 +149,9 @@ struct Builder {
         for (const LinearCondition& condition : family.conditions) {
             LinearForm form;
             for (std::size_t i = 0; i < condition.coefficients.size(); ++i) {
-                if (program.variable_of[i] >= 0)
-                    form.variables.push_back({static_cast<std::size_t>(program.variable_of[i]),
-                                              condition.coefficients[i] * program.times[i]});
-                else
-                    form.constant += condition.coefficients[i] * program.dimensions[i];
+                for (const LinearTerm& term : program.follows[i])
+                    form.variables.push_back({term.index, condition.coefficients[i] * term.factor});
+                form.constant += condition.coefficients[i] * program.dimensions[i];
             }
             add_row(std::string(condition.name), std::move(form), condition_margin, unlimited);
         }
@@ -406,7 +418,7 @@ Program build_program(const Problem& problem, const Variant& variant) {
     program.reference = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(program.size()));
     for (std::size_t i = 0; i < program.variable_of.size(); ++i) {
         const std::ptrdiff_t v = program.variable_of[i];
-        if (v < 0 || problem.dimensions[i].tied()) continue;
+        if (v < 0) continue;
         const Variable& variable = program.variables[static_cast<std::size_t>(v)];
         const double scale = scales(problem.mechanism->dimensions[i].kind) ? program.length : 1;
         const auto& start = problem.dimensions[i].start;

@@ -54,9 +54,10 @@ int free_dimensions(const Problem& problem, const Design& design) {
         Eigen::MatrixXd::Zero(slopes.rows(), static_cast<Eigen::Index>(problem.dimensions.size()));
     for (std::size_t i = 0; i < q.reads.size(); ++i) {
         const DimensionRange& range = problem.dimensions[q.reads[i]];
-        if (range.fixed() && !range.tied()) continue;
-        by_dimension.col(static_cast<Eigen::Index>(range.tied() ? range.tie.of : q.reads[i])) +=
-            (range.tied() ? range.tie.times : 1) * slopes.col(static_cast<Eigen::Index>(i));
+        const auto slope = slopes.col(static_cast<Eigen::Index>(i));
+        for (const auto& [other, times] : range.tie.terms)
+            by_dimension.col(static_cast<Eigen::Index>(other)) += times * slope;
+        if (!range.fixed() && !range.tied()) by_dimension.col(static_cast<Eigen::Index>(q.reads[i])) += slope;
     }
     for (Eigen::Index k = 0; k < by_dimension.cols(); ++k) {
         const double norm = by_dimension.col(k).norm();

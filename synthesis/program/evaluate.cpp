@@ -221,10 +221,14 @@ Design design_at(const Program& program, const VectorXd& x) {
         if (range.fixed())
             value = range.min;
         else if (scales(kinds[i].kind))
-            value = range.tied() ? value * program.length : unscaled(program, i, value);
-        else if (program.variable_of[i] >= 0 && !range.tied() && range.any_angle())
+            value = unscaled(program, i, value);
+        else if (program.variable_of[i] >= 0 && turns_freely(*program.problem, i))
             value = into_range(value, range.min, range.max);
     }
+    // Of what the others are now.
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        if (const DimensionRange& range = program.problem->dimensions[i]; range.tied())
+            design.dimensions[i] = range.tie.at(std::span<const double>(design.dimensions));
     if (program.path)
         for (std::size_t i = 0; i < program.targets.size(); ++i)
             design.path_angles.push_back(path_angle(program, design.dimensions, x, i).angle);
@@ -235,7 +239,7 @@ VectorXd point_of(const Program& program, const Design& design) {
     VectorXd x = VectorXd::Zero(static_cast<Index>(program.size()));
     const auto& kinds = program.problem->mechanism->dimensions;
     for (std::size_t i = 0; i < kinds.size(); ++i)
-        if (program.variable_of[i] >= 0 && !program.problem->dimensions[i].tied())
+        if (program.variable_of[i] >= 0)
             x[program.variable_of[i]] = design.dimensions[i] / (scales(kinds[i].kind) ? program.length : 1);
     if (program.untimed_path())
         for (std::size_t i = 0; i < program.targets.size(); ++i)

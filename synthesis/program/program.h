@@ -91,13 +91,13 @@ struct Program {
     double length = 1;  ///< by which lengths are divided
     Model model{};      ///< the mechanism's, with its own lengths divided so, too
 
-    std::vector<double> dimensions;           ///< scaled; those that are variables are overwritten at evaluation
-    std::vector<std::ptrdiff_t> variable_of;  ///< by dimension: its variable, or -1
-    std::vector<double> times;                ///< by dimension: so many times its variable; 1 but for tied dimensions
-    std::vector<Variable> variables;          ///< dimensions, then path angles, then epigraphs
-    std::size_t dimension_variables = 0;      ///< the first of them
-    std::size_t first_path_angle = 0;         ///< of as many as there are points, for an untimed path
-    std::vector<Vector<double>> targets;      ///< scaled
+    std::vector<double> dimensions;                ///< scaled; to those that follow from variables these are added
+    std::vector<std::ptrdiff_t> variable_of;       ///< by dimension: its own variable, or -1
+    std::vector<std::vector<LinearTerm>> follows;  ///< by dimension: its own variable, those of others where it is tied
+    std::vector<Variable> variables;               ///< dimensions, then path angles, then epigraphs
+    std::size_t dimension_variables = 0;           ///< the first of them
+    std::size_t first_path_angle = 0;              ///< of as many as there are points, for an untimed path
+    std::vector<Vector<double>> targets;           ///< scaled
     std::vector<QuantityBlock> blocks;
     std::optional<PathBlock> path;
     std::vector<Epigraph> epigraphs;

@@ -19,20 +19,13 @@ void set_arguments(const Program& program, const QuantityBlock& block, std::span
         add_dimension(program, dimensions, reads[i], arguments);
 }
 
-/// Calls use(variable, factor) for every variable that an argument follows from.
-template <class Use>
-void for_each_variable(const ArgumentSource& source, const Use& use) {
-    for (std::size_t k = 0; k < 2; ++k)
-        if (source.variable[k] >= 0) use(source.variable[k], source.factor[k]);
-}
-
 }  // namespace
 
 void add_dimension(const Program& program, std::span<const double> dimensions, std::size_t dimension,
                    BlockArguments& arguments) {
     const std::size_t i = arguments.count++;
     arguments.value[i] = dimensions[dimension];
-    arguments.source[i] = {{program.variable_of[dimension], -1}, {program.times[dimension], 0}};
+    arguments.source[i] = program.follows[dimension];
 }
 
 bool evaluate_block(const Program& program, const QuantityBlock& block, const VectorXd& x, bool derivatives,
@@ -49,11 +42,11 @@ bool evaluate_block(const Program& program, const QuantityBlock& block, const Ve
     for (std::size_t k = 0; k < block.count; ++k)
         out.value[first + static_cast<Index>(k)] = value[k];
     for (std::size_t i = 0; derivatives && i < n; ++i)
-        for_each_variable(arguments.source[i], [&](std::ptrdiff_t variable, double factor) {
-            double* column = &out.jacobian(first, variable);
+        for (const LinearTerm& term : arguments.source[i]) {
+            double* column = &out.jacobian(first, static_cast<Index>(term.index));
             for (std::size_t k = 0; k < block.count; ++k)
-                column[k] += factor * gradient[k * n + i];
-        });
+                column[k] += term.factor * gradient[k * n + i];
+        }
     return out.value.segment(first, count).allFinite() &&
            (!derivatives || out.jacobian.middleRows(first, count).allFinite());
 }
@@ -72,13 +65,12 @@ void add_block_hessian(const Program& program, const QuantityBlock& block, const
         if (w == 0) continue;
         for (std::size_t i = 0, at = k * pairs; i < n; ++i)
             for (std::size_t j = 0; j <= i; ++j, ++at)
-                for_each_variable(arguments.source[i], [&](std::ptrdiff_t a, double by_a) {
-                    for_each_variable(arguments.source[j], [&](std::ptrdiff_t b, double by_b) {
-                        const double part = w * by_a * by_b * second[at];
-                        out.value(a, b) += part;
-                        if (i != j) out.value(b, a) += part;
-                    });
-                });
+                for (const LinearTerm& a : arguments.source[i])
+                    for (const LinearTerm& b : arguments.source[j]) {
+                        const double part = w * a.factor * b.factor * second[at];
+                        out.value(static_cast<Index>(a.index), static_cast<Index>(b.index)) += part;
+                        if (i != j) out.value(static_cast<Index>(b.index), static_cast<Index>(a.index)) += part;
+                    }
     }
 }
 

@@ -5,22 +5,19 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "synthesis/program/program.h"
 
 namespace mechwright {
 
-/// What an argument of a measure follows from: up to two variables (-1: none), each with a factor.
-struct ArgumentSource {
-    std::array<std::ptrdiff_t, 2> variable;
-    std::array<double, 2> factor;
-};
-
-/// The arguments of a quantity's measure at a point of the program; the first `count` are set.
+/// The arguments of a quantity's measure at a point of the program, with the variables that each follows from; the
+/// first `count` are set.
 struct BlockArguments {
     std::size_t count = 0;
     std::array<double, Reads::most> value;
-    std::array<ArgumentSource, Reads::most> source;
+    std::array<std::span<const LinearTerm>, Reads::most> source;
+    std::array<LinearTerm, 3> ends;  ///< of a stretch: the variables of its first crank angle, its last, its first
 };
 
 /// Adds an argument that follows from a dimension alone.

@@ -46,7 +46,8 @@ bool is_at_zero(const Problem& problem, const Solution& solution) {
         case Unit::none:
         case Unit::angle: return value <= exact_within;
         case Unit::force:
-        case Unit::torque: return value == 0;
+        case Unit::torque:
+        case Unit::rate: return value == 0;
     }
     return false;
 }

@@ -18,14 +18,15 @@ namespace {
 /// Whether sum of coefficient times dimension >= 0 is out of reach of the ranges, by more than their tolerance.
 bool out_of_reach(const Problem& problem, std::span<const double> coefficients) {
     std::vector<double> whole(problem.dimensions.size(), 0.0);
-    for (std::size_t i = 0; i < coefficients.size(); ++i) {
-        const Tie& tie = problem.dimensions[i].tie;
-        if (problem.dimensions[i].tied())
-            whole[tie.of] += coefficients[i] * tie.times;
-        else
-            whole[i] += coefficients[i];
-    }
     double greatest = 0, size = 0;
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+        const Affine& tie = problem.dimensions[i].tie;
+        for (const auto& [other, times] : tie.terms)
+            whole[other] += coefficients[i] * times;
+        if (tie.terms.empty()) whole[i] += coefficients[i];
+        greatest += coefficients[i] * tie.constant;
+        size += std::abs(coefficients[i] * tie.constant);
+    }
     for (std::size_t i = 0; i < whole.size(); ++i) {
         const DimensionRange& range = problem.dimensions[i];
         greatest += std::max(whole[i] * range.min, whole[i] * range.max);

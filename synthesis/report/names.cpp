@@ -22,6 +22,7 @@ std::string_view name_of(Unit unit) {
         case Unit::angle: return "angle";
         case Unit::force: return "force";
         case Unit::torque: return "torque";
+        case Unit::rate: return "rate";
     }
     return "";
 }

@@ -52,8 +52,8 @@ ScreenedStarts::ScreenedStarts(const Program& program, std::uint64_t seed)
     const auto links = std::find_if(dimensions.begin(), dimensions.end(),
                                     [](const Dimension& d) { return d.kind != DimensionKind::length; });
     lengths_ = static_cast<std::size_t>(links - dimensions.begin());
-    can_screen_ = mechanism.point->screening && program.problem->path->parts.empty() && lengths_ <= most_lengths &&
-                  is_free(program, roles.along) && is_free(program, roles.across);
+    can_screen_ = mechanism.point->screening && !has_ties(*program.problem) && program.problem->path->parts.empty() &&
+                  lengths_ <= most_lengths && is_free(program, roles.along) && is_free(program, roles.across);
     if (!can_screen_) return;
     free_.size = true;
     for (std::size_t i = 0; i < lengths_; ++i) {

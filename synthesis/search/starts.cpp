@@ -113,7 +113,7 @@ Start screened_start(const Program& program, std::uint64_t seed, int index, int 
         const std::uint64_t k = base + static_cast<std::uint64_t>(draw);
         VectorXd x = VectorXd::Zero(n);
         for (std::size_t i = 0; i < program.variable_of.size(); ++i)
-            if (program.variable_of[i] >= 0 && !program.problem->dimensions[i].tied())
+            if (program.variable_of[i] >= 0)
                 x[program.variable_of[i]] = sampled(program.variables[static_cast<std::size_t>(program.variable_of[i])],
                                                     kind_of(program, i), sequence(k, coordinates[i]));
         if (program.untimed_path())

@@ -16,7 +16,7 @@ Eigen::VectorXd start_nearby(const Program& program, Eigen::VectorXd x, double s
     const auto& kinds = program.problem->mechanism->dimensions;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const std::ptrdiff_t v = program.variable_of[i];
-        if (v < 0 || program.problem->dimensions[i].tied()) continue;
+        if (v < 0) continue;
         if (kinds[i].kind == DimensionKind::length)
             x[v] *= std::exp(way());
         else

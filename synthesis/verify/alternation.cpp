@@ -103,12 +103,14 @@ std::vector<Row> slopes(const Error& error, const std::vector<ExtremeAgain>& at)
     std::vector<Row> rows(at.size());
     for (std::size_t k = 0; k < claim.design.size(); ++k) {
         const auto& given = claim.given[k];
-        if (!given || given->tie.times != 0 || given->min == given->max) continue;
+        if (!given || given->tied() || given->min == given->max) continue;
         const Digits50 step = part_of_size * std::max<Digits50>(abs(error.design.dimensions[k]), 1);
         std::vector<Digits50> more = error.design.dimensions, less = more;
         for (std::size_t i = 0; i < more.size(); ++i) {
-            const bool tied = claim.given[i] && claim.given[i]->tie.times != 0 && claim.given[i]->tie.of == k;
-            const Digits50 change = i == k ? step : tied ? Digits50(claim.given[i]->tie.times * step) : Digits50(0);
+            Digits50 change = i == k ? step : Digits50(0);
+            if (claim.given[i])
+                for (const auto& [other, times] : claim.given[i]->tie.terms)
+                    if (other == k) change = times * step;
             more[i] += change;
             less[i] -= change;
         }

@@ -153,6 +153,7 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
     if (!isfinite(value)) return std::nullopt;
     switch (quantity.unit) {
         case Unit::angle: return Measured{value, angular};
+        case Unit::rate:
         case Unit::none: return Measured{value, relative * abs(value) + rounding};
         case Unit::force: return Measured{value, relative * abs(value) + rounding * design.strongest};
         case Unit::torque: return Measured{value, relative * abs(value) + rounding * design.strongest * design.longest};
@@ -180,7 +181,7 @@ Rebuilt rebuilt(const Claim& claim) {
     for (std::size_t i = 0; i < claim.design.size(); ++i) {
         const DimensionKind kind = mechanism.dimensions[i].kind;
         if (kind == DimensionKind::force) design.strongest += abs(design.dimensions[i]);
-        if (kind == DimensionKind::number) design.strongest += abs(design.dimensions[i]) * design.longest;
+        if (kind == DimensionKind::rate) design.strongest += abs(design.dimensions[i]) * design.longest;
     }
     design.motion = motion_again(mechanism, claim.assembly, design.dimensions, range_of(claim, design.dimensions));
     design.motion.settings = claim.settings;

@@ -10,6 +10,7 @@
 
 #include "synthesis/mechanism/cycle.h"
 #include "synthesis/mechanism/input.h"
+#include "synthesis/problem/affine.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/result.h"
@@ -45,11 +46,13 @@ std::string dimension_defect(const Claim& claim, std::size_t i) {
     };
     if (!claim.given[i]) return value == 0 ? "" : defect("not given and must be", 0);
     const auto& [min, max, tie] = *claim.given[i];
-    if (tie.times != 0) {
-        const double asked = tie.times * claim.design[tie.of];
-        return std::abs(value - asked) <= tied_within * std::abs(asked)
-                   ? ""
-                   : defect(fmt::format("{} times {} is", tie.times, claim.mechanism->dimensions[tie.of].name), asked);
+    if (claim.given[i]->tied()) {
+        const double asked = tie.at(std::span<const double>(claim.design));
+        double size = std::abs(tie.constant);
+        for (const auto& [other, times] : tie.terms)
+            size += std::abs(times * claim.design[other]);
+        const auto name = [&](std::size_t k) { return std::string(claim.mechanism->dimensions[k].name); };
+        return std::abs(value - asked) <= tied_within * size ? "" : defect(text_of(tie, name) + " is", asked);
     }
     if (min == max) return value == min ? "" : defect("given was", min);
     const double slack = claim.tolerance * std::max(std::abs(min), std::abs(max));
@@ -131,7 +134,7 @@ Digits50 violation_scale(const Rebuilt& design, Unit unit, const std::vector<Dig
     Digits50 scale = 0;
     for (const Digits50& limit : limits)
         scale = std::max<Digits50>(scale, abs(limit));
-    if (unit == Unit::none || unit == Unit::angle) return std::max(scale, Digits50(1));
+    if (unit == Unit::none || unit == Unit::rate || unit == Unit::angle) return std::max(scale, Digits50(1));
     if (scale > 0) return scale;
     if (unit == Unit::force || unit == Unit::torque) return 1;
     return unit == Unit::length ? design.longest : Digits50(design.longest * design.longest);

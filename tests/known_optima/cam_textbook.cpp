@@ -96,7 +96,7 @@ TEST(TextbookCams, Example63TangentCam) {
         contour("tangent", "roller",
                 "base-radius = 25\nnose-radius = 10\ncentre-distance = 30\nroller-radius = 20\nspring-rate = "
                 "0.66\nprecompression = 5\nweight = 7.848\n",
-                "[dynamics]\nmass = 0.0008\nspeed = 200\n");
+                "[units]\nmass = \"t\"\n[dynamics]\nmass = 0.0008\nspeed = 200\n");
     const Solved s = solved(text);
     EXPECT_NEAR(s.value("contact-force-min"), -2.4917, 5.1e-5);
     EXPECT_NEAR(s.value("jump-speed"), 185.833395, 5.1e-7);
@@ -133,7 +133,7 @@ TEST(TextbookCams, Example64ArcCam) {
         solved(contour("circular-arc", "flat",
                        "base-radius = 25\nnose-radius = 2.5\ncentre-distance = 32.5\nflank-radius = 69\nspring-rate = "
                        "4\nprecompression = 25\nweight = 19.62\n",
-                       "[dynamics]\nmass = 0.002\nspeed = 480\n"));
+                       "[units]\nmass = \"t\"\n[dynamics]\nmass = 0.002\nspeed = 480\n"));
     // At the top of the nose; the digest has 473.214842, a unit of its last digit too much.
     EXPECT_NEAR(s.value("jump-speed"), std::sqrt((100 + 40 + 19.62) / (0.002 * 32.5)) * 30 / straight, 1e-9);
 }
@@ -289,7 +289,7 @@ TEST(TextbookCams, Exercise611EccentricFlat) {
         "eccentric", "flat",
         "base-radius = 37.5\ncentre-distance = 25\nspring-rate = 8.5\nprecompression = 5.88235294117647\nweight = "
         "49.05\n",
-        "[dynamics]\nmass = 0.005\nspeed = 500\n"));
+        "[units]\nmass = \"t\"\n[dynamics]\nmass = 0.005\nspeed = 500\n"));
     EXPECT_NEAR(s.value("jump-speed"), 618.304971, 5.1e-7);
     const auto c = cam::completed<double>({ContourKind::eccentric, 37.5, 0, 25, 0, 0, false});
     const Lift<double> lift = cam::lift_at(c, 0, 60 / 360.0);

@@ -174,7 +174,17 @@ TEST(CamContour, HasCirclesThatMeet) {
 }
 
 TEST(CamDynamics, AreSettingsOfTranslatingFollowers) {
-    EXPECT_TRUE(accepted(read(cam(closed + "[dynamics]\nmass = 0.5\nspeed = 200\nfriction = 0\n"))));
+    const std::string with_units = closed + "[units]\nmass = \"kg\"\n";
+    EXPECT_TRUE(accepted(read(cam(with_units + "[dynamics]\nmass = 0.5\nspeed = 200\nfriction = 0\n"))));
+    // 0.5 kg is 0.0005 of the mass that goes with N and mm.
+    const ReadProblem kilograms = read(cam(with_units + "[dynamics]\nmass = 0.5\n"));
+    ASSERT_TRUE(accepted(kilograms));
+    EXPECT_DOUBLE_EQ(kilograms.problem.settings[0], 0.0005);
+    EXPECT_EQ(kilograms.problem.units.force, "N");
+    EXPECT_TRUE(says(read(cam(closed + "[dynamics]\nmass = 0.5\n")), "p.toml:22:8", {"warning", "kg"}));
+    EXPECT_TRUE(says(read(cam(closed + "[units]\nmass = \"kg\"\nlength = \"furlong\"\n")), "p.toml:22:8",
+                     {"'kg'", "mm, cm, m, in or ft", "furlong"}));
+    EXPECT_TRUE(says(read(cam(closed + "[units]\nforce = \"dyn\"\n")), "p.toml:22:9", {"'dyn'", "lbf"}));
     EXPECT_TRUE(says(read(cam(closed + "[dynamics]\nmass = -0.5\n")), "p.toml:22:8",
                      {"'mass' in [dynamics]", "greater than 0"}));
     EXPECT_TRUE(

@@ -108,6 +108,7 @@ TEST(Ties, ThatMakeNoSenseAreReported) {
     EXPECT_TRUE(only_says(read_tied("{ of = \"tilt\" }"), "p.toml:7:17", {"same kind"}));
     EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\", times = 0 }"), "p.toml:7:36", {"other than 0"}));
     EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\", times = -1 }"), "p.toml:7:36", {"greater than 0"}));
+    EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\", times = -1, plus = -1 }"), "p.toml:7:36", {"greater than 0"}));
     EXPECT_TRUE(only_says(read_tied("{ of = 3 }"), "p.toml:7:17", {"string"}));
     EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\", min = 2 }"), "p.toml:7:28", {"unknown"}));
     EXPECT_TRUE(only_says(read_tied("{ of = \"point-along\" }"), "p.toml:7:10", {"not given"}));
@@ -115,6 +116,50 @@ TEST(Ties, ThatMakeNoSenseAreReported) {
                           {"tied itself"}));
     EXPECT_TRUE(only_says(read_tied("{ of = \"coupler\" }", "[path]\npoints = [[1, 1], [2, 2], [3, 1]]\n"),
                           "p.toml:8:1", {"tied"}));
+}
+
+TEST(Ties, AreSumsOfMultiplesAndANumber) {
+    const ReadProblem read =
+        read_tied("{ of = \"coupler\", times = -1, plus = 6 }", "point-along = \"2 coupler - rocker-stays / 2\"\n");
+    EXPECT_TRUE(only_says(read, "p.toml:8:15", {"rocker-stays", "another dimension of the same kind", "coupler"}));
+    const ReadProblem sums = read_tied("{ of = \"coupler\", times = -1, plus = 6 }",
+                                       "point-along = \"2 coupler - 0.5 ground + 3\"\npoint-across = \"ground - 1\"\n");
+    ASSERT_TRUE(accepted(sums));
+    const auto& d = sums.problem.dimensions;
+    EXPECT_EQ(d[3].tie.constant, 6);
+    EXPECT_EQ(d[3].min, 3);
+    EXPECT_EQ(d[3].max, 4);
+    EXPECT_EQ(d[4].tie.constant, 1);
+    EXPECT_EQ(d[4].tie.terms.size(), 1);
+    EXPECT_EQ(d[4].max, 7);
+    EXPECT_TRUE(d[5].fixed());
+    EXPECT_EQ(d[5].min, 3);
+}
+
+TEST(Ties, OfScalesAreInTheUnitOfTheFile) {
+    const std::string function =
+        "[function]\nexpression = \"x^2\"\nx = [1, 2]\ninput = { start = { min = 0, max = 90 }, range = 60 }\n"
+        "output = { start = \"180 - input-start\", range = ";
+    const ReadProblem read = read_tied("3", function + "{ of = \"input-range\", times = -1, plus = 20 } }\n");
+    ASSERT_TRUE(accepted(read));
+    const std::size_t start = read.problem.mechanism->input->start;
+    const DimensionRange& output = read.problem.dimensions[start + 2];
+    ASSERT_TRUE(output.tied());
+    EXPECT_NEAR(output.tie.constant, std::acos(-1.0), 1e-15);
+    EXPECT_NEAR(output.min, std::acos(-1.0) / 2, 1e-15);
+    EXPECT_NEAR(read.problem.dimensions[start + 3].min, -std::acos(-1.0) * 2 / 9, 1e-15);
+    EXPECT_TRUE(says(read_tied("3", function + "{ of = \"input-range\", times = -1, plus = 60 } }\n"), "p.toml:12:49",
+                     {"0 for all values"}));
+    EXPECT_TRUE(
+        says(read_tied("3", function + "{ of = \"crank\" } }\n"), "p.toml:12:56", {"same kind", "input-range"}));
+}
+
+TEST(Ties, ThatLeaveNoLengthAreReported) {
+    EXPECT_TRUE(only_says(read_tied("\"coupler - 3\""), "p.toml:7:10", {"not greater than 0"}));
+    EXPECT_TRUE(only_says(read_tied("\"2 3\""), "p.toml:7:10", {"write sums like"}));
+    EXPECT_TRUE(only_says(read_tied("\"3\""), "p.toml:7:10", {"write a number"}));
+    EXPECT_TRUE(only_says(read_tied("\"0 coupler + 3\""), "p.toml:7:10", {"write a number"}));
+    EXPECT_TRUE(accepted(read_tied("\"coupler - 2.5\"")));
 }
 
 TEST(Line, IsForMechanismsThatGuideAPoint) {

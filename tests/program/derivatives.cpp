@@ -121,6 +121,27 @@ point-across = { min = -3, max = 5 }
 )" + line));
 }
 
+TEST(Derivatives, OfSumsOfDimensions) {
+    expect_exact_derivatives(problem_of(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = { min = 20, max = 62 }
+crank = { min = 5, max = 15 }
+coupler = { min = 22, max = 65 }
+rocker = "0.5 ground + 0.25 coupler + 5"
+[function]
+expression = "x^1.5"
+x = [1, 4]
+input = { start = { min = 20, max = 90 }, range = { min = 60, max = 90 } }
+output = { start = "170 - 0.8 input-start + 0.1 input-range", range = { of = "input-range", times = 0.4, plus = 10 } }
+[[require]]
+quantity = "transmission-angle-min"
+min = 30
+[objective]
+minimize = "function-max"
+)"));
+}
+
 TEST(Derivatives, OfArcs) {
     expect_exact_derivatives(problem_of(R"(schema = 1
 mechanism = "four-bar"
@@ -249,6 +270,9 @@ minimize = "pose-rms"
     const std::string rocker = "rocker = { min = 20, max = 58 }";
     tied.replace(tied.find(rocker), rocker.size(), "rocker = { of = \"coupler\", times = 1.3 }");
     expect_exact_derivatives(problem_of(tied + poses));
+    std::string summed = free;
+    summed.replace(summed.find(rocker), rocker.size(), "rocker = \"0.7 coupler + 0.3 ground - crank + 12\"");
+    expect_exact_derivatives(problem_of(summed + poses));
 }
 
 }  // namespace

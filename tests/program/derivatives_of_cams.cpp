@@ -56,6 +56,8 @@ weight = { min = 1, max = 3 }
 guide-length = { min = 50, max = 60 }
 overhang = { min = 20, max = 30 }
 stem-diameter = { min = 10, max = 12 }
+[units]
+mass = "t"
 [dynamics]
 mass = 0.01
 speed = 100

@@ -76,7 +76,7 @@ std::string random_cam(Random& random, const char* follower, bool oscillating) {
             "spring-rate = 8\nprecompression = 40\nweight = 7\nload = 20\nguide-length = 60\noverhang = "
             "30\nstem-diameter = "
             "12\n";
-        text += "[dynamics]\nmass = 0.001\nspeed = 300\nfriction = 0.1\n";
+        text += "[units]\nmass = \"t\"\n[dynamics]\nmass = 0.001\nspeed = 300\nfriction = 0.1\n";
     }
     return text;
 }

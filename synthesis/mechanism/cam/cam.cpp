@@ -66,7 +66,7 @@ std::vector<Dimension> geometry_dimensions(bool knife, ContourKind contour) {
 /// As many as `load_count`.
 std::vector<Dimension> load_dimensions() {
     return {
-        {"spring-rate", DimensionKind::number, false, "force of the spring per length"},
+        {"spring-rate", DimensionKind::rate, false, "force of the spring per length"},
         {"precompression", DimensionKind::coordinate, false, "of the spring at the lowest position"},
         {"load", DimensionKind::force, false, "any other force on the follower towards the cam"},
         {"weight", DimensionKind::force, false, "of the follower, towards the cam"},
@@ -79,7 +79,7 @@ std::vector<Dimension> load_dimensions() {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 std::vector<Setting> load_settings() {
     return {
-        {"dynamics", "mass", 0, 0, unlimited, "of all that moves with the follower"},
+        {"dynamics", "mass", 0, 0, unlimited, "of all that moves with the follower", false, true},
         {"dynamics", "speed", 0, 0, unlimited, "of the cam, in turns per minute"},
         {"dynamics", "friction", 0, 0, 1, "coefficient of friction in the guide", true},
     };

@@ -59,7 +59,7 @@ std::vector<Quantity> force_quantities() {
     using Torque = Extremes<F, DriveTorque, anywhere, true>;
     using Jump = Extremes<F, JumpSpeed, anywhere, false>;
     constexpr std::size_t spring = Layout<F>::shape;
-    return {dimension_itself<F, spring>("spring-rate", Unit::none, "force of the spring per length"),
+    return {dimension_itself<F, spring>("spring-rate", Unit::rate, "force of the spring per length"),
             dimension_itself<F, spring + 1>("precompression", Unit::length,
                                             "of the spring at the follower's lowest position"),
             {"contact-force-min", Unit::force,

@@ -20,8 +20,8 @@
 #include "analysis/linkage/signals.h"
 #include "analysis/linkage/steps.h"
 #include "analysis/linkage/structure.h"
+#include "synthesis/mechanism/affine.h"
 #include "synthesis/mechanism/drawing/body.h"
-#include "synthesis/mechanism/linkage/affine.h"
 #include "synthesis/mechanism/quantity.h"
 
 namespace mechwright {

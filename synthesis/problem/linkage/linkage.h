@@ -19,7 +19,7 @@
 #include "analysis/linkage/structure.h"
 #include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/mechanism/linkage/quantities.h"
-#include "synthesis/problem/linkage/affine.h"
+#include "synthesis/problem/affine.h"
 #include "synthesis/problem/messages.h"
 #include "synthesis/problem/problem.h"
 #include "synthesis/problem/reader.h"

@@ -436,6 +436,8 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     read_poses(file, problem, messages);
     read_function(file, problem, messages);
     read_followed(file, problem, messages);
+    resolve_ties(file, problem, messages);
+    set_crank_range(problem);
     read_objective(file, problem, messages);
     check_front(file, problem, messages);
     read_requirements(file, problem, messages);

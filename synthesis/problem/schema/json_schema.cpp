@@ -39,6 +39,12 @@ Json shape_of(const Key& key) {
         case Shape::pairs: return list_of(numbers_of(2, 2));
         case Shape::poses: return list_of(numbers_of(2, 3));
         case Shape::range: return range_of(key.limits);
+        case Shape::tied_range: {
+            Json tied = range_of(key.limits);
+            tied["anyOf"].push_back(table_of(keys::tie));
+            tied["anyOf"].push_back({{"type", "string"}});
+            return tied;
+        }
         case Shape::expression: return expression();
         case Shape::place: return any_of({Json{{"type", "string"}}, coordinates()});
         case Shape::ranges: return list_of(range_of(key.limits));

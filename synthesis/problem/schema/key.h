@@ -28,6 +28,7 @@ enum class Shape {
     poses,         ///< a list of [x, y, angle], or [x, y]
     range,         ///< a number, or { min, max } with or without start
     ranges,        ///< a list of these
+    tied_range,    ///< one of these, or a tie to other dimensions
     expression,    ///< of a linkage: a number, or a sum of dimensions
     place,         ///< of a linkage: a point by its name, [x, y], or { length, angle }
     table,         ///< with the keys `below`

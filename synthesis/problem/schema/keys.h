@@ -19,6 +19,8 @@ template <std::size_t N>
 using Words = std::array<std::string_view, N>;
 
 inline constexpr Words<2> angle_units{"deg", "rad"};
+inline constexpr Words<4> force_units{"N", "kN", "kgf", "lbf"};
+inline constexpr Words<4> mass_units{"g", "kg", "t", "lb"};
 inline constexpr Words<3> rotations{"ccw", "cw", "either"};
 inline constexpr Words<3> path_timings{"free", "prescribed", "none"};
 inline constexpr Words<2> pose_timings{"free", "prescribed"};
@@ -33,7 +35,12 @@ inline constexpr int least_grade = 5, greatest_grade = 13;
 
 inline constexpr std::array units{
     Key{"angle", Shape::word, "Unit of all angles of the file. Preset: deg.", false, angle_units},
-    Key{"length", Shape::text, "Name of the unit of all lengths, which are never converted. Preset: mm."}};
+    Key{"length", Shape::text, "Name of the unit of all lengths, which are never converted. Preset: mm."},
+    Key{"force", Shape::word, "Unit of forces, and with that of lengths of torques and spring rates.", false,
+        force_units},
+    Key{"mass", Shape::word,
+        "Unit of masses, which are converted. Preset: the one that goes with force and length, t with N and mm.", false,
+        mass_units}};
 
 inline constexpr std::array cam{
     Key{"follower", Shape::word, "What touches the cam: a knife edge, a roller or a flat face.", true,
@@ -101,8 +108,8 @@ inline constexpr std::array motion{
     Key{"at", Shape::number, "Of a linkage: a crank angle of the motion that is meant."}};
 
 inline constexpr std::array scale{
-    Key{"start", Shape::range, "Where it stands at the first x: a number, or a range that is designed.", true},
-    Key{"range", Shape::range, "How far it moves over the range of x, with its sign.", true}};
+    Key{"start", Shape::tied_range, "Where it stands at the first x: a number, or a range that is designed.", true},
+    Key{"range", Shape::tied_range, "How far it moves over the range of x, with its sign.", true}};
 
 inline constexpr std::array function{
     Key{"expression", Shape::text, "The function of x, as in \"x^2 + sin(x)\"."},
@@ -115,22 +122,23 @@ inline constexpr std::array function{
     Key{"signal", Shape::text, "Of a linkage: the signal that is the output."}};
 
 inline constexpr std::array line{
-    Key{"start", Shape::range, "Crank angle at which the stretch begins.", true},
-    Key{"range", Shape::range, "Crank angle that the stretch takes, with its sign.", true},
+    Key{"start", Shape::tied_range, "Crank angle at which the stretch begins.", true},
+    Key{"range", Shape::tied_range, "Crank angle that the stretch takes, with its sign.", true},
     Key{"angle", Shape::range, "Direction of the line. Preset: any."},
     Key{"offset", Shape::range, "Distance of the line from the origin, to the left of its direction. Preset: any."},
     Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
     Key{"point", Shape::text, "Of a linkage: the point that follows the line."},
     Key{"link", Shape::text, "Of a linkage: the link on which it does. Preset: the first that has it."}};
 
-inline constexpr std::array arc{Key{"start", Shape::range, "Crank angle at which the stretch begins.", true},
-                                Key{"range", Shape::range, "Crank angle that the stretch takes, with its sign.", true},
-                                Key{"centre-x", Shape::range, "Centre of the arc. Preset: any."},
-                                Key{"centre-y", Shape::range, "Centre of the arc. Preset: any."},
-                                Key{"radius", Shape::range, "Radius of the arc. Preset: any."},
-                                Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
-                                Key{"point", Shape::text, "Of a linkage: the point that follows the arc."},
-                                line.back()};
+inline constexpr std::array arc{
+    Key{"start", Shape::tied_range, "Crank angle at which the stretch begins.", true},
+    Key{"range", Shape::tied_range, "Crank angle that the stretch takes, with its sign.", true},
+    Key{"centre-x", Shape::range, "Centre of the arc. Preset: any."},
+    Key{"centre-y", Shape::range, "Centre of the arc. Preset: any."},
+    Key{"radius", Shape::range, "Radius of the arc. Preset: any."},
+    Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
+    Key{"point", Shape::text, "Of a linkage: the point that follows the arc."},
+    line.back()};
 
 inline constexpr std::array rates{Key{"crank", Shape::number, "Of the crank."},
                                   Key{"coupler", Shape::number, "Of the coupler."},
@@ -167,7 +175,8 @@ inline constexpr std::array solver{
     Key{"pareto", Shape::whole_number, "Designs on the front between two objectives.", false, {}, {}, {2, 1000}}};
 
 inline constexpr std::array tie{Key{"of", Shape::name, "The dimension that it follows.", true},
-                                Key{"times", Shape::number, "How many times that. Preset: 1."}};
+                                Key{"times", Shape::number, "How many times that. Preset: 1."},
+                                Key{"plus", Shape::number, "What is added to it. Preset: 0."}};
 
 inline constexpr std::array dimension_range{Key{"min", Shape::number, "Least value.", true},
                                             Key{"max", Shape::number, "Greatest value.", true},

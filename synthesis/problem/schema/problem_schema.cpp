@@ -10,12 +10,14 @@
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/schema/json_schema.h"
 #include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/sections/sections.h"
 
 namespace mechwright {
 
 namespace {
 
 using namespace schema;
+using reading::stands_in_dimensions;
 
 using Names = std::vector<std::string_view>;
 
@@ -23,15 +25,13 @@ void add_name(Names& names, std::string_view name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-bool stands_in_dimensions(const Dimension& dimension) { return !dimension.of_segment && !dimension.of_target; }
-
 Limits limits_of(const Dimension& dimension) { return dimension.kind == DimensionKind::length ? positive : Limits{}; }
 
 /// Dimensions of the same kind that one can be tied to.
 Names ties_of(const Mechanism& mechanism, const Dimension& dimension) {
     Names names;
-    for (const Dimension& d : mechanism.dimensions)
-        if (stands_in_dimensions(d) && d.name != dimension.name && scales(d.kind) == scales(dimension.kind))
+    for (const Dimension& d : whole_of(mechanism).dimensions)
+        if (!d.of_segment && d.name != dimension.name && scales(d.kind) == scales(dimension.kind))
             names.push_back(d.name);
     return names;
 }
@@ -39,9 +39,9 @@ Names ties_of(const Mechanism& mechanism, const Dimension& dimension) {
 Json dimension_of(const Mechanism& mechanism, const Dimension& dimension) {
     Json tie = table_of(keys::tie);
     tie["properties"]["of"].update(one_of(ties_of(mechanism, dimension)));
-    if (dimension.kind == DimensionKind::length) tie["properties"]["times"]["exclusiveMinimum"] = 0;
     Json schema = range_of(limits_of(dimension));
     schema["anyOf"].push_back(std::move(tie));
+    schema["anyOf"].push_back({{"type", "string"}});
     return with_meaning(std::move(schema), dimension.meaning);
 }
 

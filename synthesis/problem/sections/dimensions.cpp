@@ -13,8 +13,6 @@ namespace {
 constexpr std::string_view assembly_key = "assembly";
 constexpr std::string_view any_assembly = "either";
 
-bool stands_in_dimensions(const Dimension& dimension) { return !dimension.of_segment && !dimension.of_target; }
-
 /// A value that ought to be there; reported if it is not.
 std::optional<double> required_number(Section& section, std::string_view key, Messages& messages) {
     if (!has(section, key))
@@ -56,67 +54,6 @@ std::optional<DimensionRange> read_range(const toml::node& node, const Dimension
     return read;
 }
 
-void report_open_tie(const Section& section, std::string_view tied, std::string_view to, std::string_view why,
-                     Messages& messages) {
-    add_error(messages, place_of(section, tied),
-              fmt::format("'{}' is tied to '{}', which {}: tie it to a dimension that has a number or a range", tied,
-                          to, why));
-}
-
-/// { of = "coupler", times = 2 }; the other dimension need not have been read yet.
-std::optional<DimensionRange> read_tie(const toml::node& node, std::size_t index, const Mechanism& mechanism,
-                                       Messages& messages) {
-    const Dimension& dimension = mechanism.dimensions[index];
-    Section section{node.as_table(), fmt::format("the tie of '{}'", dimension.name), place_of(node), keys::tie};
-    const auto other = read_string(section, "of", messages);
-    const double times = read_number(section, "times", messages).value_or(1);
-    report_unknown_keys(section, messages);
-    if (!other) return {};
-    std::vector<std::string_view> names;
-    for (const Dimension& d : whole_of(mechanism).dimensions)
-        if (d.name != dimension.name && stands_in_dimensions(d) && scales(d.kind) == scales(dimension.kind))
-            names.push_back(d.name);
-    const int of = find_dimension(mechanism, *other);
-    if (std::find(names.begin(), names.end(), *other) == names.end()) {
-        add_error(
-            messages, place_of(section, "of"),
-            fmt::format("'of' in {} must be another dimension of the same kind: {}", section.title, listed(names)));
-        return {};
-    }
-    if (times == 0 || (dimension.kind == DimensionKind::length && times < 0)) {
-        add_error(messages, place_of(section, "times"),
-                  fmt::format("'times' in {} must be {}, not {}", section.title,
-                              times == 0 ? "other than 0" : "greater than 0: it is a length", times));
-        return {};
-    }
-    if (of < 0) {
-        report_open_tie(section, dimension.name, *other, "is not given", messages);
-        return {};
-    }
-    DimensionRange tied{0, 0, {}, true, {}};
-    tied.tie = {static_cast<std::size_t>(of), times};
-    return tied;
-}
-
-/// The ranges of tied dimensions, once all others are known.
-void resolve_ties(const Section& section, Problem& problem, Messages& messages) {
-    for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
-        DimensionRange& tied = problem.dimensions[i];
-        if (!tied.tied()) continue;
-        const std::string_view name = problem.mechanism->dimensions[i].name;
-        const DimensionRange& other = problem.dimensions[tied.tie.of];
-        if (other.tied() || !other.named) {
-            report_open_tie(section, name, problem.mechanism->dimensions[tied.tie.of].name,
-                            other.tied() ? "is tied itself" : "is not given", messages);
-            continue;
-        }
-        const auto [least, greatest] = std::minmax({tied.tie.times * other.min, tied.tie.times * other.max});
-        tied.min = least;
-        tied.max = greatest;
-        if (other.fixed()) tied.tie = {};
-    }
-}
-
 std::optional<DimensionRange> read_fixed(const toml::node& node, const Dimension& dimension, Messages& messages) {
     if (!node.is_number()) {
         report_kind(node, fmt::format("'{}'", dimension.name), "a number or a range { min = ..., max = ... }",
@@ -150,9 +87,7 @@ DimensionRange read_dimension(Section& section, std::size_t index, const Mechani
                                   dimension.name, dimension.meaning));
         return {};
     }
-    if (node->is_table() && node->as_table()->contains("of"))
-        return read_tie(*node, index, mechanism, messages).value_or(DimensionRange{});
-    return to_dimension(*node, dimension, units, messages).value_or(DimensionRange{});
+    return to_dimension_or_tie(*node, index, mechanism, units, messages).value_or(DimensionRange{});
 }
 
 std::vector<std::size_t> read_assemblies(Section& section, const Mechanism& mechanism, Messages& messages) {
@@ -168,14 +103,15 @@ std::vector<std::size_t> read_assemblies(Section& section, const Mechanism& mech
 }
 
 /// Ranges in which no design of the mechanism lies.
-void report_objection(const Section& section, const Problem& problem, Messages& messages) {
+void report_objection(const Section& file, const Problem& problem, Messages& messages) {
+    if (problem.mechanism->objection == nullptr) return;
     std::vector<double> least, greatest;
     for (const DimensionRange& range : problem.dimensions) {
         least.push_back(range.min);
         greatest.push_back(range.max);
     }
     if (const auto objection = problem.mechanism->objection(least, greatest))
-        add_error(messages, place_of(section, problem.mechanism->dimensions[objection->dimension].name),
+        add_error(messages, place_of_dimension(file, problem.mechanism->dimensions[objection->dimension].name),
                   objection->why);
 }
 
@@ -214,11 +150,15 @@ void read_dimensions(Section& file, Problem& problem, Messages& messages) {
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
         if (stands_in_dimensions(mechanism.dimensions[i]))
             problem.dimensions[i] = read_dimension(*section, i, mechanism, problem.units, messages);
-    resolve_ties(*section, problem, messages);
-    if (mechanism.objection != nullptr && messages.entries.size() == messages_before)
-        report_objection(*section, problem, messages);
+    if (messages.entries.size() == messages_before && !has_ties(problem)) report_objection(file, problem, messages);
     problem.assemblies = read_assemblies(*section, mechanism, messages);
     report_unknown_keys(*section, messages);
+}
+
+void conclude_dimensions(const Section& file, Problem& problem, Messages& messages) {
+    if (problem.mechanism == nullptr || !has_ties(problem)) return;
+    resolve_ties(file, problem, messages);
+    if (!messages.failed) report_objection(file, problem, messages);
 }
 
 }  // namespace mechwright::reading

@@ -18,9 +18,16 @@ std::vector<std::string_view> sections_of(std::span<const Setting> settings) {
     return names;
 }
 
-double read_setting(Section& section, const Setting& setting, Messages& messages) {
+double read_setting(Section& section, const Setting& setting, const Units& units, Messages& messages) {
     const double number = read_number(section, setting.name, messages).value_or(setting.preset);
-    if (!has(section, setting.name) || setting.allows(number)) return number;
+    if (setting.is_mass && has(section, setting.name) && units.mass.empty())
+        add_warning(
+            messages, place_of(section, setting.name),
+            fmt::format("{} is taken in the unit that goes with force, length and second, tonnes with N and mm: "
+                        "write mass = \"kg\" in [units] to have it converted, or mass = \"t\"",
+                        name_of(section, setting.name)));
+    if (!has(section, setting.name) || setting.allows(number))
+        return setting.is_mass ? number * units.per_mass : number;
     add_error(messages, place_of(section, setting.name),
               fmt::format("{} must be {} {}{}, not {}", name_of(section, setting.name),
                           setting.or_above ? "at least" : "greater than", setting.above,
@@ -57,7 +64,8 @@ void read_settings(Section& file, Problem& problem, Messages& messages) {
         std::optional<Section> section = read_section(file, name, messages);
         if (!section) continue;
         for (std::size_t i = 0; i < settings.size(); ++i)
-            if (settings[i].section == name) problem.settings[i] = read_setting(*section, settings[i], messages);
+            if (settings[i].section == name)
+                problem.settings[i] = read_setting(*section, settings[i], problem.units, messages);
         report_unknown_keys(*section, messages);
     }
     report_foreign_sections(file, *problem.mechanism, messages);

@@ -109,8 +109,10 @@ void compare_with_variables(const Problem& problem, const std::vector<Bounds>& b
         if (!bounds[i].equal || quantity.path != PathMeasure::none) continue;
         ++equalities;
         for (const std::size_t d : quantity.reads) {
-            const Tie& tie = problem.dimensions[d].tie;
-            if (!problem.dimensions[d].fixed()) variables.insert(tie.times != 0 ? tie.of : d);
+            const DimensionRange& range = problem.dimensions[d];
+            for (const auto& [other, times] : range.tie.terms)
+                variables.insert(other);
+            if (!range.fixed() && !range.tied()) variables.insert(d);
         }
     }
     if (equalities > variables.size() && !messages.failed)

@@ -21,6 +21,10 @@ void read_units(Section& file, Problem& problem, Messages& messages);
 /// The [cam] section, which makes a cam one of a certain follower.
 void read_cam(Section& file, Problem& problem, Messages& messages);
 void read_dimensions(Section& file, Problem& problem, Messages& messages);
+/// The ranges of tied dimensions, once all dimensions and numbers of targets have been read.
+void resolve_ties(const Section& file, Problem& problem, Messages& messages);
+/// This, and whether any design of the mechanism lies in the ranges.
+void conclude_dimensions(const Section& file, Problem& problem, Messages& messages);
 /// The motion of a cam: after its dimensions. Adds requirements that the motion closes where it is not given whole.
 void read_segments(Section& file, Problem& problem, Messages& messages);
 void read_requirements(Section& file, Problem& problem, Messages& messages);
@@ -55,6 +59,15 @@ void conclude(ReadProblem& read, Messages&& messages);
 /// A number or a range of the file as a dimension, angles in radians.
 std::optional<DimensionRange> to_dimension(const toml::node& node, const Dimension& dimension, const Units& units,
                                            Messages& messages);
+
+/// The same, or a tie to other dimensions: { of = "crank", times = 2, plus = 3 }, or a sum "2 crank - rocker".
+std::optional<DimensionRange> to_dimension_or_tie(const toml::node& node, std::size_t index, const Mechanism& mechanism,
+                                                  const Units& units, Messages& messages);
+
+/// Whether a dimension is no number of a target nor of a segment of a cam's motion.
+bool stands_in_dimensions(const Dimension& dimension);
+/// Where a dimension, or a number of a target's scales, stands in the file.
+FilePlace place_of_dimension(const Section& file, std::string_view name);
 
 /// A quantity of the mechanism by its name: its index. Path quantities are accepted only in files with a [path].
 std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view what, const Section& file,

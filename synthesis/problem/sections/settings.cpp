@@ -5,7 +5,10 @@
 #include <limits>
 #include <numbers>
 
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
+#include "synthesis/problem/text.h"
+#include "synthesis/problem/units.h"
 
 namespace mechwright::reading {
 
@@ -53,11 +56,29 @@ double full_turn(const Units& units) {
     return (units.degrees ? 360.0 : 2 * std::numbers::pi) * (1 + turn_within);
 }
 
+/// Masses are converted where their unit is said: forces are then in newtons unless that is said, too.
+void read_units_of_forces(Section& section, Units& units, Messages& messages) {
+    if (const auto force = read_choice(section, "force", "unit of force", keys::force_units, messages))
+        units.force = keys::force_units[*force];
+    const auto mass = read_choice(section, "mass", "unit of mass", keys::mass_units, messages);
+    if (!mass) return;
+    units.mass = keys::mass_units[*mass];
+    if (units.force.empty()) units.force = "N";
+    if (const auto times = times_mass(units.mass, units.force, units.length))
+        units.per_mass = *times;
+    else
+        add_error(messages, place_of(section, "mass"),
+                  fmt::format("{} in '{}' go with lengths in mm, cm, m, in or ft, not in {}: name one of them as "
+                              "'length', or leave 'mass' out and give masses in the unit that goes with the others",
+                              name_of(section, "mass"), units.mass, reading::quoted(units.length)));
+}
+
 void read_units(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> section = read_section(file, "units", messages);
     if (!section) return;
     problem.units.degrees = read_choice(*section, "angle", "unit of angle", messages) != 1u;
     if (auto length = read_string(*section, "length", messages)) problem.units.length = *std::move(length);
+    read_units_of_forces(*section, problem.units, messages);
     report_unknown_keys(*section, messages);
 }
 

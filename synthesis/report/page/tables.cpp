@@ -55,6 +55,7 @@ struct UnitsOf {
     explicit UnitsOf(const Json& document) : mechanism(mechanism_of(document)) {
         units.degrees = text_in(object_in(document, "units"), "angle") != "rad";
         units.length = text_in(object_in(document, "units"), "length");
+        units.force = text_in(object_in(document, "units"), "force");
     }
     std::string of_quantity(std::string_view name) const {
         const int i = mechanism ? find_quantity(*mechanism, name) : -1;

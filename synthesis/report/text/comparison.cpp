@@ -90,7 +90,9 @@ std::vector<std::string> asked(const Compared& c) {
     if (c.problem.objective) lines.push_back(objective_text(c));
     for (std::size_t i = 0; i < c.problem.mechanism->settings.size(); ++i)
         if (c.problem.settings[i] != c.problem.mechanism->settings[i].preset)
-            lines.push_back(fmt::format("{} = {}", c.problem.mechanism->settings[i].name, c.problem.settings[i]));
+            lines.push_back(fmt::format(
+                "{} = {}", c.problem.mechanism->settings[i].name,
+                c.problem.settings[i] / (c.problem.mechanism->settings[i].is_mass ? c.problem.units.per_mass : 1)));
     std::sort(lines.begin(), lines.end());
     return lines;
 }

@@ -70,7 +70,6 @@ void read_shape(Section& file, std::string_view name, Followed followed, Problem
     problem.followed = target;
     problem.followed->full_turn = read_bool(*section, "full_turn", messages).value_or(false);
     report_unknown_keys(*section, messages);
-    set_crank_range(problem);
 }
 
 }  // namespace

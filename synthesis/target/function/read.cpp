@@ -143,10 +143,10 @@ void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& m
                                   scale.title, dimension.kind == DimensionKind::angle ? "an angle" : "a length"));
             continue;
         }
-        const auto read = to_dimension(*node, dimension, problem.units, messages);
+        const auto read = to_dimension_or_tie(*node, first + k, *problem.mechanism, problem.units, messages);
         if (!read) continue;
         problem.dimensions[first + k] = *read;
-        if (k == 1 && read->min <= 0 && read->max >= 0)
+        if (k == 1 && !read->tied() && read->min <= 0 && read->max >= 0)
             add_error(messages, place_of(*node),
                       fmt::format("the range of the {} must not be 0{}", scale.title,
                                   read->fixed() ? "" : ": let min and max have the same sign"));
@@ -154,6 +154,7 @@ void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& m
 }
 
 void set_crank_range(Problem& problem) {
+    if (problem.mechanism == nullptr || !has_input_range(problem)) return;
     const DimensionRange& start = problem.dimensions[problem.mechanism->input->start];
     const DimensionRange& range = problem.dimensions[problem.mechanism->input->start + 1];
     if (!problem.crank_range && start.fixed() && range.fixed() && range.min != 0)
@@ -178,7 +179,6 @@ void read_function(Section& file, Problem& problem, Messages& messages) {
     read_scale_of(*function, "output", scales + 2, problem, messages);
     report_unknown_keys(*function, messages);
     problem.function = std::move(target);
-    set_crank_range(problem);
 }
 
 }  // namespace mechwright::reading

@@ -24,7 +24,7 @@ const PathRoles& roles_of(const Program& program, std::size_t target = 0) {
 
 std::size_t targets_of(const Program& program) { return program.problem->path->targets(); }
 
-/// Beside a path no dimension is tied to another: each has a variable of its own, or none.
+/// Whether a dimension has a variable of its own.
 bool is_free(const Program& program, std::size_t dimension) {
     return dimension != no_dimension && program.variable_of[dimension] >= 0;
 }
@@ -59,13 +59,20 @@ struct Fitted {
     }
 };
 
+/// Whether a dimension is a sum of multiples of others, which grows when they do.
+bool is_of_others(const Program& program, std::size_t dimension) {
+    const DimensionRange& range = program.problem->dimensions[dimension];
+    return range.tied() && range.tie.constant == 0;
+}
+
 /// The size is free where every dimension that grows with the links is, or stays 0.
 Fitted fitted_of(const Program& program, const std::vector<double>& dimensions) {
     const PathRoles& roles = roles_of(program);
     const auto both = [&](std::size_t a, std::size_t b) { return is_free(program, a) && is_free(program, b); };
     bool size = is_free(program, roles.tilt) && !program.problem->mechanism->model_over;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
-        if (grows_with_links(program, i)) size = size && (is_free(program, i) || dimensions[i] == 0);
+        if (grows_with_links(program, i))
+            size = size && (is_free(program, i) || is_of_others(program, i) || dimensions[i] == 0);
     Fitted fitted{both(roles.origin_x, roles.origin_y), size, {}};
     for (std::size_t target = 0; target < targets_of(program); ++target)
         fitted.point.push_back(both(roles_of(program, target).along, roles_of(program, target).across));

@@ -90,18 +90,6 @@ void check_free_timing(Section& path, const PointList& list, Messages& messages)
 
 namespace {
 
-/// The path search eliminates dimensions one by one.
-void refuse_ties(const Section& section, const Problem& problem, Messages& messages) {
-    if (has_ties(problem))
-        add_error(messages, section.place,
-                  fmt::format("{} does not go with dimensions that are tied to others: give them ranges of their own",
-                              section.title));
-}
-
-}  // namespace
-
-namespace {
-
 /// What a target says of its own where the file names its point: the point and its link, its name and its weight, which
 /// are known already, and the numbers that else are dimensions of the mechanism.
 void read_named_point(Section& target, std::size_t number, Problem& problem, Messages& messages) {
@@ -167,7 +155,6 @@ void read_one_path(Section& path, Problem& problem, Messages& messages) {
     if (problem.mechanism != nullptr && !problem.mechanism->point)
         return add_error(messages, path.place,
                          fmt::format("a {} guides no point along a path: leave [path] out", problem.mechanism->name));
-    refuse_ties(path, problem, messages);
     read_named_point(path, next_target(problem), problem, messages);
     PointList list = read_points(path, problem, messages);
     PathTarget target;

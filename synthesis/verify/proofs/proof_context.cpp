@@ -56,14 +56,20 @@ DigitsRange range_again(const ProofContext& c, std::size_t dimension, Strictness
     const Claim& claim = *c.design.claim;
     const auto& given = claim.given[dimension];
     if (!given) return {0, 0};
-    if (given->tie.times != 0) {
-        const auto& parent = claim.given[given->tie.of];
-        if (!parent || parent->tie.times != 0) return {0, std::numeric_limits<Digits50>::infinity()};
-        const DigitsRange of = range_again(c, given->tie.of, limits);
-        const Digits50 a = given->tie.times * of.least, b = given->tie.times * of.greatest;
-        return {std::min(a, b), std::max(a, b)};
-    }
     const Unit unit = unit_of(claim.mechanism->dimensions[dimension].kind);
+    if (given->tied()) {
+        const auto unbounded = std::numeric_limits<Digits50>::infinity();
+        const Digits50 constant = from_document(given->tie.constant, unit, claim.units);
+        DigitsRange sum{constant, constant};
+        for (const auto& [other, times] : given->tie.terms) {
+            const auto& parent = claim.given[other];
+            if (!parent || parent->tied()) return {-unbounded, unbounded};
+            const DigitsRange of = range_again(c, other, limits);
+            sum.least += times * (times > 0 ? of.least : of.greatest);
+            sum.greatest += times * (times > 0 ? of.greatest : of.least);
+        }
+        return sum;
+    }
     const Digits50 least = from_document(given->min, unit, claim.units);
     const Digits50 greatest = from_document(given->max, unit, claim.units);
     if (limits == Strictness::exact || least == greatest) return {least, greatest};

@@ -40,19 +40,22 @@ bool has_to_turn(const ProofContext& c) {
 Digits50 greatest(const ProofContext& c, const AtLeast& condition) {
     const Claim& claim = *c.design.claim;
     std::vector<Digits50> coefficient(claim.design.size(), Digits50(0));
+    Digits50 sum = 0;
     const auto add = [&](std::string_view name, int sign) {
         const auto i = static_cast<std::size_t>(find_dimension(*claim.mechanism, name));
         const auto& given = claim.given[i];
-        if (given && given->tie.times != 0)
-            coefficient[given->tie.of] += sign * Digits50(given->tie.times);
-        else
+        if (!given || !given->tied()) {
             coefficient[i] += sign;
+            return;
+        }
+        for (const auto& [other, times] : given->tie.terms)
+            coefficient[other] += sign * Digits50(times);
+        sum += sign * from_document(given->tie.constant, unit_of(claim.mechanism->dimensions[i].kind), claim.units);
     };
     for (const std::string_view name : condition.plus)
         add(name, 1);
     for (const std::string_view name : condition.minus)
         add(name, -1);
-    Digits50 sum = 0;
     for (std::size_t i = 0; i < coefficient.size(); ++i) {
         if (coefficient[i] == 0) continue;
         const DigitsRange range = range_again(c, i, Strictness::loosened);

@@ -33,7 +33,7 @@ struct TimedPath {
     std::array<double, 2> range(std::size_t i, bool is_angle) const {
         const auto& given = claim.given[i];
         if (!given) return {0, 0};
-        if (given->tie.times != 0) return {-none, none};
+        if (given->tied()) return {-none, none};
         if (!is_angle) return {given->min, given->max};
         return {angle(given->min), angle(given->max)};
     }

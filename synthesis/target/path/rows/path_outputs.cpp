@@ -72,13 +72,46 @@ void set_zero(Residual& r, std::size_t arguments, int order) {
     if (order >= 2) std::fill_n(r.hessian.begin(), arguments * (arguments + 1) / 2, 0.0);
 }
 
-/// Derivatives by dimensions as those by the variables that they are multiples of.
-void by_variables(Residual& r, std::span<const double> times, int order) {
-    for (std::size_t k = 0; order >= 1 && k < times.size(); ++k)
-        r.gradient[k] *= times[k];
-    for (std::size_t k = 0, at = 0; order >= 2 && k < times.size(); ++k)
-        for (std::size_t l = 0; l <= k; ++l, ++at)
-            r.hessian[at] *= times[k] * times[l];
+/// Derivatives by arguments of which some are tied to others, as those by the variables that they follow from.
+void by_variables(const Program& program, const Reads& reads, int order, PointTerms& t) {
+    constexpr int most = static_cast<int>(most_arguments);
+    using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
+    const auto n = static_cast<Index>(t.arguments);
+    std::array<std::ptrdiff_t, most_arguments> variable;
+    std::size_t count = 0;
+    Square by = Square::Zero(n, n);
+    const auto add = [&](Index argument, std::ptrdiff_t v, double factor) {
+        const auto end = variable.begin() + static_cast<std::ptrdiff_t>(count);
+        const auto at = std::find(variable.begin(), end, v) - variable.begin();
+        if (at == static_cast<std::ptrdiff_t>(count)) {
+            if (at == by.cols()) by.conservativeResizeLike(Square::Zero(n, at + 1));
+            variable[count++] = v;
+        }
+        by(argument, at) += factor;
+    };
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        for (const LinearTerm& term : program.follows[reads[i]])
+            add(static_cast<Index>(i), static_cast<std::ptrdiff_t>(term.index), term.factor);
+    if (t.variable[reads.size()] >= 0) add(n - 1, t.variable[reads.size()], 1);
+    const auto m = static_cast<Index>(count);
+    const Square follows = by.leftCols(m);
+    for (std::size_t c = 0; c < t.count; ++c) {
+        Residual& r = t.residuals[c];
+        const Eigen::Map<const VectorXd> gradient(r.gradient.data(), n);
+        Eigen::Map<VectorXd>(r.gradient.data(), m) =
+            Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>(follows.transpose() * gradient);
+        if (order < 2) continue;
+        Square second(n, n);
+        for (Index k = 0, at = 0; k < n; ++k)
+            for (Index l = 0; l <= k; ++l, ++at)
+                second(k, l) = second(l, k) = r.hessian[static_cast<std::size_t>(at)];
+        const Square whole = follows.transpose() * Square(second * follows);
+        for (Index k = 0, at = 0; k < m; ++k)
+            for (Index l = 0; l <= k; ++l, ++at)
+                r.hessian[static_cast<std::size_t>(at)] = whole(k, l);
+    }
+    t.variable = variable;
+    t.arguments = count;
 }
 
 void evaluate_point(const Program& program, std::span<const double> dimensions, const VectorXd& x, std::size_t point,
@@ -115,18 +148,13 @@ void evaluate_point(const Program& program, std::span<const double> dimensions, 
     for (const Residual& residual : t.all())
         t.square += residual.value * residual.value;
     if (order == 0) return;
-    std::array<double, most_arguments> times;
+    bool tied = false;
     for (std::size_t i = 0; i < reads.size(); ++i) {
         t.variable[i] = program.variable_of[reads[i]];
-        times[i] = program.times[reads[i]];
+        tied = tied || program.problem->dimensions[reads[i]].tied();
     }
     t.variable[reads.size()] = angle.variable;
-    times[reads.size()] = program.untimed_path() ? 1 : program.times[mechanism.roles_of(guided).start];
-    if (std::all_of(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(t.arguments),
-                    [](double f) { return f == 1; }))
-        return;
-    for (std::size_t k = 0; k < t.count; ++k)
-        by_variables(t.residuals[k], std::span(times).first(t.arguments), order);
+    if (tied) by_variables(program, reads, order, t);
 }
 
 /// Whether a point counts in a mean.
@@ -168,7 +196,8 @@ void write_means(const Program& program, bool derivatives, Outputs& out) {
 void set_dimensions(const Program& program, const VectorXd& x, std::vector<double>& dimensions) {
     dimensions = program.dimensions;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
-        if (program.variable_of[i] >= 0) dimensions[i] = program.times[i] * x[program.variable_of[i]];
+        for (const LinearTerm& term : program.follows[i])
+            dimensions[i] += term.factor * x[static_cast<Index>(term.index)];
 }
 
 std::vector<double> dimensions_at(const Program& program, const VectorXd& x) {

@@ -103,7 +103,7 @@ StretchEnds stretch_ends(const Program& program, const VectorXd& x) {
         if (program.untimed_path()) return x[static_cast<Eigen::Index>(program.first_path_angle + i)];
         const std::size_t start = program.problem->mechanism->roles_of(path.target_of(i)).start;
         const std::ptrdiff_t variable = program.variable_of[start];
-        return path.crank_angles[i] + (variable < 0 ? program.dimensions[start] : program.times[start] * x[variable]);
+        return path.crank_angles[i] + (variable < 0 ? program.dimensions[start] : x[variable]);
     };
     // The crank may turn either way along an ordered path.
     if (path.parts.empty() && !path.prescribed_timing && !path.any_order) return {0, path.points.size() - 1, 0};
@@ -124,15 +124,17 @@ void set_stretch_arguments(const Program& program, std::span<const double> dimen
     const StretchEnds ends = stretch_ends(program, x);
     const PathAngle first = path_angle(program, dimensions, x, ends.first);
     const PathAngle last = path_angle(program, dimensions, x, ends.last);
-    const PathTarget& path = *program.problem->path;
-    const auto by_variable = [&](std::size_t point) {
-        return program.untimed_path() ? 1 : program.times[mechanism.roles_of(path.target_of(point)).start];
+    const auto by = [](const PathAngle& angle, double factor) {
+        return LinearTerm{static_cast<std::size_t>(angle.variable), factor};
     };
+    arguments.ends = {by(first, 1), by(last, 1), by(first, -1)};
+    const std::span<const LinearTerm> ends_by(arguments.ends);
+    const std::size_t of_first = first.variable >= 0 ? 1 : 0, of_last = last.variable >= 0 ? 1 : 0;
     std::size_t& i = arguments.count;
     arguments.value[i] = first.angle;
-    arguments.source[i++] = {{first.variable, -1}, {by_variable(ends.first), 0}};
+    arguments.source[i++] = ends_by.first(of_first);
     arguments.value[i] = last.angle + ends.turns - first.angle;
-    arguments.source[i++] = {{last.variable, first.variable}, {by_variable(ends.last), -by_variable(ends.first)}};
+    arguments.source[i++] = ends_by.subspan(2 - of_last, of_last + of_first);
 }
 
 }  // namespace mechwright

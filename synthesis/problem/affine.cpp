@@ -1,4 +1,4 @@
-#include "synthesis/problem/linkage/affine.h"
+#include "synthesis/problem/affine.h"
 
 #include <fmt/format.h>
 
@@ -104,6 +104,22 @@ void add(Affine& sum, const Affine& more, double factor) {
         else
             sum.terms.insert(at, {dimension, factor * by});
     }
+}
+
+std::string text_of(const Affine& sum, const std::function<std::string(std::size_t)>& name_of) {
+    std::string text;
+    const auto add_term = [&](double factor, const std::string& name) {
+        if (!text.empty()) text += factor < 0 ? " - " : " + ";
+        const double size = text.empty() ? factor : std::abs(factor);
+        if (name.empty())
+            text += fmt::format("{}", size);
+        else
+            text += size == 1 ? name : size == -1 ? "-" + name : fmt::format("{} {}", size, name);
+    };
+    for (const auto& [dimension, factor] : sum.terms)
+        add_term(factor, name_of(dimension));
+    if (sum.constant != 0 || text.empty()) add_term(sum.constant, "");
+    return text;
 }
 
 ParsedAffine parse_affine(std::string_view text,

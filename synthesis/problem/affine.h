@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Numbers of a linkage's file: how sums of multiples of dimensions are written.
+/// How sums of multiples of dimensions are written in files.
 
 #include <cstddef>
 #include <functional>
@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "synthesis/mechanism/linkage/affine.h"
+#include "synthesis/mechanism/affine.h"
 
 namespace mechwright {
 
@@ -19,6 +19,9 @@ struct ParsedAffine {
     Affine value{};
     std::string fault{};  ///< what is wrong, and what would be right; empty if nothing is
 };
+
+/// As parse_affine reads it; `name_of` gives a dimension's name.
+std::string text_of(const Affine& sum, const std::function<std::string(std::size_t)>& name_of);
 
 /// `term + term - term`, with spaces around the signs between terms; a term is a number, a name, `number name`,
 /// `number * name`, or one of these `/ number`, with or without a leading `-`. `find` gives a name's index, or what is

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Numbers of a linkage: sums of multiples of dimensions.
+/// Sums of multiples of dimensions.
 
 #include <cstddef>
 #include <span>
