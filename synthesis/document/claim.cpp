@@ -10,6 +10,7 @@
 #include "synthesis/document/claimed_cam.h"
 #include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/affine.h"
 #include "synthesis/problem/linkage/mechanism.h"
 #include "synthesis/problem/text.h"
@@ -92,7 +93,11 @@ void read_head(Reader& in, const Json& document, Claim& claim) {
     } else {
         claim.mechanism = mechanism_of(document, name);
     }
-    if (!claim.mechanism) in.fail(fmt::format("there is no mechanism {}", reading::quoted(name)));
+    if (!claim.mechanism) return in.fail(fmt::format("there is no mechanism {}", reading::quoted(name)));
+    const std::vector<std::string> named = quantities_in(document);
+    if (member(document, of_document("range_of_use")) ||
+        std::any_of(named.begin(), named.end(), [](const std::string& one) { return one.ends_with(whole_suffix); }))
+        claim.mechanism = with_whole_quantities(claim.mechanism);
     if (const Json* units = member(document, of_document("units"))) {
         if (const Json* angle = in.object(units, "units") ? member(*units, of_units("angle")) : nullptr) {
             const std::string unit = in.text(angle, "units.angle");
@@ -211,6 +216,25 @@ void read_crank_range(Reader& in, const Json& document, Claim& claim) {
     if (!(ends[0] < ends[1])) in.fail("crank_range does not rise");
 }
 
+void read_range_of_use(Reader& in, const Json& document, Claim& claim) {
+    const Json* json = member(document, of_document("range_of_use"));
+    if (!json || !in.object(json, "range_of_use")) return;
+    if (in.text(member(*json, of_use("from")), "range_of_use.from") != keys::use_begins[0] ||
+        in.text(member(*json, of_use("to")), "range_of_use.to") != keys::use_ends[0])
+        return in.fail("range_of_use is not from the first target to the last");
+    claim.use = RangeOfUse{in.angle(member(*json, of_use("before")), "range_of_use.before"),
+                           in.angle(member(*json, of_use("after")), "range_of_use.after")};
+    if (claim.use->before < 0 || claim.use->after < 0) in.fail("range_of_use ends before its targets do");
+    if (claim.crank_range) in.fail("there are both a crank_range and a range_of_use");
+    if (!member(document, of_document("path")) && !member(document, of_document("poses")))
+        return in.fail("range_of_use has neither path nor poses beside it");
+    const Json* used = member(document, of_finding("used_crank_angles"));
+    if (!used) return;
+    const auto ends = in.numbers(used, "used_crank_angles", 2, true);
+    if (ends.size() != 2) return in.fail("used_crank_angles is not [from, to]");
+    claim.used_angles = Vector<double>{ends[0], ends[1]};
+}
+
 void read_settings(Reader& in, const Json& document, Claim& claim) {
     const auto& settings = claim.mechanism->settings;
     for (std::size_t i = 0; i < settings.size(); ++i)
@@ -306,8 +330,9 @@ ReadClaim read_claim(const Json& document) {
     if (const Json* instant = member(document, of_document("instant"))) claim.has_instant = in.flag(instant, "instant");
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
-    for (const auto read : {read_given, read_design, read_circuit, read_crank_range, read_settings, read_function,
-                            read_followed, read_requirements, read_objective, read_quantities, read_path})
+    for (const auto read :
+         {read_given, read_design, read_circuit, read_crank_range, read_range_of_use, read_settings, read_function,
+          read_followed, read_requirements, read_objective, read_quantities, read_path})
         if (in.understood()) read(in, document, claim);
     return {std::move(claim), in.defect};
 }

@@ -90,6 +90,8 @@ struct Claim {
     std::optional<std::string> kind;
     std::optional<CircuitAndBranch> circuit;
     std::optional<Vector<double>> crank_range;
+    std::optional<RangeOfUse> use;                 ///< in the file's unit
+    std::optional<Vector<double>> used_angles;     ///< of the range of use
     std::array<double, Setting::most> settings{};  ///< presets where they are not stated
     std::shared_ptr<const FunctionTarget> function;
     std::optional<FollowedTarget> followed;

@@ -92,6 +92,8 @@ ClaimedDesign claimed_design(const Claim& claim) {
         problem.crank_range =
             Vector<double>{from_file_unit(claim.crank_range->x, input_unit(*claim.mechanism), claim.units),
                            from_file_unit(claim.crank_range->y, input_unit(*claim.mechanism), claim.units)};
+    const auto inside = [&](double angle) { return from_file_unit(angle, Unit::angle, claim.units); };
+    if (claim.use) problem.use = RangeOfUse{inside(claim.use->before), inside(claim.use->after)};
     for (std::size_t i = 0; i < claim.design.size(); ++i) {
         problem.dimensions.push_back(range_of(claim, i));
         const Unit unit = unit_of(claim.mechanism->dimensions[i].kind);

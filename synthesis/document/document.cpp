@@ -212,10 +212,28 @@ void put_circuit(Json& json, const Problem& problem, const Design& design) {
     json[of_finding("branch")] = found->branch;
 }
 
+/// What the file says of the range of use.
+Json range_of_use(const Problem& problem) {
+    const auto outside = [&](double angle) { return in_file_unit(angle, Unit::angle, problem.units); };
+    return {{of_use("from"), keys::use_begins[0]},
+            {of_use("to"), keys::use_ends[0]},
+            {of_use("before"), outside(problem.use->before)},
+            {of_use("after"), outside(problem.use->after)}};
+}
+
+/// Where the range of use of a design lies.
+void put_used_angles(Json& json, const Problem& problem, const Design& design) {
+    if (!problem.use) return;
+    const Motion motion = motion_of(problem, design);
+    if (motion.from <= motion.to)
+        json[of_finding("used_crank_angles")] = angles({motion.from, motion.to}, problem.units);
+}
+
 /// The members that are about one design.
 void put_findings(Json& json, const Problem& problem, const Solution& solution) {
     json[of_finding("design")] = design_of(problem, solution.design);
     put_circuit(json, problem, solution.design);
+    put_used_angles(json, problem, solution.design);
     if (problem.objective) json[of_finding("objective")] = objective_of(problem, &solution);
     if (!problem.requirements.empty()) json[of_finding("requirements")] = requirements_of(problem, &solution.design);
     json[of_finding("quantities")] = quantities_of(problem, solution.design);
@@ -287,6 +305,7 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
         json[of_document("crank_range")] = {in_file_unit(problem.crank_range->x, unit, problem.units),
                                             in_file_unit(problem.crank_range->y, unit, problem.units)};
     }
+    if (problem.use) json[of_document("range_of_use")] = range_of_use(problem);
     Json settings = Json::object();  // made whole: one that null turns into is none where memory runs out
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)
         settings[problem.mechanism->settings[i].name] =

@@ -56,6 +56,11 @@ inline constexpr std::array units{Key{"angle", Shape::word, "Unit of angles.", t
 
 inline constexpr std::array range{Key{"min", Shape::number, "Least value.", true},
                                   Key{"max", Shape::number, "Greatest value.", true}};
+inline constexpr std::array range_of_use{
+    Key{"from", Shape::word, "Where it begins.", true, keys::use_begins},
+    Key{"to", Shape::word, "Where it ends.", true, keys::use_ends},
+    Key{"before", Shape::number, "Crank angle by which it begins before that.", true},
+    Key{"after", Shape::number, "Crank angle by which it ends after that.", true}};
 inline constexpr std::array tie{Key{"of", Shape::text, "The dimension that it follows.", true},
                                 Key{"times", Shape::number, "How many times that.", true}};
 
@@ -244,6 +249,7 @@ inline constexpr std::array finding{
     Key{"design", Shape::names, "Dimensions and what kind of mechanism they make."},
     Key{"circuit", Shape::whole_number, "Of a linkage the circuit that it moves on, from 1."},
     Key{"branch", Shape::whole_number, "Of a linkage the branch of that circuit, from 1."},
+    Key{"used_crank_angles", Shape::ends, "Least and greatest crank angle of the range of use."},
     Key{"objective", Shape::table, "What is optimised.", false, {}, objective},
     Key{"requirements", Shape::tables, "What the design has to meet.", false, {}, requirement},
     Key{"quantities", Shape::names, "Value of every quantity that is defined for the design."},
@@ -273,6 +279,12 @@ inline constexpr std::array of_run{
     Key{"cam", Shape::table, "What was given of a cam.", false, {}, cam},
     Key{"linkage", Shape::value, "Of a linkage the sections that describe it, as its problem file has them."},
     Key{"crank_range", Shape::ends, "Crank angles that the file limits the motion to."},
+    Key{"range_of_use",
+        Shape::table,
+        "The stretch of the crank that designs are judged over.",
+        false,
+        {},
+        range_of_use},
     Key{"settings", Shape::names, "How the mechanism is judged."},
     Key{"instant", Shape::flag, "Whether velocities at one crank angle are asked for."},
     Key{"front", Shape::value, "Designs none of which is as good as another in both objectives."},
@@ -318,6 +330,7 @@ inline constexpr NamesOf<fields::segment> of_segment;
 inline constexpr NamesOf<fields::solutions> of_solutions;
 inline constexpr NamesOf<fields::term> of_term;
 inline constexpr NamesOf<fields::tie> of_tie;
+inline constexpr NamesOf<fields::range_of_use> of_use;
 inline constexpr NamesOf<fields::units> of_units;
 inline constexpr NamesOf<fields::verification> of_verification;
 inline constexpr NamesOf<fields::warning> of_warning;

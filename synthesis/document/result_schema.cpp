@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "synthesis/document/fields.h"
-#include "synthesis/mechanism/mechanism.h"
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/schema/json_schema.h"
 
 namespace mechwright {
@@ -17,15 +17,16 @@ using namespace schema;
 
 using Names = std::vector<std::string_view>;
 
-void add_name(Names& names, std::string_view name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+template <class Text>
+void add_name(std::vector<Text>& names, std::string_view name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
 }
 
 /// What mechanisms of one name have: cams come in several kinds.
 struct Kinds {
     std::string_view name;
     Names dimensions{};
-    Names quantities{};
+    std::vector<std::string> quantities{};  ///< those over the whole motion among them
     Names settings{};
 };
 
@@ -35,7 +36,8 @@ std::vector<Kinds> all_kinds() {
         if (all.empty() || all.back().name != mechanism->name) all.push_back({mechanism->name});
         for (const Dimension& dimension : mechanism->dimensions)
             add_name(all.back().dimensions, dimension.name);
-        for (const Quantity& quantity : mechanism->quantities)
+        const auto with_whole = with_whole_quantities(mechanism);
+        for (const Quantity& quantity : with_whole->quantities)
             add_name(all.back().quantities, quantity.name);
         for (const Setting& setting : mechanism->settings)
             add_name(all.back().settings, setting.name);
@@ -44,9 +46,10 @@ std::vector<Kinds> all_kinds() {
 }
 
 /// An object in which all of these names have the same kind of value, and there are no others.
-Json table_by(const Names& names, const Json& value) {
+template <class Text>
+Json table_by(const std::vector<Text>& names, const Json& value) {
     Json properties = Json::object();
-    for (const std::string_view name : names)
+    for (const Text& name : names)
         properties[std::string(name)] = value;
     return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
 }

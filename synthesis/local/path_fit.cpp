@@ -116,7 +116,7 @@ bool PathFit::held(Index variable, double x, double slope) const {
 /// The points at the ends of the stretch, where a row that depends on their angles counts.
 std::vector<bool> PathFit::kept_angles(const PathPlace& at) const {
     std::vector<bool> kept(static_cast<std::size_t>(points_), false);
-    if (!untimed_ || stretch_block(program_) == nullptr || !(at.missed.array() != 0).any()) return kept;
+    if (!untimed_ || !depends_on_stretch(program_) || !(at.missed.array() != 0).any()) return kept;
     const StretchEnds ends = stretch_ends(program_, at.x);
     kept[ends.first] = kept[ends.last] = true;
     return kept;

@@ -59,6 +59,18 @@ SecondDual<double, M> at_stationary(const std::array<SecondDual<double, M>, N>& 
 template <class T>
 using Components = std::span<T>;
 
+/// Both ends of a limited motion, as far as a formula depends on them: constants, unless they are arguments of it.
+template <class T>
+struct Ends {
+    T from;
+    T to;
+};
+
+template <class T>
+Ends<T> fixed_ends(const Motion& motion) {
+    return {T(motion.from), T(motion.to)};
+}
+
 /// The measure of a formula with `static constexpr std::size_t reads`, `static constexpr std::size_t most` and
 /// `template <class T> static std::size_t components(const Motion&, const std::array<T, reads>&, Components<T> out)`.
 /// Defined in measure_by.h for those who make quantities; others only ask whether a quantity is measured by a formula,

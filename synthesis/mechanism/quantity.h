@@ -88,6 +88,7 @@ struct Motion {
     const FunctionTarget* function = nullptr;      ///< what a function generator does; null without one
     Followed followed = Followed::nothing;         ///< by a guided point, over an input range
     bool has_instant = false;                      ///< velocities at one crank angle are asked for
+    bool is_range_of_use = false;                  ///< over the stretch between the targets of a path
 
     Form form() const { return {model, assembly}; }
 };
@@ -155,9 +156,11 @@ struct Quantity {
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
     std::size_t of_target = every_target;  ///< of several paths and poses that one alone; else all of them
     bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
-    bool paired = false;    ///< each second component is the negative of the one before: of absolute values
-    std::string section{};  ///< it has a value only in problems with this section
-    Model of{};             ///< what it is measured of, where one function measures several
+    bool paired = false;     ///< each second component is the negative of the one before: of absolute values
+    std::string section{};   ///< it has a value only in problems with this section
+    Model of{};              ///< what it is measured of, where one function measures several
+    bool of_motion = false;  ///< it depends on which crank angles are passed
+    bool whole = false;      ///< over the whole motion, where others are over a part of it (whole_quantities.h)
 
     static constexpr std::size_t most_components = 32;
 };

@@ -123,6 +123,13 @@ struct PathTarget {
     }
 };
 
+/// The range of use of a path or of poses: the stretch of the crank from the first target that is met to the last,
+/// made longer at either end by these crank angles, in the order in which the targets are met; radians, >= 0.
+struct RangeOfUse {
+    double before = 0;
+    double after = 0;
+};
+
 /// A line or an arc that the guided point follows over an input range of the crank.
 struct FollowedTarget {
     Followed shape = Followed::line;
@@ -151,6 +158,7 @@ struct Problem {
     std::optional<Objective> objective;
     std::optional<PathTarget> path;
     std::optional<Vector<double>> crank_range;     ///< (from, to), radians
+    std::optional<RangeOfUse> use;                 ///< over which designs are judged, where there is a path
     std::array<double, Setting::most> settings{};  ///< of the mechanism, in the order of Mechanism::settings
     std::shared_ptr<const FunctionTarget> function;
     std::optional<FollowedTarget> followed;
@@ -163,6 +171,11 @@ struct Problem {
 
 /// Whether the motion is that over an input range, whose ends are dimensions.
 inline bool has_input_range(const Problem& problem) { return problem.function != nullptr || problem.followed; }
+
+/// Whether designs are judged over a stretch of crank angles that depends on the design.
+inline bool has_moving_ends(const Problem& problem) {
+    return !problem.crank_range && (has_input_range(problem) || problem.use.has_value());
+}
 
 /// What a mechanism's point follows; none where it cannot.
 inline const std::optional<FollowedShape>& followed_shape_of(const Mechanism& mechanism, const FollowedTarget& target) {

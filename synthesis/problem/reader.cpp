@@ -78,10 +78,12 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     read_units(file, problem, messages);
     read_cam(file, problem, messages);
     add_targets(file, problem);
+    add_whole_quantities(table, problem);
     read_dimensions(file, problem, messages);
     read_segments(file, problem, messages);
     read_path(file, problem, messages);
     read_poses(file, problem, messages);
+    read_range_of_use(file, problem, messages);
     read_objective(file, problem, messages);
     read_motion(file, problem, messages);
     read_function(file, problem, messages);

@@ -164,10 +164,7 @@ struct Builder {
             add_margins(block_of(*family.assembly_margin));
         if (!needs_stretch(problem, family)) return;
         const Quantity& margin = problem.mechanism->input->margin;
-        program.blocks.push_back(
-            {&margin, motion_for(margin, motion), program.outputs, count_components(margin, motion), true});
-        program.outputs += program.blocks.back().count;
-        add_margins(program.blocks.back());
+        add_margins(add_block(margin, motion_for(margin, motion), true));
     }
 
     /// What keeps the crank turning fully beyond the range of its input.
@@ -177,10 +174,7 @@ struct Builder {
         whole.from = 0;
         whole.to = 2 * std::numbers::pi * family.turns;
         if (!is_defined(*family.assembly_margin, whole)) return;
-        program.blocks.push_back({&*family.assembly_margin, whole, program.outputs,
-                                  count_components(*family.assembly_margin, whole), false});
-        program.outputs += program.blocks.back().count;
-        add_margins(program.blocks.back());
+        add_margins(add_block(*family.assembly_margin, whole, false));
     }
 
     /// Rows that keep the design assembled.
@@ -189,13 +183,18 @@ struct Builder {
             add_row(std::string(block.quantity->name), {{{block.first + k, 1}}, {}}, condition_margin, unlimited);
     }
 
+    /// `over` is the motion as the functions of the quantity get it.
+    QuantityBlock add_block(const Quantity& quantity, const Motion& over, bool along_stretch) {
+        program.blocks.push_back({&quantity, over, program.outputs, quantity.components(over), along_stretch});
+        program.outputs += program.blocks.back().count;
+        return program.blocks.back();
+    }
+
     QuantityBlock block_of(const Quantity& quantity) {
         for (const QuantityBlock& block : program.blocks)
             if (block.quantity == &quantity) return block;
-        program.blocks.push_back(
-            {&quantity, motion_for(quantity, motion), program.outputs, count_components(quantity, motion), false});
-        program.outputs += program.blocks.back().count;
-        return program.blocks.back();
+        return add_block(quantity, motion_of(problem, quantity, motion),
+                         problem.use && has_moving_ends(problem, quantity));
     }
 
     std::size_t place(std::optional<std::size_t>& output, std::size_t count) {

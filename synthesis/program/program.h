@@ -58,8 +58,8 @@ struct QuantityBlock {
     Motion motion;
     std::size_t first;
     std::size_t count;
-    /// Margins of assembly from the first to the last target: start and range of the stretch are the last arguments
-    /// (target/path/rows/stretch.h).
+    /// Over the stretch from the first to the last target, as margins of assembly are: its start and range are the last
+    /// arguments (target/path/rows/stretch.h).
     bool along_stretch = false;
 };
 

@@ -13,10 +13,10 @@ using Eigen::VectorXd;
 
 void set_arguments(const Program& program, const QuantityBlock& block, std::span<const double> dimensions,
                    const VectorXd& x, BlockArguments& arguments) {
-    if (block.along_stretch) return set_stretch_arguments(program, dimensions, x, arguments);
     const Reads& reads = block.quantity->reads;
     for (std::size_t i = 0; i < reads.size(); ++i)
         add_dimension(program, dimensions, reads[i], arguments);
+    if (block.along_stretch) add_stretch(program, dimensions, x, arguments);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/target/path/rows/stretch.h"
+
 namespace mechwright {
 
 namespace {
@@ -34,25 +36,41 @@ std::optional<double> reduced(Reduce reduce, std::span<const double> components)
 
 }  // namespace
 
-std::optional<std::array<double, 2>> crank_range_of(const Mechanism& mechanism,
-                                                    const std::optional<Vector<double>>& given, bool over_input,
-                                                    std::span<const double> dimensions) {
-    if (given) return std::array{given->x, given->y};
-    if (!over_input) return std::nullopt;
-    const double start = dimensions[mechanism.input->start];
-    const double end = start + dimensions[mechanism.input->start + 1];
+namespace {
+
+/// The crank angles over which a design is judged where that is not its whole motion.
+std::optional<std::array<double, 2>> crank_range_of(const Problem& problem, const Design& design) {
+    if (problem.crank_range) return std::array{problem.crank_range->x, problem.crank_range->y};
+    if (problem.use) {
+        if (design.path_angles.size() != problem.path->points.size()) return std::array{1.0, 0.0};
+        const CrankStretch stretch = stretch_of(problem, design.path_angles);
+        return std::array{stretch.first, stretch.last};
+    }
+    if (!has_input_range(problem)) return std::nullopt;
+    const double start = design.dimensions[problem.mechanism->input->start];
+    const double end = start + design.dimensions[problem.mechanism->input->start + 1];
     return std::array{std::min(start, end), std::max(start, end)};
 }
 
-Motion motion_of(const Problem& problem, const Design& design) {
-    const auto range = crank_range_of(*problem.mechanism, problem.crank_range, has_input_range(problem),
-                                      std::span<const double>(design.dimensions));
-    Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, range ? range->data() : nullptr);
+Motion motion_over(const Problem& problem, const Design& design, const double* range) {
+    Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, range);
     motion.settings = problem.settings;
     motion.function = problem.function.get();
     motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
     motion.has_instant = problem.has_instant;
+    motion.is_range_of_use = problem.use.has_value();
     return motion;
+}
+
+}  // namespace
+
+Motion motion_of(const Problem& problem, const Design& design) {
+    const auto range = crank_range_of(problem, design);
+    return motion_over(problem, design, range ? range->data() : nullptr);
+}
+
+Motion motion_of(const Problem& problem, const Quantity& quantity, const Design& design) {
+    return quantity.whole ? motion_over(problem, design, nullptr) : motion_of(problem, design);
 }
 
 std::optional<CircuitAndBranch> circuit_of(const Problem& problem, const Design& design) {
@@ -65,7 +83,7 @@ namespace {
 
 bool assembles_over(const Problem& problem, const Motion& motion, const Design& design) {
     constexpr double closed_within = 1e-12;  // of margins over the longest length
-    if (!problem.crank_range || motion.full_turn) return true;
+    if ((!problem.crank_range && !problem.use) || motion.full_turn) return true;
     const auto& families = problem.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
     if (limited == families.end() || !limited->assembly_margin) return true;
@@ -101,8 +119,8 @@ bool assembles_over_range(const Problem& problem, const Design& design) {
 
 std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design) {
     const Quantity& q = problem.mechanism->quantities[quantity];
-    const Motion motion = motion_of(problem, design);
-    if (!(motion.from <= motion.to) || !assembles_over(problem, motion, design)) return std::nullopt;
+    const Motion motion = motion_of(problem, q, design);
+    if (!(motion.from <= motion.to) || (!q.whole && !assembles_over(problem, motion, design))) return std::nullopt;
 
     std::optional<double> value;
     if (q.path != PathMeasure::none) {

@@ -11,14 +11,11 @@
 
 namespace mechwright {
 
-/// The crank angles over which a design is judged where that is not its whole motion: those given, else the input range
-/// of a function or a line (`over_input`).
-std::optional<std::array<double, 2>> crank_range_of(const Mechanism& mechanism,
-                                                    const std::optional<Vector<double>>& given, bool over_input,
-                                                    std::span<const double> dimensions);
-
-/// The motion over which the problem judges a design; from > to if it assembles nowhere.
+/// The motion over which the problem judges a design: the given crank range, else the range of use, or the input range
+/// of a function or a line, else all of it. from > to if it assembles nowhere, or where the range of use is not known.
 Motion motion_of(const Problem& problem, const Design& design);
+/// The same for one of its quantities: all of the motion for one that is over the whole of it.
+Motion motion_of(const Problem& problem, const Quantity& quantity, const Design& design);
 /// The circuit and branch of that motion, as Mechanism::circuit.
 std::optional<CircuitAndBranch> circuit_of(const Problem& problem, const Design& design);
 

@@ -41,15 +41,16 @@ void add_conditions(const Mechanism& mechanism, const Motion& motion, const Desi
 }
 
 void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
-    if (has_input_range(problem) && !problem.crank_range && problem.mechanism->input)
+    if (has_input_range(problem) && has_moving_ends(problem) && problem.mechanism->input)
         return margins.add("the mechanism assembles over its input range",
                            least_component(problem.mechanism->input->margin, motion, design.dimensions));
     const auto& families = problem.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
-    if (!problem.crank_range || limited == families.end() || !limited->assembly_margin) return;
+    if ((!problem.crank_range && !problem.use) || limited == families.end() || !limited->assembly_margin) return;
     Motion over = motion;
     over.family = static_cast<std::size_t>(limited - families.begin());
-    margins.add(fmt::format("the mechanism assembles over the range of {}s", input_word(*problem.mechanism)),
+    const std::string_view range = problem.use ? "use" : input_word(*problem.mechanism);
+    margins.add(fmt::format("the mechanism assembles over the range of {}{}", range, problem.use ? "" : "s"),
                 least_component(*limited->assembly_margin, over, design.dimensions));
 }
 

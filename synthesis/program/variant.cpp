@@ -14,8 +14,9 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     motion.function = problem.function.get();
     motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
     motion.has_instant = problem.has_instant;
+    motion.is_range_of_use = problem.use.has_value();
     motion.full_turn =
-        problem.mechanism->families[family].full_turn && !problem.crank_range && !has_input_range(problem);
+        problem.mechanism->families[family].full_turn && !problem.crank_range && !has_moving_ends(problem);
     if (problem.crank_range) {
         motion.from = problem.crank_range->x;
         motion.to = problem.crank_range->y;
@@ -28,12 +29,28 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     return motion;
 }
 
+Motion motion_of(const Problem& problem, const Quantity& quantity, Motion motion) {
+    const Family& family = problem.mechanism->families[motion.family];
+    if (quantity.whole && family.full_turn) {
+        motion.full_turn = true;
+        motion.from = 0;
+        motion.to = 2 * std::numbers::pi * family.turns;
+    }
+    return motion_for(quantity, motion);
+}
+
 const Quantity& programmed_quantity(const Problem& problem, std::size_t quantity) {
     const Quantity& plain = problem.mechanism->quantities[quantity];
-    if (!has_input_range(problem) || problem.crank_range || !problem.mechanism->input) return plain;
+    if (!has_moving_ends(problem) || !problem.mechanism->input) return plain;
     const auto& moving = problem.mechanism->input->quantities;
     const auto at = std::find_if(moving.begin(), moving.end(), [&](const Quantity& q) { return q.name == plain.name; });
     return at == moving.end() ? plain : *at;
+}
+
+bool has_moving_ends(const Problem& problem, const Quantity& quantity) {
+    if (!has_moving_ends(problem) || !problem.mechanism->input) return false;
+    const auto& moving = problem.mechanism->input->quantities;
+    return std::any_of(moving.begin(), moving.end(), [&](const Quantity& one) { return &one == &quantity; });
 }
 
 bool is_disjunctive(const Quantity& quantity, const Requirement& requirement) {
@@ -51,7 +68,7 @@ std::vector<Disjunction> disjunctions(const Problem& problem, const Motion& moti
     const auto add = [&](std::size_t index, const auto& condition) {
         const Quantity& quantity = programmed_quantity(problem, index);
         if (quantity.path != PathMeasure::none || !is_disjunctive(quantity, condition)) return;
-        const std::size_t components = count_components(quantity, motion);
+        const std::size_t components = quantity.components(motion_of(problem, quantity, motion));
         if (components > 1) all.push_back({index, components});
     };
     for (const Requirement& r : problem.requirements)
@@ -65,7 +82,9 @@ std::vector<Disjunction> disjunctions(const Problem& problem, const Motion& moti
 bool all_defined(const Problem& problem, const Motion& motion) {
     const auto defined = [&](std::size_t index) {
         const Quantity& quantity = programmed_quantity(problem, index);
-        return quantity.path != PathMeasure::none || is_defined(quantity, motion);
+        return quantity.path != PathMeasure::none ||
+               ((!problem.use || !quantity.of_motion || quantity.whole || has_moving_ends(problem, quantity)) &&
+                quantity.defined(motion_of(problem, quantity, motion)));
     };
     return std::all_of(problem.requirements.begin(), problem.requirements.end(),
                        [&](const Requirement& r) { return defined(r.quantity); }) &&

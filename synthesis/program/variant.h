@@ -22,9 +22,16 @@ struct Variant {
 /// The motion over which the quantities of a problem are judged in a family.
 Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembly);
 
+/// That motion as the functions of a quantity get it: over a full turn for one that is over the whole motion, where the
+/// family has it.
+Motion motion_of(const Problem& problem, const Quantity& quantity, Motion motion);
+
 /// A quantity as it enters programs: where the motion is that over an input range which is not known, the one that
 /// knows that its ends move.
 const Quantity& programmed_quantity(const Problem& problem, std::size_t quantity);
+
+/// Whether it is one of those.
+bool has_moving_ends(const Problem& problem, const Quantity& quantity);
 
 /// Whether every quantity that the problem names has a value in this motion.
 bool all_defined(const Problem& problem, const Motion& motion);

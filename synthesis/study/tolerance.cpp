@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "analysis/numbers/low_discrepancy.h"
+#include "synthesis/mechanism/cycle.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
@@ -81,6 +82,12 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, co
     return total;
 }
 
+/// Crank angles less or more whole cycles, each within half a cycle of the one beside it: a range of use is between them.
+void count_on(const std::vector<double>& beside, double cycle, std::vector<double>& angles) {
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        angles[i] -= cycle * std::round((angles[i] - beside[i]) / cycle);
+}
+
 }  // namespace
 
 std::optional<double> iso_tolerance(int grade, double size) {
@@ -132,6 +139,7 @@ Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_
         set_prescribed_angles(design.problem, piece);
     else if (path)
         meet_nearest_points(design.problem, piece);
+    if (design.problem.use) count_on(design.nominal.design.path_angles, cycle_of(*design.problem.mechanism), piece.path_angles);
     // The ranges of the dimensions are for design, not for pieces.
     Problem as_made = design.problem;
     as_made.text.clear();  // it asks for other dimensions
@@ -144,8 +152,10 @@ std::optional<std::vector<double>> sensitivities(const Problem& problem, std::si
     const Quantity& q = problem.mechanism->quantities[quantity];
     if (!quantity_value(problem, quantity, design)) return {};
     if (q.path != PathMeasure::none) return path_sensitivities(problem, q, design);
-    const Motion motion = motion_of(problem, design);
-    const std::size_t count = q.components(motion);
+    // How the ends of a range of use move with the dimensions is not known here.
+    if (problem.use && q.of_motion && !q.whole) return {};
+    const Motion motion = motion_of(problem, q, design);
+    const std::size_t count = count_components(q, motion);
     std::vector<double> values(count), gradient(count * q.reads.size());
     measure(q, motion, design.dimensions, {values, gradient, {}});
     std::size_t at = 0;

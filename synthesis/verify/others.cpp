@@ -99,7 +99,7 @@ void add_front(const Json& document, std::vector<Check>& checks) {
 /// The document with another design in place of its own, and nothing stated of it but its objective.
 Json with_alternative(const Json& document, const Json& entry) {
     Json alone = without_others(document);
-    for (const char* own : {"quantities", "verification", "circuit", "branch"})
+    for (const char* own : {"quantities", "verification", "circuit", "branch", "used_crank_angles"})
         alone.erase(own);
     alone["design"] = entry.value("design", Json());
     if (alone.contains("objective") && alone["objective"].is_object())

@@ -11,6 +11,7 @@
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/result.h"
+#include "synthesis/target/path/verify.h"
 #include "synthesis/verify/motion_again.h"
 
 namespace mechwright {
@@ -26,11 +27,14 @@ double plain(const Digits50& value) { return value.convert_to<double>(); }
 
 Digits50 to_radians() { return boost::math::constants::pi<Digits50>() / 180; }
 
-/// The range of the input that is given, or that of the input of a function, a line or an arc.
-std::optional<Vector<Digits50>> range_of(const Claim& claim, std::span<const Digits50> dimensions) {
+/// The range of the input that is given, the range of use, or that of the input of a function, a line or an arc.
+std::optional<Vector<Digits50>> range_of(const Rebuilt& design) {
+    const Claim& claim = *design.claim;
+    const std::span<const Digits50> dimensions = design.dimensions;
     if (claim.crank_range)
         return Vector<Digits50>{from_document(claim.crank_range->x, input_unit(*claim.mechanism), claim.units),
                                 from_document(claim.crank_range->y, input_unit(*claim.mechanism), claim.units)};
+    if (claim.use) return range_of_use_again(design);
     if (!claim.function && !claim.followed) return std::nullopt;
     const std::size_t input = claim.mechanism->input->start;
     const Digits50 start = dimensions[input], end = start + dimensions[input + 1];
@@ -147,9 +151,10 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
         return measured_path(*design.path, *design.claim->path, quantity);
     }
     // Over a given range in which the mechanism comes apart nothing has a value.
-    if (!is_defined(quantity, design.motion) || (design.claim->crank_range && !all_passed(design.of_motion)))
-        return std::nullopt;
-    const Digits50 value = measure_again(quantity, design.motion, design.dimensions);
+    const Motion& motion = motion_of(design, quantity);
+    const bool given = (design.claim->crank_range || design.claim->use) && !quantity.whole;
+    if (!is_defined(quantity, motion) || (given && !all_passed(design.of_motion))) return std::nullopt;
+    const Digits50 value = measure_again(quantity, motion, design.dimensions);
     if (!isfinite(value)) return std::nullopt;
     switch (quantity.unit) {
         case Unit::angle: return Measured{value, angular};
@@ -167,7 +172,7 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
 
 Rebuilt rebuilt(const Claim& claim) {
     const Mechanism& mechanism = *claim.mechanism;
-    Rebuilt design{&claim, {}, {}, {}, {}, 0, 0, {}};
+    Rebuilt design{&claim, {}, {}, {}, {}, {}, 0, 0, {}};
     for (std::size_t i = 0; i < claim.design.size(); ++i) {
         const DimensionKind kind = mechanism.dimensions[i].kind;
         design.dimensions.push_back(from_document(claim.design[i], unit_of(kind), claim.units));
@@ -183,14 +188,26 @@ Rebuilt rebuilt(const Claim& claim) {
         if (kind == DimensionKind::force) design.strongest += abs(design.dimensions[i]);
         if (kind == DimensionKind::rate) design.strongest += abs(design.dimensions[i]) * design.longest;
     }
-    design.motion = motion_again(mechanism, claim.assembly, design.dimensions, range_of(claim, design.dimensions));
-    design.motion.settings = claim.settings;
-    design.motion.function = claim.function.get();
-    design.motion.followed = claim.followed ? claim.followed->shape : Followed::nothing;
-    design.motion.has_instant = claim.has_instant;
-    design.of_motion = mechanism.check_motion(design.motion, design.dimensions);
     if (claim.path && claim.path->crank_angles.size() == claim.path->points.size()) design.path = rebuilt_path(design);
+    const auto over = [&](const std::optional<Vector<Digits50>>& range) {
+        Motion motion = motion_again(mechanism, claim.assembly, design.dimensions, range);
+        motion.settings = claim.settings;
+        motion.function = claim.function.get();
+        motion.followed = claim.followed ? claim.followed->shape : Followed::nothing;
+        motion.has_instant = claim.has_instant;
+        motion.is_range_of_use = claim.use.has_value();
+        return motion;
+    };
+    design.motion = over(range_of(design));
+    const bool asked_whole = std::any_of(mechanism.quantities.begin(), mechanism.quantities.end(),
+                                         [](const Quantity& quantity) { return quantity.whole; });
+    design.whole = asked_whole ? over(std::nullopt) : design.motion;
+    design.of_motion = mechanism.check_motion(design.motion, design.dimensions);
     return design;
+}
+
+const Motion& motion_of(const Rebuilt& design, const Quantity& quantity) {
+    return quantity.whole ? design.whole : design.motion;
 }
 
 bool turns_fully(const Rebuilt& design) {
@@ -209,7 +226,7 @@ const std::optional<Measured>& Measurements::of(std::size_t quantity) {
 Digits50 Measurements::end_rounding(std::size_t quantity) {
     const Quantity& q = design->claim->mechanism->quantities[quantity];
     const auto& value = of(quantity);
-    const Motion& motion = design->motion;
+    const Motion& motion = motion_of(*design, q);
     if (!value || motion.full_turn || q.path != PathMeasure::none) return 0;
     const double step =
         8 * std::numeric_limits<double>::epsilon() * std::max({1.0, std::abs(motion.from), std::abs(motion.to)});

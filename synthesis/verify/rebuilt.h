@@ -30,6 +30,7 @@ struct Rebuilt {
     std::vector<Digits50> dimensions;
     std::vector<double> rounded;  ///< the same, rounded
     Motion motion;
+    Motion whole;                     ///< the same where all of it is judged
     std::vector<Check> of_motion;     ///< of assembly, circuit and branch over the motion
     Digits50 longest;                 ///< of the lengths
     Digits50 strongest;               ///< of the forces, those of springs over the longest length among them
@@ -37,6 +38,9 @@ struct Rebuilt {
 };
 
 Rebuilt rebuilt(const Claim& claim);
+
+/// The motion over which a quantity of the design is measured.
+const Motion& motion_of(const Rebuilt& design, const Quantity& quantity);
 
 /// Whether the crank can turn fully, whatever range is asked for.
 bool turns_fully(const Rebuilt& design);

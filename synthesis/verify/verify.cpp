@@ -95,7 +95,8 @@ Check check_circuit(const Rebuilt& design) {
 bool ends_by_itself(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     const Motion& motion = design.motion;
-    return !claim.crank_range && !claim.function && !claim.followed && !motion.full_turn && motion.from <= motion.to;
+    return !claim.crank_range && !claim.use && !claim.function && !claim.followed && !motion.full_turn &&
+           motion.from <= motion.to;
 }
 
 /// A motion that ends by itself, made longer by a little, comes apart: nothing of it is left out. Where next to a
@@ -316,6 +317,7 @@ std::vector<Check> checks_of(const Claim& claim, bool infeasible, Stated parts) 
     }
     if (claim.function && !claim.function->accuracy_points.empty()) checks.push_back(check_accuracy_points(design));
     if (claim.followed && claim.followed->full_turn) checks.push_back(check_full_turn(design));
+    if (claim.use) checks.push_back(check_range_of_use(design, parts));
     if (claim.path)
         for (Check& check : check_path(design, parts))
             checks.push_back(std::move(check));

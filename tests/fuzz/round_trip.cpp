@@ -29,7 +29,7 @@ bool same(const Range& a, const Range& b);
 
 bool same(const DimensionRange& a, const DimensionRange& b) {
     return same(a.min, b.min) && same(a.max, b.max) && same(a.start, b.start) && a.named == b.named &&
-           a.tie.of == b.tie.of && same(a.tie.times, b.tie.times);
+           a.tie.terms == b.tie.terms && same(a.tie.constant, b.tie.constant);
 }
 
 bool same(const Requirement& a, const Requirement& b) {

@@ -56,6 +56,35 @@ TEST(Poses, HaveTheDistanceThatIsDefined) {
     }
 }
 
+/// The hood's hinge is judged between its poses: what its transmission angle is there, is scanned by the law of cosines
+/// over the crank angles of the range of use; beyond them the linkage comes to its limits.
+TEST(Poses, OfAHingeAreJudgedBetweenThem) {
+    const Solved s = solved(shipped("hood-hinge.toml", "poses"));
+    EXPECT_EQ(s.result.status, Status::solved);
+    const Design& design = s.result.best->design;
+    const double ground = s.dimension("ground"), crank = s.dimension("crank"), coupler = s.dimension("coupler"),
+                 rocker = s.dimension("rocker");
+    const auto transmission = [&](double angle) {
+        const double square = ground * ground + crank * crank - 2 * ground * crank * std::cos(angle);
+        return std::acos((coupler * coupler + rocker * rocker - square) / (2 * coupler * rocker));
+    };
+    constexpr double degree = std::numbers::pi / 180;
+    const bool clockwise = design.path_angles.back() < design.path_angles.front();
+    const double from = design.path_angles.front() + (clockwise ? degree : -degree);
+    const double to = design.path_angles.back() + (clockwise ? -2 : 2) * degree;
+    double least = std::numbers::pi;
+    constexpr int steps = 100000;
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = transmission(from + (to - from) * i / steps);
+        least = std::min({least, angle, std::numbers::pi - angle});
+    }
+    EXPECT_NEAR(s.value("transmission-angle-worst"), least, 1e-8);
+    EXPECT_GE(least, 30 * degree - 1e-8);
+    EXPECT_LT(s.value("transmission-angle-worst.whole"), 15 * degree);
+    EXPECT_LE(s.value("pose-max"), 0.5 * (1 + 1e-9));
+    RecordProperty("total_length", std::to_string(s.value("total-length")));
+}
+
 }  // namespace
 
 }  // namespace mechwright

@@ -113,6 +113,19 @@ TEST(TamperedDocument, OfAPathAndItsAlternativesIsNoticed) {
         "timing = \"free\"\n[objective]\nminimize = \"path-rms\"\n[solver]\nstarts = 12\n");
 }
 
+TEST(TamperedDocument, OfARangeOfUseIsNoticed) {
+    expect_noticed(
+        "mechanism = \"four-bar\"\n[dimensions]\nground = { min = 60, max = 300 }\ncrank = { min = 60, max = 400 }\n"
+        "coupler = { min = 60, max = 300 }\nrocker = { min = 60, max = 400 }\npoint-along = { min = -900, max = 900 }\n"
+        "point-across = { min = -900, max = 900 }\norigin-x = { min = -100, max = 250 }\n"
+        "origin-y = { min = -200, max = 0 }\ntilt = { min = 0, max = 360 }\nbody-angle = { min = 0, max = 360 }\n"
+        "[poses]\nposes = [[0, 0, 0], [-30, 150, 25], [-120, 350, 60]]\nlength = 300\n[motion]\n"
+        "from = \"first-target\"\nto = \"last-target\"\nbefore = 2\nafter = 1\n"
+        "[[require]]\nquantity = \"pose-max\"\nmax = 0.5\n[[require]]\n"
+        "quantity = \"transmission-angle-worst\"\nmin = 20\n[objective]\nminimize = \"total-length\"\n"
+        "[solver]\nstarts = 8\n");
+}
+
 class TamperedShippedDocument : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(TamperedShippedDocument, IsNoticed) {

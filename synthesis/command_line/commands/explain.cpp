@@ -10,6 +10,7 @@
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/mechanism/explanations/explanations.h"
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/report/names.h"
 #include "synthesis/report/section_words.h"
@@ -24,6 +25,9 @@ struct ExplainOptions {
     std::string name;
     std::string mechanism;
 };
+
+constexpr std::string_view over_whole =
+    "the whole motion, in a problem that judges a part of it: [motion] from and to, or full_turn of a line";
 
 using Mechanisms = std::vector<std::shared_ptr<const Mechanism>>;
 
@@ -70,13 +74,12 @@ std::string formulas_of(const Explanation& explanation, const Mechanisms& some) 
     return text;
 }
 
-std::string snippet_of(const Explanation& explanation) {
+std::string snippet_of(const Explanation& explanation, std::string_view name) {
     const std::size_t equals = explanation.require.find(" = ");
-    std::string text =
-        fmt::format("\nIn a problem file:\n\n  [[require]]\n  quantity = \"{}\"\n  {:<8} = {}\n", explanation.name,
-                    explanation.require.substr(0, equals), explanation.require.substr(equals + 3));
+    std::string text = fmt::format("\nIn a problem file:\n\n  [[require]]\n  quantity = \"{}\"\n  {:<8} = {}\n", name,
+                                   explanation.require.substr(0, equals), explanation.require.substr(equals + 3));
     if (!explanation.objective.empty())
-        text += fmt::format("\n  [objective]\n  {} = \"{}\"\n", explanation.objective, explanation.name);
+        text += fmt::format("\n  [objective]\n  {} = \"{}\"\n", explanation.objective, name);
     return text;
 }
 
@@ -92,10 +95,19 @@ std::string others(std::string_view related, std::string_view name) {
     return list;
 }
 
-std::string as_quantity(std::string_view name, const Mechanisms& of, bool colour) {
+/// Whether a mechanism has the quantity, and over the whole motion where that is asked for.
+bool has_quantity(const Mechanism& mechanism, std::string_view name, bool whole) {
+    const int index = find_quantity(mechanism, name);
+    return index >= 0 &&
+           (!whole || (mechanism.input && mechanism.quantities[static_cast<std::size_t>(index)].of_motion));
+}
+
+std::string as_quantity(std::string_view asked, const Mechanisms& of, bool colour) {
+    const std::string_view name = without_whole(asked);
+    const bool whole = name != asked;
     Mechanisms with;
     std::copy_if(of.begin(), of.end(), std::back_inserter(with),
-                 [&](const auto& m) { return find_quantity(*m, name) >= 0; });
+                 [&](const auto& m) { return has_quantity(*m, name, whole); });
     const Explanation* explanation = find_explanation(name);
     if (with.empty() || explanation == nullptr) return {};
     std::vector<std::string_view> units;
@@ -104,11 +116,11 @@ std::string as_quantity(std::string_view name, const Mechanisms& of, bool colour
             name_of(mechanism->quantities[static_cast<std::size_t>(find_quantity(*mechanism, name))].unit);
         if (std::find(units.begin(), units.end(), unit) == units.end()) units.push_back(unit);
     }
-    return emphasised(name, Emphasis::strong, colour) + fmt::format(": quantity, {}\n\n", fmt::join(units, " or ")) +
+    return emphasised(asked, Emphasis::strong, colour) + fmt::format(": quantity, {}\n\n", fmt::join(units, " or ")) +
            folded("", explanation->what) + "\n" + line("of", listed_mechanisms(with)) +
-           line("over", explanation->over) + formulas_of(*explanation, with) + line("usual", explanation->usual) +
-           line("undefined", explanation->undefined) + line("see also", others(explanation->related, name)) +
-           snippet_of(*explanation);
+           line("over", whole ? over_whole : explanation->over) + formulas_of(*explanation, with) +
+           line("usual", explanation->usual) + line("undefined", explanation->undefined) +
+           line("see also", others(explanation->related, name)) + snippet_of(*explanation, asked);
 }
 
 std::string kind_of(const Dimension& dimension) {

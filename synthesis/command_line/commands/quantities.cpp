@@ -12,6 +12,7 @@
 #include "synthesis/report/json_text.h"
 #include "synthesis/report/names.h"
 #include "synthesis/report/signal_words.h"
+#include "synthesis/report/text/sections.h"
 #include "synthesis/report/text/table.h"
 
 namespace mechwright {
@@ -74,8 +75,9 @@ int show_those_of_file(const Options& options, Console& console) {
     ReadProblem read;
     if (const int code = read_and_report(options.name, true, console, read); code != exit_code::solved) return code;
     std::string more;
+    if (read.problem.use) more = "\n" + folded("Range of use: ", words_of_use(read.problem));
     if (const LinkageModel* linkage = read.problem.mechanism->model.as<LinkageModel>())
-        more = linkage->signals.empty() ? "\nMore is asked of signals, in [signals]: mechwright explain signals\n"
+        more += linkage->signals.empty() ? "\nMore is asked of signals, in [signals]: mechwright explain signals\n"
                                         : "\n" + words_of_signals();
     return show({read.problem.mechanism}, options, more, console);
 }

@@ -162,6 +162,12 @@ struct VelocityRatioExtreme {
 
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out) {
+        return components(motion, x, out, fixed_ends<T>(motion));
+    }
+
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, links>& x, Components<T> out,
+                                  const Ends<T>& ends) {
         const FourBar<T> m = linkage(x);
         const FourBar<double> plain = converted<double>(m);
         const Assembly assembly = assembly_of(motion);
@@ -170,16 +176,19 @@ struct VelocityRatioExtreme {
         struct Found {
             double angle;
             double value;
-            bool stationary;
+            const T* end;  ///< null where the ratio is stationary
         };
         const auto ratio = [&]<class U>(const std::array<U, links>& lengths, const U& angle) {
             return velocity_ratio(linkage(lengths), angle, assembly);
         };
         std::array<Found, VelocityRatioExtremes::capacity> found{};
         for (std::size_t i = 0; i < extremes.count; ++i) {
-            const bool end = !motion.full_turn && (i == 0 || i + 1 == extremes.count);
-            found[i] = {extremes.at[i], velocity_ratio(plain, extremes.at[i], assembly), !end};
-            if (end && is_toggle(plain, half_turn(extremes.at[i])))
+            const bool first = !motion.full_turn && i == 0, last = !motion.full_turn && i + 1 == extremes.count;
+            found[i] = {extremes.at[i], velocity_ratio(plain, extremes.at[i], assembly),
+                        first  ? &ends.from
+                        : last ? &ends.to
+                               : nullptr};
+            if (found[i].end != nullptr && is_toggle(plain, half_turn(extremes.at[i])))
                 found[i].value = velocity_ratio_at_toggle(plain, extremes.at[i], assembly);
         }
         // The worst first, of equals the one that comes first. A stable sort of the library would allocate.
@@ -196,7 +205,7 @@ struct VelocityRatioExtreme {
             if (std::isinf(f.value))  // at a toggle
                 out[k] = T(f.value);
             else
-                out[k] = f.stationary ? at_stationary(x, f.angle, ratio) : ratio(x, T(f.angle));
+                out[k] = f.end == nullptr ? at_stationary(x, f.angle, ratio) : ratio(x, *f.end);
         }
         return count;
     }

@@ -75,11 +75,15 @@ std::vector<Quantity> over_input() {
     return {
         input_transmission_quantity<RockerTransmission, TransmissionExtreme::least>("transmission-angle-min", links),
         input_transmission_quantity<RockerTransmission, TransmissionExtreme::greatest>("transmission-angle-max", links),
-        input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst", links)};
+        input_transmission_quantity<RockerTransmission, TransmissionExtreme::worst>("transmission-angle-worst", links),
+        moving_quantity<VelocityRatioExtreme<-1>, limited_range, VelocityRatioExtreme<-1>::most>(
+            "velocity-ratio-min", links, Unit::none, Reduce::least, true),
+        moving_quantity<VelocityRatioExtreme<1>, limited_range, VelocityRatioExtreme<1>::most>(
+            "velocity-ratio-max", links, Unit::none, Reduce::greatest, true)};
 }
 
 std::vector<Quantity> quantities() {
-    return {
+    std::vector<Quantity> all{
         {"time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1", Reduce::greatest,
          links, of_crank_rocker, components<2>, measure_by<TimeRatio>, time_ratio_again},
         {"swing", Unit::angle, "angle through which the rocker swings over a full turn of the crank", Reduce::only,
@@ -107,6 +111,9 @@ std::vector<Quantity> quantities() {
          "p + q - s - l: the middle links less shortest and longest; < 0: no link turns fully", Reduce::least, links,
          of_any, grashof_components, measure_by<GrashofMargin>, grashof_margin_again},
     };
+    for (Quantity& quantity : all)
+        quantity.of_motion = quantity.defined == of_known_range;
+    return all;
 }
 
 std::vector<Quantity> at_an_instant() {

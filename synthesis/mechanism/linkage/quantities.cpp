@@ -379,6 +379,9 @@ Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, Link
     quantity.components = measuring::components;
     quantity.measure = measuring::measure_over_motion;
     quantity.worst_first = measuring::component_count(of.kind) > 1;
+    using Kind = LinkageMeasure::Kind;
+    quantity.of_motion =
+        of.kind != Kind::total_length && of.kind != Kind::link_ratio && of.kind != Kind::full_turn_margin;
     quantity.of = Model(std::move(of));
     return quantity;
 }

@@ -71,7 +71,9 @@ std::vector<Quantity> ram_quantities(const char* total_length, const char* trans
     constexpr std::size_t reads = Layout<Drive>::reads;
     const auto quantity = [](const char* name, Unit unit, const char* meaning, Reduce reduce, auto defined,
                              auto components, auto measure, auto again) {
-        return Quantity{name, unit, meaning, reduce, reads, defined, components, measure, again};
+        Quantity made{name, unit, meaning, reduce, reads, defined, components, measure, again};
+        made.of_motion = made.defined != of_any;
+        return made;
     };
     return {
         quantity("time-ratio", Unit::none, "time of the slow stroke over time of the fast stroke, >= 1",

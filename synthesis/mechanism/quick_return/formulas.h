@@ -33,6 +33,12 @@ struct Stroke {
     static constexpr std::size_t most = (turning_points + 2) * (turning_points + 1);
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        return components(motion, x, out, fixed_ends<T>(motion));
+    }
+
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out,
+                                  const Ends<T>& ends) {
         if (motion.family == full_turn) {
             out[0] = stroke(Layout<Drive>::make(x, motion.assembly));
             return 1;
@@ -44,13 +50,14 @@ struct Stroke {
         const auto inside =
             stationary_places<turning_points>(ram_position_extremes(plain, range_of(motion)), motion.from,
                                               [&](double angle) { return ram_position(plain, angle); });
-        const auto at_end = [&](double angle) {
-            return rod_is_square(plain, angle) ? square_position(Layout<Drive>::make(x, motion.assembly), T(angle))
-                                               : position(x, T(angle));
+        const auto at_end = [&](const T& angle) {
+            return rod_is_square(plain, value_of(angle))
+                       ? square_position(Layout<Drive>::make(x, motion.assembly), angle)
+                       : position(x, angle);
         };
         std::array<T, turning_points + 2> at;
-        at[0] = at_end(motion.from);
-        at[1] = at_end(motion.to);
+        at[0] = at_end(ends.from);
+        at[1] = at_end(ends.to);
         for (std::size_t k = 0; k < turning_points; ++k)
             at[k + 2] = value_at(x, inside[k], position);
         return differences(at, out);
@@ -64,7 +71,7 @@ namespace detail {
 template <std::size_t stationary_points, class Drive, class T, std::size_t reads, class Measure>
 std::size_t absolute_values(const Motion& motion, const Drive& drive, const std::array<T, reads>& x,
                             const RamExtremes& extremes, const std::array<double, reads>& plain, const Measure& measure,
-                            Components<T> out) {
+                            Components<T> out, const Ends<T>& ends) {
     using std::abs;
     const auto places = stationary_places<stationary_points>(
         extremes, motion.from, [&](double angle) { return std::abs(measure(plain, angle)); });
@@ -72,9 +79,9 @@ std::size_t absolute_values(const Motion& motion, const Drive& drive, const std:
     for (const RamPlace& place : places)
         out[count++] = abs(value_at(x, place, measure));
     if (motion.full_turn) return count;
-    for (const double end : {motion.from, motion.to})
-        out[count++] =
-            is_dead_position(drive, end) ? T(std::numeric_limits<double>::infinity()) : T(abs(measure(x, T(end))));
+    for (const T& end : {ends.from, ends.to})
+        out[count++] = is_dead_position(drive, value_of(end)) ? T(std::numeric_limits<double>::infinity())
+                                                              : T(abs(measure(x, end)));
     return count;
 }
 
@@ -96,13 +103,19 @@ struct RamSpeedMax {
     static constexpr std::size_t most = stationary_points + 2;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        return components(motion, x, out, fixed_ends<T>(motion));
+    }
+
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out,
+                                  const Ends<T>& ends) {
         const auto speed = [&]<class U>(const std::array<U, reads>& dimensions, const U& angle) {
             return ram_velocity(Layout<Drive>::make(dimensions, motion.assembly), angle);
         };
         const auto plain = detail::plain_of(x);
         const auto drive = Layout<Drive>::make(plain, motion.assembly);
         const auto extremes = ram_velocity_extremes(drive, range_of(motion));
-        return detail::absolute_values<stationary_points>(motion, drive, x, extremes, plain, speed, out);
+        return detail::absolute_values<stationary_points>(motion, drive, x, extremes, plain, speed, out, ends);
     }
 };
 
@@ -114,13 +127,20 @@ struct RamAccelerationMax {
     static constexpr std::size_t most = stationary_points + 2;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        return components(motion, x, out, fixed_ends<T>(motion));
+    }
+
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out,
+                                  const Ends<T>& ends) {
         const auto acceleration_at = [&]<class U>(const std::array<U, reads>& dimensions, const U& angle) {
             return ram_acceleration(Layout<Drive>::make(dimensions, motion.assembly), angle);
         };
         const auto plain = detail::plain_of(x);
         const auto drive = Layout<Drive>::make(plain, motion.assembly);
         const auto extremes = ram_acceleration_extremes(drive, range_of(motion));
-        return detail::absolute_values<stationary_points>(motion, drive, x, extremes, plain, acceleration_at, out);
+        return detail::absolute_values<stationary_points>(motion, drive, x, extremes, plain, acceleration_at, out,
+                                                          ends);
     }
 };
 

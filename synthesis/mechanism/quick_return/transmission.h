@@ -45,7 +45,8 @@ inline constexpr std::size_t limited_places = turning_points + 2;
 
 /// Over a limited motion: at both ends and where the rod stops turning.
 template <template <class> class Drive, class T>
-std::size_t at_ram_in_range(const Motion& motion, const std::array<T, Layout<Drive>::reads>& x, Components<T> out) {
+std::size_t at_ram_in_range(const Motion& motion, const std::array<T, Layout<Drive>::reads>& x, Components<T> out,
+                            const Ends<T>& ends) {
     constexpr std::size_t reads = Layout<Drive>::reads;
     const auto angle_at = [&]<class U>(const std::array<U, reads>& dimensions, const U& crank_angle) {
         return transmission_angle(ram_of(pose_at(Layout<Drive>::make(dimensions, motion.assembly), crank_angle)));
@@ -53,8 +54,8 @@ std::size_t at_ram_in_range(const Motion& motion, const std::array<T, Layout<Dri
     const Drive<double> plain = converted<double>(Layout<Drive>::make(x, motion.assembly));
     const auto slope = [&](double crank_angle) { return ram_of(pose_at(plain, crank_angle)).rod.y; };
     const auto inside = stationary_places<turning_points>(rod_extremes(plain, range_of(motion)), motion.from, slope);
-    out[0] = rod_is_square(plain, motion.from) ? T(0) : angle_at(x, T(motion.from));
-    out[1] = rod_is_square(plain, motion.to) ? T(0) : angle_at(x, T(motion.to));
+    out[0] = rod_is_square(plain, motion.from) ? T(0) : angle_at(x, ends.from);
+    out[1] = rod_is_square(plain, motion.to) ? T(0) : angle_at(x, ends.to);
     for (std::size_t k = 0; k < turning_points; ++k)
         out[k + 2] = value_at(x, inside[k], angle_at);
     return limited_places;
@@ -85,7 +86,7 @@ std::size_t of_four_bar(const Motion& motion, const std::array<T, Layout<Drive>:
 
 template <template <class> class Drive, class T>
 std::size_t least_over(const Motion& motion, const std::array<T, Layout<Drive>::reads>& x, Components<T> out) {
-    if (motion.family != full_turn) return at_ram_in_range<Drive>(motion, x, out);
+    if (motion.family != full_turn) return at_ram_in_range<Drive>(motion, x, out, fixed_ends<T>(motion));
     const std::array<T, 2> least = least_at_ram(Layout<Drive>::make(x, motion.assembly));
     std::copy(least.begin(), least.end(), out.begin());
     return least.size();
@@ -110,12 +111,18 @@ struct TransmissionAngleMax {
     static constexpr std::size_t most = detail::limited_places + four_bar::TransmissionAngleMax::most;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        return components(motion, x, out, fixed_ends<T>(motion));
+    }
+
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out,
+                                  const Ends<T>& ends) {
         const auto m = Layout<Drive>::make(x, motion.assembly);
         std::size_t count = 1;
         if (motion.family == full_turn) {
             out[0] = detail::greatest_at_ram(m);
         } else {
-            count = detail::at_ram_in_range<Drive>(motion, x, out);
+            count = detail::at_ram_in_range<Drive>(motion, x, out, ends);
             if (detail::rod_along_slide<Drive>(motion, converted<double>(m))) out[0] = T(0.5 * pi<double>());
         }
         return count + detail::of_four_bar<Drive, four_bar::TransmissionAngleMax>(motion, x, out.subspan(count));

@@ -49,8 +49,15 @@ FunctionGeneration ram_function() {
 std::vector<Quantity> over_input() {
     return {
         input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-min", ram_links),
-        input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst",
-                                                                                 ram_links)};
+        input_transmission_quantity<RodTransmission, TransmissionExtreme::least>("transmission-angle-worst", ram_links),
+        moving_quantity<TransmissionAngleMax<SliderCrank>, limited_range, quick_return::detail::limited_places>(
+            "transmission-angle-max", ram_links, Unit::angle, Reduce::greatest),
+        moving_quantity<Stroke<SliderCrank>, limited_range, Stroke<SliderCrank>::most>("stroke", ram_links,
+                                                                                       Unit::length, Reduce::greatest),
+        moving_quantity<RamSpeedMax<SliderCrank>, limited_range, RamSpeedMax<SliderCrank>::most>(
+            "ram-speed-max", ram_links, Unit::length, Reduce::greatest),
+        moving_quantity<RamAccelerationMax<SliderCrank>, limited_range, RamAccelerationMax<SliderCrank>::most>(
+            "ram-acceleration-max", ram_links, Unit::length, Reduce::greatest)};
 }
 
 // Coefficients of crank, rod, offset.

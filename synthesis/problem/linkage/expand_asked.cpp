@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/linkage/expanding.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml/made_table.h"
@@ -31,7 +32,7 @@ struct Asking {
 
 const Counterpart* find_counterpart(const Expanding& e, std::string_view quantity) {
     const auto at = std::find_if(e.as.quantities.begin(), e.as.quantities.end(),
-                                 [&](const Counterpart& one) { return one.quantity == quantity; });
+                                 [&](const Counterpart& one) { return one.quantity == without_whole(quantity); });
     return at == e.as.quantities.end() ? nullptr : &*at;
 }
 
@@ -45,10 +46,10 @@ struct NamedCounterparts {
     Counterpart::By by = Counterpart::By::same;
 };
 
-/// Whether a quantity of the kind that is measured over its whole motion would be one over the input range of a target:
-/// signals and transmission angles of a linkage are.
+/// Whether a quantity of the kind that is measured over its whole motion would be one over the input range of a target,
+/// or over a range of use: signals and transmission angles of a linkage are.
 bool loses_its_motion(const Expanding& e, const Counterpart& counterpart) {
-    if (!has_input_range(e.problem) || counterpart.is.front().find('.') == std::string_view::npos) return false;
+    if (!has_moving_ends(e.problem) || counterpart.is.front().find('.') == std::string_view::npos) return false;
     const auto& over_input = e.problem.mechanism->input->quantities;
     return std::none_of(over_input.begin(), over_input.end(),
                         [&](const Quantity& quantity) { return quantity.name == counterpart.quantity; });
@@ -72,15 +73,17 @@ NamedCounterparts counterpart_names(Asking& asking, const toml::node& node) {
                                "does not: require that in its place",
                                counterpart->is.front())),
                NamedCounterparts{};
-    if (loses_its_motion(asking.e, *counterpart))
+    const bool loses = loses_its_motion(asking.e, *counterpart);
+    if (loses && !asking.e.problem.use)
         return refuse_quantity(
                    asking, node, quantity,
                    "beside [line], [arc] or [function] its signals are measured over the input range alone"),
                NamedCounterparts{};
     asking.assure(*counterpart);
+    const bool whole = loses || without_whole(quantity) != quantity;
     NamedCounterparts named{{}, counterpart->by};
     for (const std::string_view name : counterpart->is)
-        if (!name.empty()) named.names.emplace_back(name);
+        if (!name.empty()) named.names.push_back(std::string(name) + std::string(whole ? whole_suffix : ""));
     return named;
 }
 

@@ -12,6 +12,7 @@
 #include "analysis/linkage/travel.h"
 #include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/mechanism/linkage/mechanism.h"
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/linkage/larger_groups.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/linkage/sides.h"
@@ -315,7 +316,9 @@ std::shared_ptr<const Mechanism> mechanism_of(const Linkage& linkage, std::strin
     std::vector<NamedMeasure> asked;
     std::string fault;
     for (const std::string& name : quantities)
-        if (const auto quantity = to_linkage_quantity(linkage, name, fault)) asked.push_back({name, *quantity});
+        if (const std::string plain(without_whole(name));
+            const auto quantity = to_linkage_quantity(linkage, plain, fault))
+            asked.push_back({plain, *quantity});
     Mechanism made = linkage_mechanism(std::move(model), dimensions_of(linkage), asked);
     made.assemblies = std::move(assemblies.names);
     made.assembly_documents = std::move(assemblies.documents);
@@ -355,39 +358,11 @@ namespace reading {
 
 namespace {
 
-void add_quantities(const toml::node* node, std::vector<std::string>& names) {
-    if (node == nullptr) return;
-    if (const auto name = node->value_exact<std::string>()) names.push_back(*name);
-    if (const toml::array* list = node->as_array())
-        for (const toml::node& entry : *list)
-            add_quantities(&entry, names);
-}
-
 /// The section of the target.
 const toml::node* target_of(const toml::table& table) {
     for (const char* target : {"path", "poses", "function", "line", "arc"})
         if (const toml::node* node = table.get(target)) return node;
     return nullptr;
-}
-
-/// The quantities that a file names, in the order of the sections that can.
-std::vector<std::string> quantities_in(const toml::table& table) {
-    std::vector<std::string> names;
-    const auto add = [&](const toml::node& section) {
-        const toml::table* one = section.as_table();
-        if (one == nullptr) return;
-        for (const char* key : {"quantity", "minimize", "maximize", "report"})
-            add_quantities(one->get(key), names);
-    };
-    for (const char* section : {"require", "objective", "study"}) {
-        const toml::node* node = table.get(section);
-        if (node == nullptr) continue;
-        add(*node);
-        if (const toml::array* list = node->as_array())
-            for (const toml::node& entry : *list)
-                add(entry);
-    }
-    return names;
 }
 
 }  // namespace
@@ -404,6 +379,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     problem.title = linkage.title;
     problem.units = linkage.units;
     problem.mechanism = mechanism_of(linkage, sections_of_linkage(table).dump(), quantities_in(table));
+    add_whole_quantities(table, problem);
     const LinkageModel& model = linkage_of(problem.mechanism->model.data());
     if (greatest_turn(model, usual(ranges_of(linkage))) > fastest_link)
         return add_error(messages, place_of(*table.get("drive")),
@@ -434,6 +410,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     read_solver(file, problem, once_more);
     read_path(file, problem, messages);
     read_poses(file, problem, messages);
+    read_range_of_use(file, problem, messages);
     read_function(file, problem, messages);
     read_followed(file, problem, messages);
     resolve_ties(file, problem, messages);

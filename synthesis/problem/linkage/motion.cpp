@@ -33,6 +33,7 @@ void read_linkage_motion(LinkageReading& reading) {
             reading.made.crank_range = {input(reading, (*range)[0]), input(reading, (*range)[1])};
         if (reading.made.crank_range && !reading.made.at) reading.made.at = reading.made.crank_range->x;
     }
+    accept_range_of_use(*section);
     report_unknown_keys(*section, reading.messages);
 }
 

@@ -44,6 +44,7 @@ struct Limits {
 };
 
 inline constexpr Limits positive{.least = 0, .above = true};
+inline constexpr Limits not_negative{.least = 0};
 
 struct Key {
     std::string_view name;

@@ -24,6 +24,8 @@ inline constexpr Words<4> mass_units{"g", "kg", "t", "lb"};
 inline constexpr Words<3> rotations{"ccw", "cw", "either"};
 inline constexpr Words<3> path_timings{"free", "prescribed", "none"};
 inline constexpr Words<2> pose_timings{"free", "prescribed"};
+inline constexpr Words<1> use_begins{"first-target"};
+inline constexpr Words<1> use_ends{"last-target"};
 inline constexpr Words<1> reductions{"max"};
 inline constexpr Words<4> designs{"grid", "one-at-a-time", "sobol", "latin-hypercube"};
 inline constexpr Words<2> spacings{"linear", "log"};
@@ -105,7 +107,24 @@ inline constexpr std::array requirement{Key{"quantity", Shape::text, "What is li
 
 inline constexpr std::array motion{
     Key{"crank_range", Shape::ends, "Crank angles over which the mechanism is judged, where not over a full turn."},
-    Key{"at", Shape::number, "Of a linkage: a crank angle of the motion that is meant."}};
+    Key{"at", Shape::number, "Of a linkage: a crank angle of the motion that is meant."},
+    Key{"from", Shape::word, "Beside [path] or [poses]: judged is from the first target that is met, ...", false,
+        use_begins},
+    Key{"to", Shape::word, "... to the last; NAME.whole is the quantity NAME over the whole motion.", false, use_ends},
+    Key{"before",
+        Shape::number,
+        "Crank angle that is judged before the first target, too. Preset: 0.",
+        false,
+        {},
+        {},
+        not_negative},
+    Key{"after",
+        Shape::number,
+        "Crank angle that is judged after the last target, too. Preset: 0.",
+        false,
+        {},
+        {},
+        not_negative}};
 
 inline constexpr std::array scale{
     Key{"start", Shape::tied_range, "Where it stands at the first x: a number, or a range that is designed.", true},

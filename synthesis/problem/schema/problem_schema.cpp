@@ -8,6 +8,7 @@
 #include <string>
 
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/schema/json_schema.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
@@ -84,10 +85,13 @@ Json tolerance_of(const Mechanism& mechanism) {
     return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
 }
 
-Names quantities_of(const Mechanism& mechanism) {
-    Names names;
+/// Those over the whole motion among them, where it has them.
+std::vector<std::string> quantities_of(const Mechanism& mechanism) {
+    std::vector<std::string> names;
     for (const Quantity& quantity : mechanism.quantities)
         names.push_back(quantity.name);
+    for (const Quantity& quantity : mechanism.quantities)
+        if (mechanism.input && quantity.of_motion) names.push_back(quantity.name + std::string(whole_suffix));
     return names;
 }
 

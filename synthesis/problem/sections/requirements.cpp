@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
@@ -123,6 +124,29 @@ void compare_with_variables(const Problem& problem, const std::vector<Bounds>& b
                                 equalities, variables.size()));
 }
 
+/// Whether a quantity is of the whole motion alone, and has no value over a part of it.
+bool is_of_whole_alone(const Mechanism& mechanism, const Quantity& quantity) {
+    if (!quantity.of_motion || quantity.whole) return false;
+    const auto& moving = mechanism.input->quantities;
+    const auto same =
+        std::find_if(moving.begin(), moving.end(), [&](const Quantity& one) { return one.name == quantity.name; });
+    Motion over;
+    over.is_range_of_use = true;
+    return same == moving.end() || !is_defined(*same, over);
+}
+
+/// Why there is no NAME.whole beside a quantity that there is.
+std::string why_not_whole(const Problem& problem, std::size_t quantity) {
+    const Quantity& q = problem.mechanism->quantities[quantity];
+    if (!q.of_motion)
+        return fmt::format("'{0}' is the same over any part of the motion: write '{0}' without '{1}'", q.name,
+                           whole_suffix);
+    return fmt::format(
+        "'{0}{1}' has no value here, where no part of a greater motion is judged: write '{0}', or give "
+        "the motion a range of use, from = \"first-target\" and to = \"last-target\" in [motion]",
+        q.name, whole_suffix);
+}
+
 }  // namespace
 
 std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view what, const Section& file,
@@ -132,11 +156,27 @@ std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view 
     std::vector<std::string_view> names;
     for (const Quantity& quantity : quantities)
         names.push_back(quantity.name);
+    if (const auto named = node.value<std::string_view>(); named && without_whole(*named) != *named) {
+        const int whole = find_quantity(*problem.mechanism, *named);
+        if (whole >= 0) return static_cast<std::size_t>(whole);
+        const int plain = find_quantity(*problem.mechanism, without_whole(*named));
+        if (plain >= 0)
+            return add_error(messages, place_of(node), why_not_whole(problem, static_cast<std::size_t>(plain))),
+                   std::nullopt;
+    }
     const auto index = to_choice(node, what, "quantity", names, messages);
     if (!index) return {};
+    const int own = find_quantity(*problem.mechanism, quantities[*index].name);
+    if (problem.use && own >= 0 &&
+        is_of_whole_alone(*problem.mechanism, problem.mechanism->quantities[static_cast<std::size_t>(own)]))
+        return add_error(
+                   messages, place_of(node),
+                   fmt::format("'{0}' is of the whole motion, and has no value over the range of use in [motion]: "
+                               "write '{0}{1}'",
+                               names[*index], whole_suffix)),
+               std::nullopt;
     const std::string& section = quantities[*index].section;
-    if (section.empty() || has(file, section))
-        return static_cast<std::size_t>(find_quantity(*problem.mechanism, quantities[*index].name));
+    if (section.empty() || has(file, section)) return static_cast<std::size_t>(own);
     add_error(messages, place_of(node),
               fmt::format("'{}' has no value here: there is no [{}] section", names[*index], section));
     return {};

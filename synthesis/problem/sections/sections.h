@@ -43,6 +43,15 @@ void read_poses(Section& file, Problem& problem, Messages& messages);
 /// Velocities and accelerations at one crank angle, as requirements; after those of [[require]].
 void read_instant(Section& file, Problem& problem, Messages& messages);
 void read_motion(Section& file, Problem& problem, Messages& messages);
+/// That [motion] may have the keys of the range of use.
+void accept_range_of_use(Section& motion);
+/// The range of use, in [motion]: after the targets.
+void read_range_of_use(Section& file, Problem& problem, Messages& messages);
+/// The quantities that a file names, in the order of the sections that can.
+std::vector<std::string> quantities_in(const toml::table& file);
+/// Adds quantities over the whole motion to the mechanism of a file that judges designs over a part of it: where it has
+/// a range of use, or where the crank turns fully beyond an input range, and it names such a quantity.
+void add_whole_quantities(const toml::table& file, Problem& problem);
 /// The sections that the mechanism's settings stand in.
 void read_settings(Section& file, Problem& problem, Messages& messages);
 void read_solver(Section& file, Problem& problem, Messages& messages);

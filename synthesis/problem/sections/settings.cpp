@@ -98,6 +98,7 @@ void read_motion(Section& file, Problem& problem, Messages& messages) {
             problem.crank_range = {to_radians(problem.units, (*range)[0]), to_radians(problem.units, (*range)[1])};
         }
     }
+    accept_range_of_use(*section);
     report_unknown_keys(*section, messages);
 }
 

@@ -61,8 +61,8 @@ FinishedDesign finished_design(const Problem& problem, const Design& design) {
 
 nlohmann::ordered_json with_other_design(const nlohmann::ordered_json& document, const nlohmann::ordered_json& other) {
     nlohmann::ordered_json shown = document;
-    for (const char* own :
-         {"objective", "quantities", "verification", "front", "alternatives", "note", "warnings", "circuit", "branch"})
+    for (const char* own : {"objective", "quantities", "verification", "front", "alternatives", "note", "warnings",
+                            "circuit", "branch", "used_crank_angles"})
         shown.erase(own);
     for (const auto& [member, value] : other.items())
         shown[member] = value;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/names.h"
@@ -58,7 +59,7 @@ struct UnitsOf {
         units.force = text_in(object_in(document, "units"), "force");
     }
     std::string of_quantity(std::string_view name) const {
-        const int i = mechanism ? find_quantity(*mechanism, name) : -1;
+        const int i = mechanism ? find_quantity(*mechanism, without_whole(name)) : -1;
         return i < 0 ? "" : unit_label(mechanism->quantities[static_cast<std::size_t>(i)].unit, units);
     }
     std::string of_dimension(std::string_view name) const {
@@ -238,6 +239,18 @@ std::string standing_sentence(const Json& document) {
 
 namespace {
 
+/// Which crank angles the design is judged over, where that is a range of use.
+std::string range_of_use_text(const Json& document, const UnitsOf& units) {
+    const Json& used = list_in(document, "used_crank_angles");
+    if (used.size() != 2) return {};
+    const std::string unit = unit_label(Unit::angle, units.units);
+    return fmt::format(
+        "<p>Range of use: crank angles from {} {} to {} {}, between the first and the last target. Quantities, plots "
+        "and "
+        "motion are over it; NAME{} is the quantity NAME over the whole motion.</p>",
+        cell_text(used[0]), unit, cell_text(used[1]), unit, whole_suffix);
+}
+
 /// Where the design stands close to a singular position.
 std::string warnings_of(const Json& document) {
     std::string text;
@@ -256,7 +269,7 @@ std::string tables_of(const Json& document) {
     const std::string defect = text_in(document, "defect");
     const std::string warning =
         defect.empty() ? "" : "<p class=\"bad\">Excluded by a defect: " + escaped(defect) + "</p>";
-    return warning + warnings_of(document) + dimensions_table(document, units) +
+    return warning + warnings_of(document) + dimensions_table(document, units) + range_of_use_text(document, units) +
            table_of("Objective", {"", "value", "unit"}, objective_rows(object_in(document, "objective"), units)) +
            requirements_table(document, units) + in_details("Quantities", quantities_table(document, units)) +
            targets_table(document) + verification_table(document) + search_table(document);

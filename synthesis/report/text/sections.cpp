@@ -8,6 +8,7 @@
 #include "synthesis/document/cam_document.h"
 #include "synthesis/document/document.h"
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
@@ -139,6 +140,16 @@ std::string requirement_section(const Problem& problem, const Design& design, bo
         if (requirement.max) add("<=", *requirement.max, reached - *requirement.max);
     }
     return heading("Requirements", colour) + to_text(table, 2);
+}
+
+std::string words_of_use(const Problem& problem) {
+    const auto beyond = [&](double margin, std::string_view which) {
+        return margin > 0 ? fmt::format("{} {} the ", value_with_unit(margin, Unit::angle, problem.units), which)
+                          : "the ";
+    };
+    return fmt::format(
+        "from {}first target to {}last. Quantities are over it, and NAME{} is NAME over the whole motion.",
+        beyond(problem.use->before, "before"), beyond(problem.use->after, "after"), whole_suffix);
 }
 
 std::string quantity_section(const Problem& problem, const Design& design, bool colour) {

@@ -24,6 +24,9 @@ std::string objective_section(const Problem& problem, const Solution& solution, 
 /// One line per limit: what is required, what is reached, and how far apart they are.
 std::string requirement_section(const Problem& problem, const Design& design, bool colour);
 
+/// How far the range of use of a problem reaches, and what quantities are over.
+std::string words_of_use(const Problem& problem);
+
 /// Every quantity that is defined for the design.
 std::string quantity_section(const Problem& problem, const Design& design, bool colour);
 

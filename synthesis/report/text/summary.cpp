@@ -263,8 +263,11 @@ std::string motion_line(const Problem& problem, const Design& design) {
     const auto found = circuit_of(problem, design);
     const std::string where = found ? fmt::format(", on branch {} of circuit {}", found->branch, found->circuit) : "";
     if (motion.full_turn) return fmt::format("\nThe crank turns fully{}.\n", where);
-    return fmt::format("\nMotion: {}s from {} to {}{}.\n", input, value_with_unit(motion.from, unit, problem.units),
-                       value_with_unit(motion.to, unit, problem.units), where);
+    const std::string range =
+        fmt::format("{}s from {} to {}{}", input, value_with_unit(motion.from, unit, problem.units),
+                    value_with_unit(motion.to, unit, problem.units), where);
+    return problem.use ? '\n' + folded("", fmt::format("Range of use: {}; {}", range, words_of_use(problem)))
+                       : fmt::format("\nMotion: {}.\n", range);
 }
 
 /// Where the design stands close to a singular position.
@@ -286,6 +289,7 @@ std::string summary(const Problem& problem, const Result& result, bool colour) {
         const Solution& best = *result.best;
         if (!best.feasible) text += obstacle(problem, best);
         text += design_section(problem, best.design, colour) + objective_section(problem, best, colour) +
+                (problem.use ? motion_line(problem, best.design) : "") +
                 requirement_section(problem, best.design, colour) + path_section(problem, best.design, colour) +
                 error_section(problem, best.design, colour) + warning_section(problem, best.design) +
                 verification_section(result.verification, colour);

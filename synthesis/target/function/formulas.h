@@ -279,7 +279,7 @@ std::vector<Quantity> function_quantities(const Reads& reads, Unit unit, const c
 }
 
 inline bool has_input_range(const Motion& motion) {
-    return motion.function != nullptr || motion.followed != Followed::nothing;
+    return motion.function != nullptr || motion.followed != Followed::nothing || motion.is_range_of_use;
 }
 
 /// Whether a crank that turns from one angle to another, either way, passes a third.
@@ -326,6 +326,35 @@ Quantity input_quantity(const char* name, const Reads& reads, Unit unit, Reduce 
             .defined = has_input_range,
             .components = always<Formula::most>,
             .measure = measure_by<Formula>};
+}
+
+/// A formula of a limited motion (Ends) over the input range: start and range are its last arguments.
+template <class Formula, std::size_t limited_family>
+struct OverInput {
+    static constexpr std::size_t reads = Formula::reads + 2;
+    static constexpr std::size_t most = Formula::most;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        std::array<T, Formula::reads> own;
+        std::copy_n(x.begin(), own.size(), own.begin());
+        Ends<T> ends{x[own.size()], x[own.size()] + x[own.size() + 1]};
+        if (value_of(ends.to) < value_of(ends.from)) std::swap(ends.from, ends.to);
+        Motion over = motion;
+        over.family = limited_family;
+        over.full_turn = false;
+        over.from = value_of(ends.from);
+        over.to = value_of(ends.to);
+        return Formula::components(over, own, out, ends);
+    }
+};
+
+/// What stands in over the input range for a quantity by such a formula, which has so many components there.
+template <class Formula, std::size_t limited_family, std::size_t count>
+Quantity moving_quantity(const char* name, const Reads& reads, Unit unit, Reduce reduce, bool worst_first = false) {
+    Quantity quantity = input_quantity<OverInput<Formula, limited_family>>(name, reads, unit, reduce);
+    quantity.components = always<count>;
+    quantity.worst_first = worst_first;
+    return quantity;
 }
 
 template <class Transmission, TransmissionExtreme extreme>

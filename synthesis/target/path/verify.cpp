@@ -181,6 +181,25 @@ std::vector<Range> sweeps(const Rebuilt& design) {
     return possible;
 }
 
+/// From the least to the greatest crank angle of the targets in the shortest stretch with all of them.
+Range stretch_between(const Rebuilt& design) {
+    const ClaimedPath& path = *design.claim->path;
+    std::vector<Range> ranges;
+    for (std::size_t target = 0; target < path.targets(); ++target)
+        ranges.push_back(range_of(design.path->crank_angles, path.points_of(target)));
+    return shortest_over(ranges, cycle(design));
+}
+
+/// Whether the targets are met as crank angles fall.
+bool met_clockwise(const Rebuilt& design) {
+    const ClaimedPath& path = *design.claim->path;
+    const std::vector<Digits50>& angles = design.path->crank_angles;
+    for (std::size_t target = 0; target < path.targets(); ++target)
+        if (const PointRange points = path.points_of(target); points.count > 1)
+            return angles[points.end() - 1] < angles[points.first];
+    return false;
+}
+
 std::string range_text(const Rebuilt& design, const Range& range) {
     return fmt::format("crank angles {} to {}", value_text(range.from, Unit::angle, design.claim->units),
                        value_text(range.to, Unit::angle, design.claim->units));
@@ -299,6 +318,32 @@ Check check_sweep(const Rebuilt& design, const std::vector<Range>& possible) {
 }
 
 }  // namespace
+
+std::optional<Vector<Digits50>> range_of_use_again(const Rebuilt& design) {
+    const Claim& claim = *design.claim;
+    if (!design.path) return Vector<Digits50>{1, 0};
+    const Range between = stretch_between(design);
+    Digits50 before = from_document(claim.use->before, Unit::angle, claim.units);
+    Digits50 after = from_document(claim.use->after, Unit::angle, claim.units);
+    if (met_clockwise(design)) std::swap(before, after);
+    return Vector<Digits50>{between.from - before, between.to + after};
+}
+
+Check check_range_of_use(const Rebuilt& design, Stated parts) {
+    const Claim& claim = *design.claim;
+    Check check{"the range of use is as stated", false, "it is not said at which crank angles they are"};
+    if (!design.path) return check;
+    const Vector<Digits50> used = *range_of_use_again(design);
+    check.detail = range_text(design, {used.x, used.y});
+    if (parts != Stated::everything) return check.passed = true, check;
+    if (!claim.used_angles) return check.detail += ", which is not stated", check;
+    const Digits50 off =
+        std::max<Digits50>(abs(from_document(claim.used_angles->x, Unit::angle, claim.units) - used.x),
+                           abs(from_document(claim.used_angles->y, Unit::angle, claim.units) - used.y));
+    check.passed = off <= angular;
+    if (!check.passed) check.detail += fmt::format(", stated are {} to {}", claim.used_angles->x, claim.used_angles->y);
+    return check;
+}
 
 std::vector<Check> check_path(const Rebuilt& design, Stated parts) {
     const ClaimedPath& path = *design.claim->path;

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// The stretch of the crank between the first and the last target of a path. A design serves the path only if it stays
-/// assembled on one branch all along the stretch: families whose crank turns fully do, of the others it is asked.
+/// The stretch of the crank between the first and the last target of a path, longer at its ends by what a range of use
+/// has there. A design serves the path only if it stays assembled on one branch all along the stretch: families whose
+/// crank turns fully do, of the others it is asked. Over a range of use all else is judged that depends on the motion.
 
 #include <Eigen/Core>
 #include <span>
@@ -13,8 +14,9 @@ namespace mechwright {
 /// Whether designs of a family have to be kept assembled between the targets of the problem's path.
 bool needs_stretch(const Problem& problem, const Family& family);
 
-/// The crank angles between which a design meets its path, the first less than the last; radians. Of an ordered path
-/// the crank may turn either way. Of several targets it is the shortest stretch in which all are met.
+/// The crank angles between which a design meets its path, the first less than the last, and a range of use beyond
+/// them; radians. Of an ordered path the crank may turn either way: what is before the first target is beyond the
+/// greater angle where it turns clockwise. Of several targets it is the shortest stretch in which all are met.
 struct CrankStretch {
     double first;
     double last;
@@ -29,9 +31,12 @@ double least_margin_along(const Problem& problem, const Design& design);
 /// The block of margins along the stretch, where the program has one.
 const QuantityBlock* stretch_block(const Program& program);
 
-/// The arguments of these margins: what the input range reads, then start and range of the stretch.
-void set_stretch_arguments(const Program& program, std::span<const double> dimensions, const Eigen::VectorXd& x,
-                           BlockArguments& arguments);
+/// Whether any block depends on where the stretch ends.
+bool depends_on_stretch(const Program& program);
+
+/// Adds start and range of the stretch to the arguments of a measure.
+void add_stretch(const Program& program, std::span<const double> dimensions, const Eigen::VectorXd& x,
+                 BlockArguments& arguments);
 
 /// The points of the path at the ends of the stretch, whose own crank angles an untimed path has as variables.
 struct StretchEnds {
