@@ -59,7 +59,7 @@ struct Stroke {
         at[0] = at_end(ends.from);
         at[1] = at_end(ends.to);
         for (std::size_t k = 0; k < turning_points; ++k)
-            at[k + 2] = value_at(x, inside[k], position);
+            at[k + 2] = value_at(x, inside[k], position, ends);
         return differences(at, out);
     }
 };
@@ -77,7 +77,7 @@ std::size_t absolute_values(const Motion& motion, const Drive& drive, const std:
         extremes, motion.from, [&](double angle) { return std::abs(measure(plain, angle)); });
     std::size_t count = 0;
     for (const RamPlace& place : places)
-        out[count++] = abs(value_at(x, place, measure));
+        out[count++] = abs(value_at(x, place, measure, ends));
     if (motion.full_turn) return count;
     for (const T& end : {ends.from, ends.to})
         out[count++] = is_dead_position(drive, value_of(end)) ? T(std::numeric_limits<double>::infinity())

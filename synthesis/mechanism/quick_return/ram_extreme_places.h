@@ -56,6 +56,12 @@ T value_at(const std::array<T, N>& x, const RamPlace& place, const Function& f) 
     return place.stationary ? at_stationary(x, place.angle, f) : f(x, T(place.angle));
 }
 
+/// The same where every place that is fixed is the beginning of the motion.
+template <class T, std::size_t N, class Function>
+T value_at(const std::array<T, N>& x, const RamPlace& place, const Function& f, const Ends<T>& ends) {
+    return place.stationary ? at_stationary(x, place.angle, f) : f(x, ends.from);
+}
+
 /// Whether the rod stands square to the slide at a crank angle, but for the rounding of that angle.
 template <class Drive>
 bool rod_is_square(const Drive& m, double crank_angle) {

@@ -57,7 +57,7 @@ std::size_t at_ram_in_range(const Motion& motion, const std::array<T, Layout<Dri
     out[0] = rod_is_square(plain, motion.from) ? T(0) : angle_at(x, ends.from);
     out[1] = rod_is_square(plain, motion.to) ? T(0) : angle_at(x, ends.to);
     for (std::size_t k = 0; k < turning_points; ++k)
-        out[k + 2] = value_at(x, inside[k], angle_at);
+        out[k + 2] = value_at(x, inside[k], angle_at, ends);
     return limited_places;
 }
 
