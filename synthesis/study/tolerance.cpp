@@ -82,7 +82,8 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, co
     return total;
 }
 
-/// Crank angles less or more whole cycles, each within half a cycle of the one beside it: a range of use is between them.
+/// Crank angles less or more whole cycles, each within half a cycle of the one beside it: a range of use is between
+/// them.
 void count_on(const std::vector<double>& beside, double cycle, std::vector<double>& angles) {
     for (std::size_t i = 0; i < angles.size(); ++i)
         angles[i] -= cycle * std::round((angles[i] - beside[i]) / cycle);
@@ -139,7 +140,8 @@ Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_
         set_prescribed_angles(design.problem, piece);
     else if (path)
         meet_nearest_points(design.problem, piece);
-    if (design.problem.use) count_on(design.nominal.design.path_angles, cycle_of(*design.problem.mechanism), piece.path_angles);
+    if (design.problem.use)
+        count_on(design.nominal.design.path_angles, cycle_of(*design.problem.mechanism), piece.path_angles);
     // The ranges of the dimensions are for design, not for pieces.
     Problem as_made = design.problem;
     as_made.text.clear();  // it asks for other dimensions

@@ -92,6 +92,22 @@ TEST(RangeOfUse, HasNoValuesOfWhatIsOfAFullTurn) {
     EXPECT_TRUE(accepted(read(text("stroke"))));
 }
 
+TEST(RangeOfUse, OfALinkageHasItsSignalsOverTheWholeMotion) {
+    const auto text = [](const std::string& quantity) {
+        return "schema = 1\nmechanism = \"linkage\"\n[links]\nframe = { A = [0, 0], D = [4, 0] }\n"
+               "crank = { A = [0, 0], B = [1, 0] }\ncoupler = { B = [0, 0], C = [4, 0], P = [2, 1] }\n"
+               "rocker = { D = [0, 0], C = [3, 0] }\n[drive]\nlink = \"crank\"\n[signals]\n"
+               "swing = { angle = \"rocker\" }\n[path]\npoint = \"P\"\npoints = [[1, 2], [2, 2]]\n[motion]\n" +
+               std::string(ends) + "[objective]\nminimize = \"" + quantity + "\"\n";
+    };
+    for (const char* quantity : {"swing.range", "swing.range.whole", "swing.speed.greatest.whole", "swing.at(60).whole",
+                                 "swing.time-ratio.whole", "transmission-angle-worst.whole"})
+        EXPECT_TRUE(accepted(read(text(quantity)))) << quantity;
+    EXPECT_TRUE(only_says(read(text("swing.time-ratio")), "p.toml:18:12", {"'swing.time-ratio.whole'"}));
+    EXPECT_TRUE(only_says(read(text("link-ratio.whole")), "p.toml:18:12", {"'link-ratio' is the same"}));
+    EXPECT_TRUE(only_says(read(text("swing.rnge.whole")), "p.toml:18:12", {"range"}));
+}
+
 TEST(RangeOfUse, OfAFullTurnBeyondALineIsNamed) {
     const auto text = [](const std::string& turn) {
         return valid + "[line]\nstart = 0\nrange = { min = 10, max = 90 }\n" + turn +

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
@@ -219,23 +220,24 @@ std::string unknown_owner(const SignalReading& signals, const std::string& name,
 void check_quantity(const SignalReading& signals, const toml::node& node, const std::string& what) {
     const auto text = node.value_exact<std::string>();
     if (!text) return report_kind(node, what, "the name of a quantity", signals.reading.messages);
-    if (is_one_of(of_targets, *text)) return;
-    const std::string name = text->substr(0, text->find('.'));
+    const std::string quantity(without_whole(*text));
+    if (is_one_of(of_targets, quantity)) return;
+    const std::string name = quantity.substr(0, quantity.find('.'));
     for (const NamedTarget& target : named_targets(signals.reading.file)) {
         if (target.name != name) continue;
         const std::span<const Word> words =
             target.of_body ? std::span(of_targets).subspan(3, 2) : std::span(of_targets).first(3);
-        if (name.size() < text->size() && is_one_of(words, Word(*text).substr(name.size() + 1))) return;
+        if (name.size() < quantity.size() && is_one_of(words, Word(quantity).substr(name.size() + 1))) return;
         return add_error(
             signals.reading.messages, place_of(node),
             fmt::format("{}: {} is no quantity of '{}': it has {}", what, reading::quoted(*text), name,
                         target.of_body ? fmt::format("{0}.pose-rms and {0}.pose-max", name)
                                        : fmt::format("{0}.path-rms, {0}.path-max and {0}.path-sse", name)));
     }
-    if (const std::string fault = unknown_owner(signals, name, *text); !fault.empty())
+    if (const std::string fault = unknown_owner(signals, name, quantity); !fault.empty())
         return add_error(signals.reading.messages, place_of(node), fmt::format("{}: {}", what, fault));
     std::string fault;
-    if (!to_linkage_quantity(signals.reading.made, *text, fault))
+    if (!to_linkage_quantity(signals.reading.made, quantity, fault))
         add_error(signals.reading.messages, place_of(node), fmt::format("{}: {}", what, fault));
 }
 

@@ -136,6 +136,8 @@ Json of_mechanism(const Mechanism& mechanism, Json condition) {
     Json schema = named_by(mechanism);
     schema["required"] = {"dimensions"};
     schema["properties"]["motion"] = {{"properties", {{"at", false}}}};
+    for (const char* key : {"from", "to", "before", "after"})
+        if (!mechanism.point) schema["properties"]["motion"]["properties"][key] = false;
     for (const std::string_view name : sections_of_linkage)
         schema["properties"][std::string(name)] = false;
     for (const std::string_view name : foreign_sections(mechanism))

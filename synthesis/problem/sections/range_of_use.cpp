@@ -65,7 +65,7 @@ std::vector<std::string> quantities_in(const toml::table& file) {
     const auto add = [&](const toml::node& section) {
         const toml::table* one = section.as_table();
         if (one == nullptr) return;
-        for (const char* key : {"quantity", "minimize", "maximize", "report"})
+        for (const char* key : {"quantity", "minimize", "maximize", "quantities"})
             add_quantities(one->get(key), names);
     };
     for (const char* section : {"require", "objective", "study"}) {

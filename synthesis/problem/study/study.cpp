@@ -244,7 +244,8 @@ void read_quantities(Section& section, Study& study, const Problem& problem, Mes
         if (!word)
             report_kind(name, "a quantity", "a string in quotes", messages);
         else if (axis_of(study, "case") || axis_of(study, "mechanism") || problem.mechanism == nullptr ||
-                 find_quantity(whole_of(*problem.mechanism), *word) >= 0)
+                 find_quantity(whole_of(*problem.mechanism), *word) >= 0 ||
+                 find_quantity(*problem.mechanism, *word) >= 0)
             study.quantities.push_back(*word);
         else
             to_quantity(name, "'quantities'", section, problem, messages);

@@ -245,9 +245,8 @@ std::string range_of_use_text(const Json& document, const UnitsOf& units) {
     if (used.size() != 2) return {};
     const std::string unit = unit_label(Unit::angle, units.units);
     return fmt::format(
-        "<p>Range of use: crank angles from {} {} to {} {}, between the first and the last target. Quantities, plots "
-        "and "
-        "motion are over it; NAME{} is the quantity NAME over the whole motion.</p>",
+        "<p>Range of use: crank angles from {} {} to {} {}. Quantities, plots and motion are over it; NAME{} is the "
+        "quantity NAME over the whole motion.</p>",
         cell_text(used[0]), unit, cell_text(used[1]), unit, whole_suffix);
 }
 
