@@ -58,10 +58,14 @@ Extreme polished(const Measured& f, double left, double middle, double right, do
 /// At an end of a part of the motion, or between it and its neighbour among the samples where that is better.
 Extreme polished_end(const Measured& f, double end, double neighbour, double sign) {
     const Extreme at_end{end, f.at(end)};
-    const double seen_at_end = sign * f.seen(end);
+    // On a short piece differences of doubles need all their digits, and have none beside its ends.
+    const auto seen_at = [&](double at) {
+        return sign * (f.is_on_piece() ? f.at(at).convert_to<double>() : f.seen(at));
+    };
+    const double seen_at_end = seen_at(end);
     double best = end, most = seen_at_end;
     for (const double share : {0x1p-12, 0x1p-6, 0.25})
-        if (const double at = end + share * (neighbour - end), seen = sign * f.seen(at); seen > most) {
+        if (const double at = end + share * (neighbour - end), seen = seen_at(at); seen > most) {
             best = at;
             most = seen;
         }
@@ -132,10 +136,13 @@ Extreme extreme(const Measured& of_all, const std::vector<Vector<double>>& parts
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const Measured& f = on_pieces[k];
         std::vector<double> x = inputs_to_look_at(f.scan, pieces[k], pieces.size() > parts.size());
+        const bool breaks = pieces.size() > parts.size();
         std::vector<double> seen;
-        for (const double at : x)
-            seen.push_back(sign * f.seen(at));
-        const std::size_t every_of_piece = thinned(seen, pieces.size() > parts.size());
+        for (const double at : x) {
+            const bool end = at == x.front() || at == x.back();
+            seen.push_back(sign * (breaks && end ? f.at(at).convert_to<double>() : f.seen(at)));
+        }
+        const std::size_t every_of_piece = thinned(seen, breaks);
         for (std::size_t i = 0; i < x.size(); ++i) {
             const bool first = i == 0, last = i + 1 == x.size();
             if (std::isfinite(seen[i])) {

@@ -31,10 +31,11 @@ struct Measured {
         made.piece = part;
         return made;
     }
+    bool is_on_piece() const { return std::isfinite(piece.x); }
     double seen(double input, bool finely = false) const {
         SignalsAgain<double> signals = scan.plain(scan.nearest(input));
         keep_on_piece(signals);
-        signals.finely = finely;
+        signals.finely = finely || is_on_piece();
         return look(signals, input);
     }
     SignalsAgain<Digits50> precise(double input) const {
