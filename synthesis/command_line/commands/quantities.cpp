@@ -78,7 +78,7 @@ int show_those_of_file(const Options& options, Console& console) {
     if (read.problem.use) more = "\n" + folded("Range of use: ", words_of_use(read.problem));
     if (const LinkageModel* linkage = read.problem.mechanism->model.as<LinkageModel>())
         more += linkage->signals.empty() ? "\nMore is asked of signals, in [signals]: mechwright explain signals\n"
-                                        : "\n" + words_of_signals();
+                                         : "\n" + words_of_signals();
     return show({read.problem.mechanism}, options, more, console);
 }
 
