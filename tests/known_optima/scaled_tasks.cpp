@@ -20,6 +20,7 @@ double grown(Unit unit, double size) {
         case Unit::area:
         case Unit::torque: return size * size;
         case Unit::none:
+        case Unit::rate:
         case Unit::angle: break;
     }
     return 1;
@@ -30,6 +31,7 @@ Problem scaled(Problem problem, double size) {
     for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
         if (!scales(mechanism.dimensions[i].kind)) continue;
         DimensionRange& range = problem.dimensions[i];
+        range.tie.constant *= size;
         range.min *= size;
         range.max *= size;
         if (range.start) *range.start *= size;

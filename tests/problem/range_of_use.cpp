@@ -103,9 +103,9 @@ TEST(RangeOfUse, OfALinkageHasItsSignalsOverTheWholeMotion) {
     for (const char* quantity : {"swing.range", "swing.range.whole", "swing.speed.greatest.whole", "swing.at(60).whole",
                                  "swing.time-ratio.whole", "transmission-angle-worst.whole"})
         EXPECT_TRUE(accepted(read(text(quantity)))) << quantity;
-    EXPECT_TRUE(only_says(read(text("swing.time-ratio")), "p.toml:18:12", {"'swing.time-ratio.whole'"}));
-    EXPECT_TRUE(only_says(read(text("link-ratio.whole")), "p.toml:18:12", {"'link-ratio' is the same"}));
-    EXPECT_TRUE(only_says(read(text("swing.rnge.whole")), "p.toml:18:12", {"range"}));
+    EXPECT_TRUE(only_says(read(text("swing.time-ratio")), "p.toml:19:12", {"'swing.time-ratio.whole'"}));
+    EXPECT_TRUE(only_says(read(text("link-ratio.whole")), "p.toml:19:12", {"'link-ratio' is the same"}));
+    EXPECT_TRUE(only_says(read(text("swing.rnge.whole")), "p.toml:19:12", {"range"}));
 }
 
 TEST(RangeOfUse, OfAFullTurnBeyondALineIsNamed) {
