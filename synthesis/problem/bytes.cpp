@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <system_error>
 
 namespace mechwright::reading {
@@ -19,6 +20,7 @@ Bytes unreadable(std::string why) {
 }
 
 std::string reason(int error_number) {
+    if (error_number == ENOMEM) throw std::bad_alloc();
     return error_number == 0 ? "input error" : std::generic_category().message(error_number);
 }
 

@@ -142,7 +142,7 @@ TEST(Explain, KnowsSectionsAndKeysOfProblemFiles) {
           "  timing        \"free\", \"prescribed\" or \"none\": free:", "  points        [[x, y], ...]: Points"})
         expect_has(path, part);
     expect_has(explained({"require"}), "[[require]]: section");
-    expect_has(explained({"function.input"}), "  start  number or { min, max }, needed: ");
+    expect_has(explained({"function.input"}), "  start  number, { min, max } or sum of dimensions, needed: ");
     const std::string timing = explained({"timing"});
     for (const char* part : {"timing: key of a problem file", "in [path] ", "in [poses] "})
         expect_has(timing, part);

@@ -202,7 +202,7 @@ class Pictures(unittest.TestCase):
 
     def test_faults_are_named(self):
         for arguments, code, what in (
-                (("draw", results.result("crank-rocker"), "--out", "picture.bmp"), 2, "must end in .svg, .png or .pdf"),
+                (("draw", results.result("crank-rocker"), "--out", "picture.bmp"), 2, "must end in .svg, .png, .pdf, or .gif"),
                 (("draw", "nowhere.json"), 6, "nowhere.json: "),
                 (("draw", results.result("crank-rocker"), "--alternative", 7), 2, "--alternative 7"),
                 (("draw", PROBLEMS / "four-bar/crank-rocker.toml"), 3, "leaves something to be designed"),
