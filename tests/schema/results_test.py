@@ -96,12 +96,14 @@ timing = "prescribed"
 crank_angles = [0, 60, 120]
 """
 WHOLE_LINKAGE = LINKAGE.format(ground=100, coupler=93)
+USED = '[motion]\nfrom = "first-target"\nto = "last-target"\n'
 GIVEN = {
     "whole": WHOLE_LINKAGE,
     "never assembled": LINKAGE.format(ground=1000, coupler=93),
     "close to a change point": LINKAGE.format(ground=100, coupler=64.0001),
     "path": WHOLE_LINKAGE + "[path]\npoints = [[0, 0], [10, 5], [20, 0]]\n" + POINTS,
     "poses": WHOLE_LINKAGE + "[poses]\nposes = [[0, 0, 0], [10, 5, 10], [20, 0]]\n" + POINTS,
+    "range of use": WHOLE_LINKAGE + USED + "[path]\npoints = [[0, 0], [10, 5], [20, 0]]\n" + POINTS,
     "arc": WHOLE_LINKAGE + "[arc]\nstart = 10\nrange = 60\ncentre-x = 0\ncentre-y = 0\nradius = 50\n",
     "cam": CAM,
     "links of one's own": OWN_LINKS,
