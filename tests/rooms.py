@@ -13,7 +13,10 @@ import sys
 ROOMS = [
     # Formulas alone.
     "analysis/geometry", "analysis/numbers", "analysis/four_bar", "analysis/slider_crank", "analysis/quick_return",
-    "analysis/cam", "analysis/linkage",
+    "analysis/cam",
+    # Linkages: what they are made of, placed, groups without a closed form, moved, measured.
+    "analysis/linkage/structure", "analysis/linkage/placing", "analysis/linkage/groups", "analysis/linkage/motion",
+    "analysis/linkage/measuring",
     # What a mechanism is, what is asked of it, and that as a nonlinear program.
     "synthesis/mechanism", "synthesis/problem", "synthesis/program",
     # Methods.
@@ -40,7 +43,8 @@ def room_of(path):
     if parts[:2] == ("synthesis", "target"):
         is_for = re.match("[a-z]*", parts[3])[0] if len(parts) > 3 else ""
         return OF_TARGETS.get(is_for, FORMULAS_OF_TARGETS)
-    return "/".join(parts[:2]).removesuffix(".h") if parts[0] in ("analysis", "synthesis") else None
+    depth = 3 if parts[:2] == ("analysis", "linkage") else 2
+    return "/".join(parts[:depth]).removesuffix(".h") if parts[0] in ("analysis", "synthesis") else None
 
 
 def faults_of(path):

@@ -6,7 +6,7 @@
 
 #include <complex>
 
-#include "analysis/linkage/branches.h"
+#include "analysis/linkage/motion/branches.h"
 #include "tests/analysis/known_linkages.h"
 #include "tests/analysis/random_linkages.h"
 

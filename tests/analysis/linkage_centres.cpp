@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "analysis/four_bar/pose.h"
-#include "analysis/linkage/instant_centres.h"
+#include "analysis/linkage/measuring/instant_centres.h"
 #include "tests/analysis/known_linkages.h"
 #include "tests/analysis/made_linkage.h"
 #include "tests/degree.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/four_bar.h"
-#include "analysis/linkage/means.h"
+#include "analysis/linkage/measuring/means.h"
 #include "analysis/quick_return.h"
 #include "analysis/slider_crank.h"
 #include "tests/analysis/known_linkages.h"

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <random>
 
-#include "analysis/linkage/configurations.h"
-#include "analysis/linkage/follow_way.h"
-#include "analysis/linkage/margins.h"
-#include "analysis/linkage/moving_extremes.h"
+#include "analysis/linkage/measuring/margins.h"
+#include "analysis/linkage/measuring/moving_extremes.h"
+#include "analysis/linkage/motion/configurations.h"
+#include "analysis/linkage/motion/follow_way.h"
 #include "analysis/numbers/second_dual.h"
 #include "tests/analysis/made_linkage.h"
 

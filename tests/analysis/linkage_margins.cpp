@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/linkage/margins.h"
+#include "analysis/linkage/measuring/margins.h"
 #include "tests/analysis/known_linkages.h"
 #include "tests/analysis/random_linkage.h"
 #include "tests/analysis/watched.h"

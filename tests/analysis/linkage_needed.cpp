@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/linkage/group_solver.h"
-#include "analysis/linkage/mobility.h"
-#include "analysis/linkage/needed.h"
-#include "analysis/linkage/needed_back.h"
+#include "analysis/linkage/groups/group_solver.h"
+#include "analysis/linkage/placing/needed.h"
+#include "analysis/linkage/placing/needed_back.h"
+#include "analysis/linkage/structure/mobility.h"
 #include "analysis/numbers/dual.h"
 #include "tests/analysis/random_linkage.h"
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "analysis/linkage/mobility.h"
-#include "analysis/linkage/order.h"
+#include "analysis/linkage/structure/mobility.h"
+#include "analysis/linkage/structure/order.h"
 #include "tests/analysis/random_linkage.h"
 
 namespace mechwright::test {

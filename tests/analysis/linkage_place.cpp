@@ -7,7 +7,7 @@
 #include <random>
 
 #include "analysis/four_bar.h"
-#include "analysis/linkage/place.h"
+#include "analysis/linkage/placing/place.h"
 #include "analysis/quick_return.h"
 #include "analysis/slider_crank.h"
 #include "tests/analysis/known_linkages.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/linkage/place.h"
+#include "analysis/linkage/placing/place.h"
 #include "analysis/numbers/dual.h"
 #include "analysis/numbers/second_dual.h"
 #include "tests/analysis/known_linkages.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "analysis/four_bar.h"
-#include "analysis/linkage/course.h"
+#include "analysis/linkage/measuring/course.h"
 #include "analysis/slider_crank.h"
 #include "tests/analysis/known_linkages.h"
 #include "tests/analysis/watched.h"

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "analysis/four_bar.h"
-#include "analysis/linkage/travel.h"
+#include "analysis/linkage/motion/travel.h"
 #include "analysis/quick_return.h"
 #include "analysis/slider_crank.h"
 #include "tests/analysis/known_linkages.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/linkage/order.h"
-#include "analysis/linkage/place.h"
+#include "analysis/linkage/placing/place.h"
+#include "analysis/linkage/structure/order.h"
 #include "tests/analysis/precise.h"
 
 namespace mechwright::test {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/linkage/course.h"
+#include "analysis/linkage/measuring/course.h"
 #include "tests/analysis/made_linkage.h"
 
 namespace mechwright::test {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "analysis/linkage/driven.h"
+#include "analysis/linkage/motion/driven.h"
 #include "analysis/numbers/lanes.h"
 #include "synthesis/bench/digits.h"
 #include "synthesis/bench/kernels/lanes.h"

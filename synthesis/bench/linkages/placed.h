@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "analysis/geometry/half_angle.h"
-#include "analysis/linkage/needed.h"
-#include "analysis/linkage/needed_place.h"
-#include "analysis/linkage/order.h"
+#include "analysis/linkage/placing/needed.h"
+#include "analysis/linkage/placing/needed_place.h"
+#include "analysis/linkage/structure/order.h"
 #include "synthesis/bench/kernels/kernel_list.h"
 
 namespace mechwright::bench {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/linkage/branches.h"
+#include "analysis/linkage/motion/branches.h"
 #include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/mechanism/mechanism.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "analysis/linkage/travel.h"
+#include "analysis/linkage/motion/travel.h"
 
 namespace mechwright {
 

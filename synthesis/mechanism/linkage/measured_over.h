@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/linkage/course.h"
+#include "analysis/linkage/measuring/course.h"
 #include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/target/followed/arc.h"

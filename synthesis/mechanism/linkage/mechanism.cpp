@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "analysis/linkage/needed.h"
-#include "analysis/linkage/travel.h"
+#include "analysis/linkage/motion/travel.h"
+#include "analysis/linkage/placing/needed.h"
 #include "synthesis/mechanism/linkage/again/again.h"
 #include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/mechanism/linkage/drawing/drawing.h"

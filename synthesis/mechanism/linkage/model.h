@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/linkage/driven.h"
-#include "analysis/linkage/follow_way.h"
-#include "analysis/linkage/inputs.h"
-#include "analysis/linkage/plain_steps.h"
-#include "analysis/linkage/signals.h"
-#include "analysis/linkage/steps.h"
-#include "analysis/linkage/structure.h"
+#include "analysis/linkage/measuring/signals.h"
+#include "analysis/linkage/motion/driven.h"
+#include "analysis/linkage/motion/follow_way.h"
+#include "analysis/linkage/placing/plain_steps.h"
+#include "analysis/linkage/structure/inputs.h"
+#include "analysis/linkage/structure/steps.h"
+#include "analysis/linkage/structure/structure.h"
 #include "synthesis/mechanism/affine.h"
 #include "synthesis/mechanism/drawing/body.h"
 #include "synthesis/mechanism/quantity.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "analysis/linkage/means.h"
+#include "analysis/linkage/measuring/means.h"
 #include "synthesis/mechanism/linkage/limit_text.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 #include "synthesis/mechanism/linkage/targets/seeded.h"

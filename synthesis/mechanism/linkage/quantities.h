@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/linkage/course.h"
+#include "analysis/linkage/measuring/course.h"
 #include "synthesis/mechanism/quantity.h"
 
 namespace mechwright {

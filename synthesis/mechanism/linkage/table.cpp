@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "analysis/linkage/margins.h"
+#include "analysis/linkage/measuring/margins.h"
 #include "synthesis/mechanism/linkage/drawing/drawing.h"
 #include "synthesis/mechanism/linkage/measured_over.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "analysis/linkage/inputs.h"
+#include "analysis/linkage/structure/inputs.h"
 #include "analysis/numbers/golden_section.h"
 #include "synthesis/mechanism/linkage/branches.h"
 

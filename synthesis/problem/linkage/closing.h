@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "analysis/linkage/driven.h"
+#include "analysis/linkage/motion/driven.h"
 #include "synthesis/problem/linkage/linkage.h"
 
 namespace mechwright {

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "analysis/linkage/configurations.h"
-#include "analysis/linkage/least_missing.h"
+#include "analysis/linkage/motion/configurations.h"
+#include "analysis/linkage/motion/least_missing.h"
 #include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/problem/linkage/closing.h"
 #include "synthesis/problem/linkage/reading.h"

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/linkage/mobility.h"
-#include "analysis/linkage/order.h"
-#include "analysis/linkage/structure.h"
+#include "analysis/linkage/structure/mobility.h"
+#include "analysis/linkage/structure/order.h"
+#include "analysis/linkage/structure/structure.h"
 #include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/problem/affine.h"

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "analysis/linkage/travel.h"
+#include "analysis/linkage/motion/travel.h"
 #include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/mechanism/linkage/mechanism.h"
 #include "synthesis/mechanism/whole_quantities.h"

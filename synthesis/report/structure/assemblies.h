@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "analysis/linkage/place.h"
+#include "analysis/linkage/placing/place.h"
 #include "synthesis/problem/linkage/linkage.h"
 
 namespace mechwright {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/linkage/instant_centres.h"
+#include "analysis/linkage/measuring/instant_centres.h"
 #include "synthesis/mechanism/drawing/moving_design.h"
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/problem/problem.h"

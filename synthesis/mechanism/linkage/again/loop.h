@@ -2,7 +2,7 @@
 /// \file
 /// Poses of a linkage by the equations of all its joints at once: Newton's method on the places of all links, from a
 /// pose nearby. It knows no order of solving, no dyad and no side: what verification measures with, in any number type
-/// (derivation; the rows are those of analysis/linkage/mobility.h).
+/// (derivation; the rows are those of analysis/linkage/structure/mobility.h).
 
 #include <cmath>
 #include <cstddef>
@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/linkage/factors.h"
-#include "analysis/linkage/mobility.h"
-#include "analysis/linkage/structure.h"
+#include "analysis/linkage/groups/factors.h"
+#include "analysis/linkage/structure/mobility.h"
+#include "analysis/linkage/structure/structure.h"
 
 namespace mechwright {
 

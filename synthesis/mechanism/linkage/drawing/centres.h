@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/linkage/instant_centres.h"
+#include "analysis/linkage/measuring/instant_centres.h"
 #include "synthesis/mechanism/linkage/model.h"
 
 namespace mechwright {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/linkage/place.h"
-#include "analysis/linkage/structure.h"
+#include "analysis/linkage/placing/place.h"
+#include "analysis/linkage/structure/structure.h"
 #include "synthesis/mechanism/drawing/body.h"
 
 namespace mechwright {

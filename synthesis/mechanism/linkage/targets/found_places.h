@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/linkage/margins.h"
+#include "analysis/linkage/measuring/margins.h"
 #include "synthesis/mechanism/linkage/measured_over.h"
 
 namespace mechwright::measuring {

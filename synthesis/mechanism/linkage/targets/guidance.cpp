@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/linkage/driven.h"
+#include "analysis/linkage/motion/driven.h"
 #include "synthesis/mechanism/linkage/again/follow.h"
 #include "synthesis/mechanism/linkage/targets/needed_guidance.h"
 #include "synthesis/mechanism/linkage/targets/seeded.h"

@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "analysis/linkage/needed_back.h"
-#include "analysis/linkage/needed_place.h"
+#include "analysis/linkage/placing/needed_back.h"
+#include "analysis/linkage/placing/needed_place.h"
 #include "synthesis/mechanism/linkage/model.h"
 
 namespace mechwright {

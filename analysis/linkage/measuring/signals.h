@@ -1,0 +1,239 @@
+#pragma once
+/// \file
+/// What is measured along the motion of a linkage: smooth functions of the master's input, as plain values, and their
+/// value in a pose of any number type. Speeds need a pose in a series (numbers/series.h) of the time.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "analysis/linkage/motion/driven.h"
+#include "analysis/numbers/chebyshev.h"
+#include "analysis/numbers/series.h"
+
+namespace mechwright::linkage {
+
+struct Signal {
+    enum class Kind : std::uint8_t {
+        angle,               ///< turn of the link `of` against the link `to`, radians
+        x,                   ///< coordinates of the pin `of`, in the axes of `on`
+        y,                   ///<
+        along,               ///< the same in a direction
+        radius,              ///< distance of the pin `of` from the drawing's origin
+        distance,            ///< of the pins `of` and `to`
+        from_line,           ///< distance of the pin `of` to the left of the line from the pin `to` to the pin `end`
+        slide,               ///< displacement of the slide `of`
+        speed,               ///< magnitude of the velocity of the pin `of`
+        acceleration,        ///< of its acceleration
+        transmission_angle,  ///< of the dyad that has the margin `of` (margin_of), in (0, pi)
+        sum,                 ///< of signals times factors
+        ratio,               ///< of the signal `of` to the signal `to`
+        error                ///< the signal `of` less what is asked of it (Wanted)
+    };
+    Kind kind = Kind::angle;
+    std::size_t of = none;
+    std::size_t to = 0;
+    std::size_t end = none;
+    std::size_t on = none;  ///< a link; none: the drawing's axes, after placement
+    double number = 0;      ///< of an angle what it is near at the start of motion; of `along` the direction; radians
+    struct Term {
+        std::size_t signal = 0;
+        double factor = 1;
+    };
+    std::vector<Term> terms{};  ///< of a sum
+};
+
+/// How many derivatives of the pose a signal takes itself. Signals may be made of any others but not of themselves.
+inline std::size_t order_of(std::span<const Signal> signals, std::size_t signal) {
+    const Signal& s = signals[signal];
+    switch (s.kind) {
+        case Signal::Kind::speed: return 1;
+        case Signal::Kind::acceleration: return 2;
+        case Signal::Kind::ratio: return std::max(order_of(signals, s.of), order_of(signals, s.to));
+        case Signal::Kind::error: return order_of(signals, s.of);
+        case Signal::Kind::sum: {
+            std::size_t most = 0;
+            for (const Signal::Term& term : s.terms)
+                most = std::max(most, order_of(signals, term.signal));
+            return most;
+        }
+        default: return 0;
+    }
+}
+
+/// Whether a signal is an angle that is the same where it is a whole turn more: of a link, or a sum of such with whole
+/// factors.
+inline bool turns_are_alike(std::span<const Signal> signals, std::size_t signal) {
+    const Signal& s = signals[signal];
+    if (s.kind == Signal::Kind::angle) return true;
+    return s.kind == Signal::Kind::sum && std::all_of(s.terms.begin(), s.terms.end(), [&](const Signal::Term& term) {
+               return term.factor == std::round(term.factor) && turns_are_alike(signals, term.signal);
+           });
+}
+
+/// What a signal is asked to be over a stretch of the master's inputs: start + range part(share), where share is the
+/// part of the stretch that is passed, and part a sum of Chebyshev polynomials of 2 share - 1.
+template <class T>
+struct Wanted {
+    T from = T(0);  ///< the input at which the stretch begins
+    T way = T(1);   ///< how far it goes, of either sign
+    T start = T(0);
+    T range = T(0);
+    std::span<const double> part{};  ///< as long as this is used
+
+    T at(const T& input) const {
+        const T share = (input - from) / way;
+        return start + range * chebyshev_value(part, T(T(2.0) * share - T(1.0)));
+    }
+};
+
+/// How a linkage stands in the drawing: its frame's origin there, the angle of its x axis, the size of its unit.
+template <class T>
+struct Placing {
+    Vector<T> origin{T(0), T(0)};
+    T tilt = T(0);
+    T scale = T(1);
+};
+
+/// The transmission angle of a dyad, in [0, pi]: between two links, 90 degrees less the angle of rod and line, of a
+/// line that passes a pin the angle whose cosine is offset over distance, of two lines the angle between them. From the
+/// margins, whose products are the squares of its half-angle functions. Exact at a limit (Driven::sides 0).
+template <class T>
+T transmission_angle(const Driven<T>& driven, std::size_t margin) {
+    using std::abs, std::atan2;
+    std::size_t i = 0;
+    while (driven.order.steps[i].margin != margin)
+        ++i;
+    const Step& step = driven.order.steps[i];
+    const Sized<T>& size =
+        step.is_extended() ? detail::extended_sizes(step, driven.sizes[i], driven.inputs()) : driven.sizes[i];
+    const bool circles = step.kind == Step::Kind::dyad && step.second.kind == Locus::Kind::circle;
+    const bool lines =
+        step.kind == Step::Kind::tied || (step.kind == Step::Kind::dyad && step.first.kind != Locus::Kind::circle);
+    if (lines) {
+        const Vector<T> a = detail::locus_line(step.first, size.first, driven.pose).direction,
+                        b = detail::locus_line(step.second, size.second, driven.pose).direction;
+        return atan2(T(abs(cross(a, b))), dot(a, b));
+    }
+    T sine = driven.pose.margins[margin].outer, cosine = driven.pose.margins[margin].inner;
+    if (circles) std::swap(sine, cosine);
+    if (step.choice != none && driven.sides[step.choice] == 0) return sine < cosine ? T(0) : pi<T>();
+    if (circles) {
+        const Vector<T> apart = driven.pose.pins[step.second.centre] - driven.pose.pins[step.first.centre];
+        const T d = hypotenuse(apart.x, apart.y);
+        sine = sine * T(d + abs(T(size.first.length - size.second.length)));
+        cosine = cosine * T(d + size.first.length + size.second.length);
+    }
+    return T(2) * atan2(root_or_zero(sine), root_or_zero(cosine));
+}
+
+/// The signals of a linkage of given dimensions.
+template <class T>
+class SignalValues {
+public:
+    /// The signals must outlive this. `lines` of slides are taken from the structure and its numbers.
+    SignalValues(const Structure& s, std::span<const Signal> all, std::span<const T> numbers, const Placing<T>& placing)
+        : signals(all), placing_(placing), tilt_(detail::unit_at(placing.tilt)), whole_turns(all.size(), 0.0) {
+        for (const Slide& slide : s.slides)
+            slides_.push_back(
+                {slide.link, slide.line.on, direction_of(slide.line, numbers), place_of(slide.line.through, numbers)});
+    }
+
+    /// In the pose of `driven`; angles are those near turns of links (turns.h), in (-pi, pi] where there are none.
+    T value(std::size_t signal, const Driven<T>& driven, std::span<const double> near = {}) const {
+        using Kind = Signal::Kind;
+        const Signal& s = signals[signal];
+        const Pose<T>& pose = driven.pose;
+        switch (s.kind) {
+            case Kind::angle: return angle(signal, pose, near);
+            case Kind::x: return coordinates(s, pose).x;
+            case Kind::y: return coordinates(s, pose).y;
+            case Kind::along: return dot(coordinates(s, pose), detail::unit_at(T(s.number)));
+            case Kind::radius: {
+                const Vector<T> at = coordinates(s, pose);
+                return hypotenuse(at.x, at.y);
+            }
+            case Kind::distance: {
+                const Vector<T> apart = pose.pins[s.to] - pose.pins[s.of];
+                return placing_.scale * hypotenuse(apart.x, apart.y);
+            }
+            case Kind::from_line: {
+                const Vector<T> line = pose.pins[s.end] - pose.pins[s.to];
+                const T height = cross(line, pose.pins[s.of] - pose.pins[s.to]);
+                return placing_.scale * T(height / hypotenuse(line.x, line.y));
+            }
+            case Kind::slide: {
+                const Line& line = slides_[s.of];
+                const LinkPlace<T>& on = pose.links[line.on];
+                const Vector<T> way = pose.links[line.link].origin - on.at(line.through);
+                return placing_.scale * dot(turned(line.direction, on.along), way);
+            }
+            case Kind::speed: return speed(pose.pins[s.of], 1);
+            case Kind::acceleration: return speed(pose.pins[s.of], 2);
+            case Kind::transmission_angle: return transmission_angle(driven, s.of);
+            case Kind::sum: {
+                T sum(0);
+                for (const Signal::Term& term : s.terms)
+                    sum = sum + T(term.factor) * value(term.signal, driven, near);
+                return sum;
+            }
+            case Kind::ratio: return value(s.of, driven, near) / value(s.to, driven, near);
+            case Kind::error: return value(s.of, driven, near) - wanted.at(driven.inputs().front());
+        }
+        return T(0);
+    }
+
+    /// Angles are counted so that at turns of links at the start of motion each is in (near - pi, near + pi].
+    void start_at(std::span<const double> turns) {
+        constexpr double turn = 2 * std::numbers::pi;
+        for (std::size_t i = 0; i < signals.size(); ++i)
+            if (signals[i].kind == Signal::Kind::angle)
+                whole_turns[i] =
+                    -std::ceil((turns[signals[i].of] - turns[signals[i].to] - signals[i].number) / turn - 0.5);
+    }
+
+    std::span<const Signal> signals;
+    Wanted<T> wanted{};  ///< of signals that are errors
+
+private:
+    struct Line {
+        std::size_t link, on;
+        Vector<T> direction, through;
+    };
+
+    T angle(std::size_t signal, const Pose<T>& pose, std::span<const double> near) const {
+        using std::atan2;
+        const Signal& s = signals[signal];
+        const Vector<T> along = turned(pose.links[s.of].along, detail::conjugate(pose.links[s.to].along));
+        const T principal = atan2(along.y, along.x);
+        if (near.empty()) return principal;
+        const T turn = detail::unwound(principal, near[s.of] - near[s.to]);
+        return whole_turns[signal] == 0 ? turn : T(turn + T(2 * whole_turns[signal]) * pi<T>());
+    }
+    Vector<T> coordinates(const Signal& s, const Pose<T>& pose) const {
+        const Vector<T>& at = pose.pins[s.of];
+        if (s.on == none) return placing_.origin + placing_.scale * turned(at, tilt_);
+        const LinkPlace<T>& link = pose.links[s.on];
+        return placing_.scale * turned(at - link.origin, detail::conjugate(link.along));
+    }
+    T speed(const Vector<T>& at, int order) const {
+        if constexpr (requires { slope_of(at.x); }) {
+            Vector<T> slope{slope_of(at.x), slope_of(at.y)};
+            if (order == 2) slope = {slope_of(slope.x), slope_of(slope.y)};
+            return placing_.scale * hypotenuse(slope.x, slope.y);
+        } else {
+            return T(std::numeric_limits<double>::quiet_NaN());
+        }
+    }
+
+    Placing<T> placing_;
+    Vector<T> tilt_;
+    std::vector<double> whole_turns;
+    std::vector<Line> slides_;
+};
+
+}  // namespace mechwright::linkage
