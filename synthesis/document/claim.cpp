@@ -250,7 +250,7 @@ void read_settings(Reader& in, const Json& document, Claim& claim) {
         if (number != at->preset && !at->allows(number))
             in.fail(fmt::format("{} is {}, not between {} and {}", place, number, at->above, at->below));
         claim.settings[static_cast<std::size_t>(at - settings.begin())] =
-            number * (at->is_mass ? claim.units.per_mass : 1);
+            number * inner_per_file_unit(*at, claim.units);
     }
 }
 

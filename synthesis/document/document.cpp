@@ -309,7 +309,7 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
     Json settings = Json::object();  // made whole: one that null turns into is none where memory runs out
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)
         settings[problem.mechanism->settings[i].name] =
-            problem.settings[i] / (problem.mechanism->settings[i].is_mass ? problem.units.per_mass : 1);
+            problem.settings[i] / inner_per_file_unit(problem.mechanism->settings[i], problem.units);
     if (!settings.empty()) json[of_document("settings")] = std::move(settings);
     if (problem.has_instant) json[of_document("instant")] = true;
     if (best) return put_findings(json, problem, *best);

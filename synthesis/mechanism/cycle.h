@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 
 #include "synthesis/mechanism/mechanism.h"
 
@@ -17,7 +18,13 @@ inline int turns_of_cycle(const Mechanism& mechanism) {
     return turns;
 }
 
-/// The same in radians.
+/// "one turn", "3 turns".
+inline std::string cycle_words(const Mechanism& mechanism) {
+    const int turns = turns_of_cycle(mechanism);
+    return turns == 1 ? "one turn" : std::to_string(turns) + " turns";
+}
+
+/// The cycle in radians.
 inline double cycle_of(const Mechanism& mechanism) { return 2 * std::numbers::pi * turns_of_cycle(mechanism); }
 
 }  // namespace mechwright

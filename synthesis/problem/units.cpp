@@ -82,6 +82,8 @@ std::optional<double> times_mass(std::string_view mass, std::string_view force, 
     return factor / by;
 }
 
+double inner_per_file_unit(const Setting& setting, const Units& units) { return setting.is_mass ? units.per_mass : 1; }
+
 std::string unit_label(Unit unit, const Units& units) {
     switch (unit) {
         case Unit::none: return {};

@@ -29,6 +29,9 @@ double file_units_per_inner(Unit unit, const Units& units);
 /// is not known.
 std::optional<double> times_mass(std::string_view mass, std::string_view force, std::string_view length);
 
+/// What a setting is inside for a number of the file: masses are converted.
+double inner_per_file_unit(const Setting& setting, const Units& units);
+
 /// "deg", "rad", "mm", "mm^2", "N mm", "N/mm", or empty for plain numbers and where no unit of forces is known.
 std::string unit_label(Unit unit, const Units& units);
 

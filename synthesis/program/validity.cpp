@@ -79,7 +79,7 @@ void add_margins_of_path(const Problem& problem, const Design& design, std::vect
     const double advance = least_advance(path, design.path_angles);
     if (advance == endless) return;
     all.push_back({"the targets are met in their order", advance, true});
-    all.push_back({"the targets are met within one turn of the crank",
+    all.push_back({"the targets are met within " + cycle_words(*problem.mechanism) + " of the crank",
                    least_rest_of_cycle(path, cycle_of(*problem.mechanism), design.path_angles), true});
 }
 

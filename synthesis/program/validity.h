@@ -2,7 +2,7 @@
 /// \file
 /// What makes a design one that can be used, besides requirements and ranges: written once, as margins by name.
 
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "synthesis/program/result.h"
@@ -11,7 +11,7 @@ namespace mechwright {
 
 /// A condition that a design has to meet, >= 0 where it does.
 struct ValidityMargin {
-    std::string_view name;
+    std::string name;
     double margin;   ///< minus infinity where there is no number for it
     bool tolerated;  ///< an angle in radians, or a part of the longest length: the problem's tolerance may be missing
 };

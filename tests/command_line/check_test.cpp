@@ -15,6 +15,22 @@ TEST(Check, SaysNothingOfGoodFiles) {
     EXPECT_EQ(outcome.err, "");
 }
 
+TEST(Check, ReadsAProblemFromStandardInput) {
+    Start good{{"check", "-"}};
+    good.in = crank_rocker();
+    EXPECT_EQ(run(good).exit_code, 0);
+    Start wrong{{"check", "-"}};
+    wrong.in = "schema = 1\nmechanism = \"four-bar\"\ndimension = 3\n";
+    const Outcome outcome = run(wrong);
+    EXPECT_EQ(outcome.exit_code, 3);
+    expect_has(outcome.err, "-:3:1: unknown key 'dimension'");
+    Start solved{{"solve", "-", "--json"}};
+    solved.in = crank_rocker();
+    const Outcome design = run(solved);
+    EXPECT_EQ(design.exit_code, 0) << design.err;
+    EXPECT_EQ(parsed(design.out)["problem"]["file"], "-");
+}
+
 /// More equalities than variables.
 std::string overdetermined() { return given("[[require]]\nquantity = \"swing\"\nequal = 60\n"); }
 

@@ -23,6 +23,26 @@ TEST(Quantities, AreListedWithUnitAndMeaning) {
     expect_has(all.out, one.out);
 }
 
+TEST(Quantities, AreListedByAWordAndForPrograms) {
+    const Outcome strokes = run({"quantities", "--about", "stroke"});
+    EXPECT_EQ(strokes.exit_code, 0) << strokes.err;
+    for (const char* part : {"crank-shaper: ", "  stroke  ", "  time-ratio "})
+        expect_has(strokes.out, part);
+    EXPECT_EQ(strokes.out.find("total-length"), std::string::npos);
+    EXPECT_EQ(strokes.out.find("cam: "), std::string::npos);
+    const auto json = parsed(run({"quantities", "whitworth", "--about", "stroke", "--json"}).out);
+    ASSERT_EQ(json.size(), 1);
+    EXPECT_EQ(json[0]["mechanism"], "whitworth");
+    for (const auto& quantity : json[0]["quantities"])
+        EXPECT_NE(quantity.dump().find("stroke"), std::string::npos) << quantity;
+    const auto all = parsed(run({"quantities", "whitworth", "--json"}).out);
+    EXPECT_GT(all[0]["quantities"].size(), json[0]["quantities"].size());
+    const Outcome none = run({"quantities", "four-bar", "--about", "flavour"});
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_EQ(none.out, "");
+    expect_has(none.err, "'flavour'");
+}
+
 TEST(Quantities, OfAnUnknownMechanism) {
     const Outcome outcome = run({"quantities", "for-bar"});
     EXPECT_EQ(outcome.exit_code, 2);

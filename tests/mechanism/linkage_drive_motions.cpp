@@ -28,28 +28,9 @@ namespace {
 using testing::replaced;
 constexpr double motion_pi = std::numbers::pi, motion_degree = std::numbers::pi / 180;
 
-struct MotionQuantity {
-    std::string name;
-    double value;
-    double size = 1;
-};
-
-/// Quantities of given dimensions, whose document verifies.
-void expect_motion(std::string text, const std::vector<MotionQuantity>& known, double tolerance = 1e-12) {
-    for (const MotionQuantity& quantity : known)
-        text += "\n[[require]]\nquantity = \"" + quantity.name + "\"\nmin = -1e9\n";
-    const ReadProblem read = testing::read_without_fault(text);
-    if (!read.ok()) return;
-    const Solution solution = evaluate_given(read.problem);
-    EXPECT_TRUE(solution.feasible);
-    const nlohmann::ordered_json document = analysis_document(read.problem, solution);
-    for (const MotionQuantity& quantity : known) {
-        ASSERT_TRUE(document["quantities"].contains(quantity.name)) << quantity.name;
-        EXPECT_NEAR(document["quantities"][quantity.name].get<double>(), quantity.value, tolerance * quantity.size)
-            << quantity.name;
-    }
-    for (const Check& check : verify(document))
-        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
+void expect_motion(const std::string& text, const std::vector<testing::KnownQuantity>& known,
+                   double tolerance = 1e-12) {
+    testing::expect_quantities(text, known, tolerance);
 }
 
 /// The rise of a modified sine up to an eighth of it.

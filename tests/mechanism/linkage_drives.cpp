@@ -16,6 +16,7 @@
 #include "synthesis/report/text/summary.h"
 #include "synthesis/solve/solve.h"
 #include "synthesis/verify/verify.h"
+#include "tests/mechanism/linkage_texts.h"
 #include "tests/replaced.h"
 
 namespace mechwright {
@@ -39,26 +40,9 @@ Problem driven_problem(const std::string& text) {
     return read.problem;
 }
 
-struct DrivenQuantity {
-    std::string name;
-    double value;
-    double size = 1;
-};
-
-/// Quantities of given dimensions, whose document verifies.
-void expect_driven(std::string text, const std::vector<DrivenQuantity>& known, double tolerance = 1e-13) {
-    for (const DrivenQuantity& quantity : known)
-        text += "\n[[require]]\nquantity = \"" + quantity.name + "\"\nmin = -1e9\n";
-    const Problem problem = driven_problem(text);
-    if (!problem.mechanism) return;
-    const nlohmann::ordered_json document = analysis_document(problem, evaluate_given(problem));
-    for (const DrivenQuantity& quantity : known) {
-        ASSERT_TRUE(document["quantities"].contains(quantity.name)) << quantity.name;
-        EXPECT_NEAR(document["quantities"][quantity.name].get<double>(), quantity.value, tolerance * quantity.size)
-            << quantity.name;
-    }
-    for (const Check& check : verify(document))
-        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
+void expect_driven(const std::string& text, const std::vector<testing::KnownQuantity>& known,
+                   double tolerance = 1e-13) {
+    testing::expect_quantities(text, known, tolerance);
 }
 
 /// The turn of the tipping body at a length of its cylinder, degrees.

@@ -6,11 +6,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/verify/verify.h"
 
 namespace mechwright::testing {
 
@@ -47,6 +51,30 @@ inline ReadProblem read_without_fault(const std::string& text) {
     for (const Message& message : read.messages)
         ADD_FAILURE() << to_string(message);
     return read;
+}
+
+struct KnownQuantity {
+    std::string name;
+    double value;
+    double size = 1;  ///< of what the tolerance is a part
+};
+
+/// Quantities of a linkage of given dimensions, whose document verifies.
+inline void expect_quantities(std::string text, const std::vector<KnownQuantity>& known, double tolerance) {
+    for (const KnownQuantity& quantity : known)
+        text += "\n[[require]]\nquantity = \"" + quantity.name + "\"\nmin = -1e9\n";
+    const ReadProblem read = read_without_fault(text);
+    if (!read.ok()) return;
+    const Solution solution = evaluate_given(read.problem);
+    EXPECT_TRUE(solution.feasible);
+    const nlohmann::ordered_json document = analysis_document(read.problem, solution);
+    for (const KnownQuantity& quantity : known) {
+        ASSERT_TRUE(document["quantities"].contains(quantity.name)) << quantity.name;
+        EXPECT_NEAR(document["quantities"][quantity.name].get<double>(), quantity.value, tolerance * quantity.size)
+            << quantity.name;
+    }
+    for (const Check& check : verify(document))
+        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
 }
 
 /// One of a list of numbers, or of a triangle's.

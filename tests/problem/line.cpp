@@ -154,6 +154,13 @@ TEST(Ties, OfScalesAreInTheUnitOfTheFile) {
         says(read_tied("3", function + "{ of = \"crank\" } }\n"), "p.toml:12:56", {"same kind", "input-range"}));
 }
 
+TEST(Ties, OfALineAreReportedWhereTheyStand) {
+    EXPECT_TRUE(
+        says(read_tied("3", "[line]\nstart = { of = \"tilt\" }\nrange = 30\n"), "p.toml:9:9", {"is not given"}));
+    EXPECT_TRUE(
+        says(read_tied("3", "[line]\nstart = 10\nrange = \"0 input-start\"\n"), "p.toml:10:9", {"write a number"}));
+}
+
 TEST(Ties, ThatLeaveNoLengthAreReported) {
     EXPECT_TRUE(only_says(read_tied("\"coupler - 3\""), "p.toml:7:10", {"not greater than 0"}));
     EXPECT_TRUE(only_says(read_tied("\"2 3\""), "p.toml:7:10", {"write sums like"}));

@@ -46,14 +46,7 @@ maximize = "velocity-ratio-min"
 
 TEST(Derivatives, OfFunctionsWithFreeScales) {
     // Ranges whose ends differ: a start where coupler and rocker are equal lies on a kink of the assembly margin.
-    const std::string links = R"(schema = 1
-mechanism = "four-bar"
-[dimensions]
-ground = { min = 20, max = 62 }
-crank = { min = 5, max = 15 }
-coupler = { min = 22, max = 65 }
-rocker = { min = 20, max = 58 }
-[function]
+    const std::string links = uneven_head + R"([function]
 input = { start = { min = 20, max = 90 }, range = { min = 60, max = 90 } }
 output = { start = { min = 0, max = 90 }, range = { min = 30, max = 60 } }
 )";
@@ -64,14 +57,7 @@ output = { start = { min = 0, max = 90 }, range = { min = 30, max = 60 } }
 }
 
 TEST(Derivatives, OfTransmissionOverAFreeInputRange) {
-    expect_exact_derivatives(problem_of(R"(schema = 1
-mechanism = "four-bar"
-[dimensions]
-ground = { min = 20, max = 62 }
-crank = { min = 5, max = 15 }
-coupler = { min = 22, max = 65 }
-rocker = { min = 20, max = 58 }
-[function]
+    expect_exact_derivatives(problem_of(uneven_head + R"([function]
 samples = [[0, 0], [1, 0.4], [2, 1.5], [3, 4]]
 input = { start = { min = 20, max = 90 }, range = { min = 60, max = 90 } }
 output = { start = { min = 0, max = 90 }, range = { min = 30, max = 60 } }
@@ -99,13 +85,7 @@ min = 30
 [objective]
 minimize = "line-deviation"
 )";
-    expect_exact_derivatives(problem_of(R"(schema = 1
-mechanism = "four-bar"
-[dimensions]
-ground = { min = 20, max = 62 }
-crank = { min = 5, max = 15 }
-coupler = { min = 22, max = 65 }
-rocker = { of = "coupler", times = 0.8 }
+    expect_exact_derivatives(problem_of(uneven_links + R"(rocker = { of = "coupler", times = 0.8 }
 point-along = { of = "coupler", times = 2 }
 point-across = { of = "crank", times = -0.5 }
 tilt = { min = 0, max = 90 }
@@ -122,13 +102,7 @@ point-across = { min = -3, max = 5 }
 }
 
 TEST(Derivatives, OfSumsOfDimensions) {
-    expect_exact_derivatives(problem_of(R"(schema = 1
-mechanism = "four-bar"
-[dimensions]
-ground = { min = 20, max = 62 }
-crank = { min = 5, max = 15 }
-coupler = { min = 22, max = 65 }
-rocker = "0.5 ground + 0.25 coupler + 5"
+    expect_exact_derivatives(problem_of(uneven_links + R"(rocker = "0.5 ground + 0.25 coupler + 5"
 [function]
 expression = "x^1.5"
 x = [1, 4]
@@ -143,14 +117,7 @@ minimize = "function-max"
 }
 
 TEST(Derivatives, OfArcs) {
-    expect_exact_derivatives(problem_of(R"(schema = 1
-mechanism = "four-bar"
-[dimensions]
-ground = { min = 20, max = 62 }
-crank = { min = 5, max = 15 }
-coupler = { min = 22, max = 65 }
-rocker = { min = 20, max = 58 }
-point-along = { min = -40, max = -20 }
+    expect_exact_derivatives(problem_of(uneven_head + R"(point-along = { min = -40, max = -20 }
 point-across = { min = 20, max = 40 }
 [arc]
 start = { min = 20, max = 90 }
@@ -211,16 +178,6 @@ minimize = "path-max"
 weight = 0.5
 )"));
 }
-
-/// Links whose ranges differ: where coupler and rocker are equal, margins of assembly have a kink.
-const std::string uneven_head = R"(schema = 1
-mechanism = "four-bar"
-[dimensions]
-ground = { min = 20, max = 62 }
-crank = { min = 5, max = 15 }
-coupler = { min = 22, max = 65 }
-rocker = { min = 20, max = 58 }
-)";
 
 TEST(Derivatives, OfUntimedPathWithMinimax) {
     expect_exact_derivatives(problem_of(uneven_head + placement + R"([path]

@@ -25,7 +25,39 @@ crank = { min = 5, max = 15 }
 coupler = { min = 20, max = 60 }
 rocker = { min = 20, max = 60 }
 )";
-/// Where it is, and its coupler point.
+/// The same with ranges that differ: where coupler and rocker are equal, margins of assembly have a kink.
+inline const std::string uneven_links = R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = { min = 20, max = 62 }
+crank = { min = 5, max = 15 }
+coupler = { min = 22, max = 65 }
+)";
+inline const std::string uneven_head = uneven_links + "rocker = { min = 20, max = 58 }\n";
+
+/// A four-bar by its links, with a point and its placement.
+inline const std::string linkage_head = R"(schema = 1
+mechanism = "linkage"
+[dimensions]
+ground = { min = 1, max = 10 }
+crank = { min = 0.5, max = 10 }
+coupler = { min = 1, max = 10 }
+rocker = { min = 1, max = 10 }
+along = { min = -10, max = 10 }
+across = { min = -10, max = 10 }
+[placement]
+origin-x = { min = -10, max = 10 }
+tilt = { min = 0, max = 360 }
+[links]
+frame = { A = [0, 0], D = ["ground", 0] }
+crank = { A = [0, 0], B = ["crank", 0] }
+coupler = { B = [0, 0], C = ["coupler", 0], P = ["along", "across"] }
+rocker = { D = [0, 0], C = ["rocker", 0] }
+[drive]
+link = "crank"
+)";
+
+/// Where a built-in one is, and its coupler point.
 inline constexpr const char* placement = R"(point-along = { min = -30, max = 60 }
 point-across = { min = -30, max = 60 }
 origin-x = { min = -30, max = 30 }

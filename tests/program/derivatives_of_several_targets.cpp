@@ -10,26 +10,7 @@ namespace mechwright::testing {
 
 namespace {
 
-constexpr const char* links_and_quantities = R"(schema = 1
-mechanism = "linkage"
-[dimensions]
-ground = { min = 1, max = 10 }
-crank = { min = 0.5, max = 10 }
-coupler = { min = 1, max = 10 }
-rocker = { min = 1, max = 10 }
-along = { min = -10, max = 10 }
-across = { min = -10, max = 10 }
-[placement]
-origin-x = { min = -10, max = 10 }
-tilt = { min = 0, max = 360 }
-[links]
-frame = { A = [0, 0], D = ["ground", 0] }
-crank = { A = [0, 0], B = ["crank", 0] }
-coupler = { B = [0, 0], C = ["coupler", 0], P = ["along", "across"] }
-rocker = { D = [0, 0], C = ["rocker", 0] }
-[drive]
-link = "crank"
-[[objective]]
+const std::string links_and_quantities = linkage_head + R"([[objective]]
 minimize = "path-rms"
 [[objective]]
 minimize = "upper.path-rms"
@@ -75,7 +56,7 @@ poses = [[5, 4, 20], [4, 4], [3, 4, 50]]
 }  // namespace
 
 TEST(DerivativesOfSeveralTargets, AreExactWithoutTiming) {
-    expect_exact_derivatives(problem_of(std::string(links_and_quantities) + upper + pin + plate));
+    expect_exact_derivatives(problem_of(links_and_quantities + upper + pin + plate));
 }
 
 TEST(DerivativesOfSeveralTargets, AreExactAtPrescribedCrankAngles) {

@@ -10,15 +10,7 @@ namespace mechwright::testing {
 
 namespace {
 
-/// With coupler and rocker of unlike lengths: where they are equal a margin of assembly has a kink.
-const std::string four_bar = std::string(R"(schema = 1
-mechanism = "four-bar"
-[dimensions]
-ground = { min = 20, max = 60 }
-crank = { min = 5, max = 15 }
-coupler = { min = 20, max = 60 }
-rocker = { min = 25, max = 70 }
-)") + placement;
+const std::string four_bar_of_use = uneven_head + placement;
 
 constexpr const char* use = R"([motion]
 from = "first-target"
@@ -48,19 +40,20 @@ poses = [[10, 35, 10], [5, 38, 20], [-2, 38, 35]]
 
 TEST(DerivativesOfUse, AreExactWithoutTimingEitherWayRound) {
     expect_exact_derivatives(
-        problem_of(four_bar + "body-angle = { min = 0, max = 360 }\n" + use + over_four_bars + poses));
+        problem_of(four_bar_of_use + "body-angle = { min = 0, max = 360 }\n" + use + over_four_bars + poses));
 }
 
 TEST(DerivativesOfUse, AreExactWithTiming) {
     for (const char* angles : {"[0, 20, 50]", "[50, 20, 0]"})
-        expect_exact_derivatives(problem_of(four_bar + "crank-start = { min = 0, max = 360 }\n" + use + over_four_bars +
+        expect_exact_derivatives(problem_of(four_bar_of_use + "crank-start = { min = 0, max = 360 }\n" + use +
+                                            over_four_bars +
                                             "[path]\ntiming = \"prescribed\"\npoints = [[10, 35], [5, 38], [-2, 38]]\n"
                                             "crank_angles = " +
                                             angles + "\n"));
 }
 
 TEST(DerivativesOfUse, AreExactBesideTheWholeMotion) {
-    expect_exact_derivatives(problem_of(four_bar + "body-angle = { min = 0, max = 360 }\n" + use + poses +
+    expect_exact_derivatives(problem_of(four_bar_of_use + "body-angle = { min = 0, max = 360 }\n" + use + poses +
                                         "[[require]]\nquantity = \"transmission-angle-worst.whole\"\nmin = 20\n"
                                         "[objective]\nmaximize = \"transmission-angle-worst\"\n"));
 }
@@ -95,26 +88,7 @@ maximize = "transmission-angle-worst"
 }
 
 TEST(DerivativesOfUse, AreExactOfALinkageWithSeveralTargets) {
-    expect_exact_derivatives(problem_of(R"(schema = 1
-mechanism = "linkage"
-[dimensions]
-ground = { min = 1, max = 10 }
-crank = { min = 0.5, max = 10 }
-coupler = { min = 1, max = 10 }
-rocker = { min = 1, max = 10 }
-along = { min = -10, max = 10 }
-across = { min = -10, max = 10 }
-[placement]
-origin-x = { min = -10, max = 10 }
-tilt = { min = 0, max = 360 }
-[links]
-frame = { A = [0, 0], D = ["ground", 0] }
-crank = { A = [0, 0], B = ["crank", 0] }
-coupler = { B = [0, 0], C = ["coupler", 0], P = ["along", "across"] }
-rocker = { D = [0, 0], C = ["rocker", 0] }
-[drive]
-link = "crank"
-[signals]
+    expect_exact_derivatives(problem_of(linkage_head + R"([signals]
 swing = { angle = "rocker" }
 [[path]]
 name = "upper"

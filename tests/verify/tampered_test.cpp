@@ -126,6 +126,14 @@ TEST(TamperedDocument, OfARangeOfUseIsNoticed) {
         "[solver]\nstarts = 8\n");
 }
 
+TEST(TamperedDocument, OfTiesIsNoticed) {
+    expect_noticed(
+        "mechanism = \"four-bar\"\n[dimensions]\nground = { min = 80, max = 120 }\ncrank = { min = 5, max = 60 }\n"
+        "coupler = { of = \"crank\", times = -1, plus = 130 }\nrocker = \"0.5 ground + crank - 3\"\n"
+        "[[require]]\nquantity = \"swing\"\nequal = 40\n[objective]\nmaximize = \"transmission-angle-worst\"\n"
+        "[solver]\nstarts = 6\n");
+}
+
 class TamperedShippedDocument : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(TamperedShippedDocument, IsNoticed) {

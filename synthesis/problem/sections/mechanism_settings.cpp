@@ -5,6 +5,7 @@
 
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/problem/units.h"
 
 namespace mechwright::reading {
 
@@ -26,8 +27,7 @@ double read_setting(Section& section, const Setting& setting, const Units& units
             fmt::format("{} is taken in the unit that goes with force, length and second, tonnes with N and mm: "
                         "write mass = \"kg\" in [units] to have it converted, or mass = \"t\"",
                         name_of(section, setting.name)));
-    if (!has(section, setting.name) || setting.allows(number))
-        return setting.is_mass ? number * units.per_mass : number;
+    if (!has(section, setting.name) || setting.allows(number)) return number * inner_per_file_unit(setting, units);
     add_error(messages, place_of(section, setting.name),
               fmt::format("{} must be {} {}{}, not {}", name_of(section, setting.name),
                           setting.or_above ? "at least" : "greater than", setting.above,

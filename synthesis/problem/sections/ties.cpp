@@ -26,18 +26,16 @@ std::string open_tie(std::string_view tied, std::string_view to, std::string_vie
                        why);
 }
 
-/// The index of what a tie names, or what is wrong with the name.
+/// The index of what a tie names; or what is wrong with the name, which is called `what`.
 std::optional<std::size_t> partner(const Mechanism& mechanism, const Dimension& dimension, std::string_view name,
-                                   std::string& fault) {
+                                   const std::string& what, std::string& fault) {
     const auto names = partners_of(mechanism, dimension);
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-        fault = fmt::format("must be another dimension of the same kind: {}", listed(names));
-        return {};
-    }
     const int of = find_dimension(mechanism, name);
-    if (of >= 0) return static_cast<std::size_t>(of);
-    fault = open_tie(dimension.name, name, "is not given");
-    return {};
+    if (std::find(names.begin(), names.end(), name) == names.end())
+        fault = fmt::format("{} must be another dimension of the same kind: {}", what, listed(names));
+    else if (of < 0)
+        fault = open_tie(dimension.name, name, "is not given");
+    return fault.empty() ? std::optional(static_cast<std::size_t>(of)) : std::nullopt;
 }
 
 /// { of = "coupler", times = 2, plus = 3 }; the other dimension need not have been read yet.
@@ -50,11 +48,9 @@ std::optional<Affine> read_multiple(const toml::node& node, const Dimension& dim
     report_unknown_keys(section, messages);
     if (!other) return {};
     std::string fault;
-    const auto of = partner(mechanism, dimension, *other, fault);
+    const auto of = partner(mechanism, dimension, *other, fmt::format("'of' in {}", section.title), fault);
     if (!of) {
-        const bool named = fault.starts_with("'");
-        add_error(messages, place_of(section, "of"),
-                  named ? fault : fmt::format("'of' in {} {}", section.title, fault));
+        add_error(messages, place_of(section, "of"), fault);
         return {};
     }
     if (times == 0 || (dimension.kind == DimensionKind::length && times < 0 && plus <= 0)) {
@@ -69,21 +65,17 @@ std::optional<Affine> read_multiple(const toml::node& node, const Dimension& dim
 /// "2 coupler - crank + 3".
 std::optional<Affine> read_sum(const toml::node& node, const Dimension& dimension, const Mechanism& mechanism,
                                Messages& messages) {
-    const ParsedAffine read = parse_affine(*node.value<std::string>(), [&](std::string_view name, std::string& fault) {
-        const auto of = partner(mechanism, dimension, name, fault);
-        if (!of && !fault.starts_with("'")) fault = fmt::format("{} {}", quoted(name), fault);
-        return of;
+    ParsedAffine read = parse_affine(*node.value<std::string>(), [&](std::string_view name, std::string& fault) {
+        return partner(mechanism, dimension, name, quoted(name), fault);
     });
-    if (!read.fault.empty()) {
+    std::erase_if(read.value.terms, [](const auto& term) { return term.second == 0; });
+    if (!read.fault.empty())
         add_error(messages, place_of(node), fmt::format("in '{}': {}", dimension.name, read.fault));
-        return {};
-    }
-    Affine sum{read.value.constant, {}};
-    std::copy_if(read.value.terms.begin(), read.value.terms.end(), std::back_inserter(sum.terms),
-                 [](const auto& term) { return term.second != 0; });
-    if (!sum.terms.empty()) return sum;
-    add_error(messages, place_of(node),
-              fmt::format("'{}' is a string that names no other dimension: write a number", dimension.name));
+    else if (read.value.terms.empty())
+        add_error(messages, place_of(node),
+                  fmt::format("'{}' is a string that names no other dimension: write a number", dimension.name));
+    else
+        return std::move(read.value);
     return {};
 }
 
@@ -123,11 +115,15 @@ void settle(DimensionRange& range, const std::vector<DimensionRange>& all) {
 bool stands_in_dimensions(const Dimension& dimension) { return !dimension.of_segment && !dimension.of_target; }
 
 FilePlace place_of_dimension(const Section& file, std::string_view name) {
-    std::string path(name);
-    if (const auto at = path.rfind('-'); at != std::string::npos) path[at] = '.';
-    for (const std::string& at :
-         {fmt::format("dimensions.{}", name), "function." + path, "line." + path, "arc." + path})
-        if (const toml::node* node = file.table->at_path(at).node()) return place_of(*node);
+    std::vector<std::string> paths{fmt::format("dimensions.{}", name)};
+    if (const auto dash = name.rfind('-'); dash != std::string_view::npos) {
+        const std::string_view scale = name.substr(0, dash), part = name.substr(dash + 1);
+        paths.push_back(fmt::format("function.{}.{}", scale, part));
+        for (const char* followed : {"line", "arc"})
+            paths.push_back(fmt::format("{}.{}", followed, part));
+    }
+    for (const std::string& path : paths)
+        if (const toml::node* node = file.table->at_path(path).node()) return place_of(*node);
     return file.place;
 }
 

@@ -92,7 +92,7 @@ std::vector<std::string> asked(const Compared& c) {
         if (c.problem.settings[i] != c.problem.mechanism->settings[i].preset)
             lines.push_back(fmt::format(
                 "{} = {}", c.problem.mechanism->settings[i].name,
-                c.problem.settings[i] / (c.problem.mechanism->settings[i].is_mass ? c.problem.units.per_mass : 1)));
+                c.problem.settings[i] / inner_per_file_unit(c.problem.mechanism->settings[i], c.problem.units)));
     std::sort(lines.begin(), lines.end());
     return lines;
 }

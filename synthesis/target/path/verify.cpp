@@ -294,9 +294,10 @@ Check check_closed(const Rebuilt& design) {
 
 Check check_order(const Rebuilt& design, const std::vector<Range>& possible) {
     const bool passed = !possible.empty();
-    return {"meets the points in order within one turn of the crank", passed,
+    const std::string cycle = cycle_words(*design.claim->mechanism);
+    return {"meets the points in order within " + cycle + " of the crank", passed,
             passed ? range_text(design, possible.front())
-                   : "the crank angles neither rise nor fall from point to point within one turn"};
+                   : "the crank angles neither rise nor fall from point to point within " + cycle};
 }
 
 /// One of the sweeps must lie on one branch in one assembled range.

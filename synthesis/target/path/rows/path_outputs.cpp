@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace mechwright {
@@ -84,6 +85,7 @@ void by_variables(const Program& program, const Reads& reads, int order, PointTe
         const auto end = variable.begin() + static_cast<std::ptrdiff_t>(count);
         const auto at = std::find(variable.begin(), end, v) - variable.begin();
         if (at == static_cast<std::ptrdiff_t>(count)) {
+            assert(count < most_arguments);  // there are fewer variables of dimensions
             if (at == by.cols()) by.conservativeResizeLike(Square::Zero(n, at + 1));
             variable[count++] = v;
         }
