@@ -15,8 +15,7 @@
 #include "synthesis/problem/linkage/mechanism.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/target/followed/document.h"
-#include "synthesis/target/function/document.h"
+#include "synthesis/target/over_input/document.h"
 #include "synthesis/target/path/document.h"
 #include "synthesis/target/with_targets.h"
 
@@ -330,9 +329,8 @@ ReadClaim read_claim(const Json& document) {
     if (const Json* instant = member(document, of_document("instant"))) claim.has_instant = in.flag(instant, "instant");
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
-    for (const auto read :
-         {read_given, read_design, read_circuit, read_crank_range, read_range_of_use, read_settings, read_function,
-          read_followed, read_requirements, read_objective, read_quantities, read_path})
+    for (const auto read : {read_given, read_design, read_circuit, read_crank_range, read_range_of_use, read_settings,
+                            read_over_input, read_requirements, read_objective, read_quantities, read_path})
         if (in.understood()) read(in, document, claim);
     return {std::move(claim), in.defect};
 }

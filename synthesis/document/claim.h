@@ -95,6 +95,7 @@ struct Claim {
     std::array<double, Setting::most> settings{};  ///< presets where they are not stated
     std::shared_ptr<const FunctionTarget> function;
     std::optional<FollowedTarget> followed;
+    std::shared_ptr<const std::vector<AskedOverInput>> over_input;  ///< as Problem::over_input
     bool has_instant = false;
     std::vector<ClaimedRequirement> requirements;
     std::optional<ClaimedObjective> objective;

@@ -86,6 +86,7 @@ ClaimedDesign claimed_design(const Claim& claim) {
     problem.settings = claim.settings;
     problem.function = claim.function;
     problem.followed = claim.followed;
+    problem.over_input = claim.over_input;
     problem.has_instant = claim.has_instant;
     problem.solver.tolerance = claim.tolerance;
     if (claim.crank_range)

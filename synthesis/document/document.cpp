@@ -15,8 +15,7 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/singular.h"
 #include "synthesis/program/standing.h"
-#include "synthesis/target/followed/document.h"
-#include "synthesis/target/function/document.h"
+#include "synthesis/target/over_input/document.h"
 #include "synthesis/target/path/document.h"
 
 namespace mechwright {
@@ -184,10 +183,7 @@ Json solutions_of(const SolutionCounts& counts) {
 void put_targets(Json& json, const Problem& problem, const Solution* best) {
     const Design* design = best ? &best->design : nullptr;
     if (problem.path) put_path(json, problem, best);
-    if (problem.function) json[of_finding("function")] = function_document(problem, design);
-    if (problem.followed)
-        json[std::string(followed_shape_of(*problem.mechanism, *problem.followed)->name)] =
-            followed_document(problem, design);
+    put_over_input(json, problem, design);
 }
 
 /// Where the design stands close to a singular position.

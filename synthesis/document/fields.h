@@ -154,23 +154,35 @@ inline constexpr std::array poses = joined(
 inline constexpr std::array error{Key{"x", Shape::number, "Where it is."},
                                   Key{"error", Shape::number, "The error there."}};
 
-inline constexpr std::array function{
-    Key{"expression", Shape::text, "The function of x."},
-    Key{"x", Shape::ends, "Range of x."},
-    Key{"samples", Shape::pairs, "[x, y], in place of an expression."},
-    Key{"accuracy_points", Shape::numbers, "Where an exact method meets it."},
-    Key{"extremes", Shape::tables, "Where the error is extreme.", false, {}, error},
-    Key{"alternating", Shape::whole_number, "Extremes as great as the greatest, with alternating signs."},
-    Key{"free", Shape::whole_number, "Dimensions that were free to make the error small."}};
+/// Of one of several.
+inline constexpr std::array name_and_weight{
+    Key{"name", Shape::text, "Of one of several functions, lines and arcs: what its quantities are called by."},
+    Key{"weight",
+        Shape::number,
+        "Of one of several: weight of its mean square in that of all.",
+        false,
+        {},
+        {},
+        positive}};
+
+inline constexpr std::array function = joined(
+    std::array{Key{"expression", Shape::text, "The function of x."}, Key{"x", Shape::ends, "Range of x."},
+               Key{"samples", Shape::pairs, "[x, y], in place of an expression."},
+               Key{"accuracy_points", Shape::numbers, "Where an exact method meets it."},
+               Key{"extremes", Shape::tables, "Where the error is extreme.", false, {}, error},
+               Key{"alternating", Shape::whole_number, "Extremes as great as the greatest, with alternating signs."},
+               Key{"free", Shape::whole_number, "Dimensions that were free to make the error small."}},
+    name_and_weight);
 
 inline constexpr std::array distance{Key{"crank_angle", Shape::number, "Where it is."},
                                      Key{"distance", Shape::number, "The distance there."}};
 
-inline constexpr std::array followed{
-    Key{"full_turn", Shape::flag, "Whether the crank has to turn fully.", true},
-    Key{"extremes", Shape::tables, "Where the distance is extreme.", false, {}, distance},
-    Key{"alternating", Shape::whole_number, "Extremes as great as the greatest, with alternating signs."},
-    Key{"free", Shape::whole_number, "Dimensions that were free to make the distance small."}};
+inline constexpr std::array followed = joined(
+    std::array{Key{"full_turn", Shape::flag, "Whether the crank has to turn fully.", true},
+               Key{"extremes", Shape::tables, "Where the distance is extreme.", false, {}, distance},
+               Key{"alternating", Shape::whole_number, "Extremes as great as the greatest, with alternating signs."},
+               Key{"free", Shape::whole_number, "Dimensions that were free to make the distance small."}},
+    name_and_weight);
 
 inline constexpr std::array warning{
     Key{"name", Shape::text, "Why the mechanism is close to a singular position.", true},

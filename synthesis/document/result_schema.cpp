@@ -17,6 +17,9 @@ using namespace schema;
 
 using Names = std::vector<std::string_view>;
 
+/// Of which a linkage can have several.
+constexpr std::array<const char*, 5> targets{"path", "poses", "function", "line", "arc"};
+
 template <class Text>
 void add_name(std::vector<Text>& names, std::string_view name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
@@ -82,7 +85,7 @@ Json findings_of(const Kinds& kinds) {
 Json of_kinds(const Kinds& kinds) {
     const Json given = any_of({number(), table_of(fields::range), table_of(fields::tie), Json{{"type", "string"}}});
     Json properties = findings_of(kinds);
-    for (const char* target : {"path", "poses"})
+    for (const char* target : targets)
         properties[target] = {{"type", "object"}};
     properties["dimensions"] = table_by(kinds.dimensions, given);
     properties["settings"] = table_by(kinds.settings, number());
@@ -129,7 +132,7 @@ nlohmann::ordered_json result_schema() {
     Json& properties = schema["properties"];
     Json point = table_of(fields::finding);
     for (Json* of : {&properties, &point["properties"]})
-        for (const char* target : {"path", "poses"})
+        for (const char* target : targets)
             (*of)[target] = one_or_several(*find_key(fields::finding, target));
     point["required"] = {"design", "verification"};
     properties["front"].update(list_of(std::move(point)));

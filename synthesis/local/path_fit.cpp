@@ -118,7 +118,8 @@ std::vector<bool> PathFit::kept_angles(const PathPlace& at) const {
     std::vector<bool> kept(static_cast<std::size_t>(points_), false);
     if (!untimed_ || !depends_on_stretch(program_) || !(at.missed.array() != 0).any()) return kept;
     const StretchEnds ends = stretch_ends(program_, at.x);
-    kept[ends.first] = kept[ends.last] = true;
+    for (const StretchEnd& end : {ends.first, ends.last})
+        if (end.point) kept[*end.point] = true;
     return kept;
 }
 

@@ -143,6 +143,12 @@ std::vector<Digits50> Reads::of(std::span<const Digits50> dimensions) const {
 
 Motion motion_for(const Quantity& quantity, Motion motion) {
     motion.of = quantity.of.data();
+    const bool of_one = motion.asked != nullptr && quantity.of_target < motion.asked->size();
+    if (of_one && quantity.path == PathMeasure::none) {
+        const AskedOverInput& one = (*motion.asked)[quantity.of_target];
+        motion.function = one.function.get();
+        motion.followed = one.followed;
+    }
     return motion;
 }
 

@@ -202,11 +202,21 @@ struct FollowedShape {
     /// start and range of the input and the shape's numbers.
     std::vector<Quantity> quantities{};
     std::size_t place = no_dimension;  ///< the first of its numbers
+    std::size_t guided = 0;            ///< the point that follows, as Form::guided
     /// The extremes of the distance, in order along the input range. The arguments are those of the deviation.
     std::vector<ErrorExtreme> (*extremes)(Form, std::span<const double> arguments) = nullptr;
     /// Sets those of its numbers that are free to what comes close to the path.
     void (*fit)(Form, std::span<const double> arguments, std::span<double> shape,
                 const std::array<bool, 3>& free) = nullptr;
+};
+
+/// What one of several functions, lines and arcs of a problem has of its own: the target's name, its numbers among the
+/// dimensions, and what the mechanism does for it.
+struct InputTarget {
+    std::string name{};
+    std::size_t start = no_dimension;  ///< of its input range; the next one is the range
+    std::optional<FunctionGeneration> function{};
+    std::optional<FollowedShape> shape{};
 };
 
 /// How a quantity of a mechanism follows from its dimensions, which have their names in problem files.
@@ -309,6 +319,9 @@ struct Mechanism {
     std::optional<FunctionGeneration> function{};
     std::optional<FollowedShape> line{};
     std::optional<FollowedShape> arc{};
+    /// Functions, lines and arcs of a problem in which these have names; `function`, `line` and `arc` then are absent,
+    /// and Form::over_input says which is meant.
+    std::vector<InputTarget> over_input{};
     /// At one crank angle: their arguments are dimensions of the mechanism, then that angle.
     std::vector<Quantity> at_instant{};
     /// The targets that problems can have, named as their sections, in the order in which their numbers follow the
@@ -317,8 +330,8 @@ struct Mechanism {
     std::shared_ptr<const Mechanism> plain{};  ///< the same without the numbers of any target, where this one has some
     std::shared_ptr<const Mechanism> whole{};  ///< the same with those of all, where this one has not
 
-    Form form(std::size_t assembly, std::size_t guided_target = 0) const {
-        return {model.data(), assembly, guided_target};
+    Form form(std::size_t assembly, std::size_t guided_target = 0, std::size_t input_target = 0) const {
+        return {model.data(), assembly, guided_target, input_target};
     }
     /// Of the path or the poses of this number: which dimensions play which part, and the body, null for a path.
     const PathRoles& roles_of(std::size_t target) const { return guided.empty() ? point->roles : guided[target].roles; }

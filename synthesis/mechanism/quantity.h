@@ -59,11 +59,13 @@ private:
 };
 
 /// What a mechanism's functions get beside the dimensions: the value of its model, null where it has none, the index of
-/// the assembly, and which of several guided points or bodies is meant (Mechanism::guided).
+/// the assembly, and which of several guided points or bodies (Mechanism::guided) and of several targets over input
+/// ranges (Mechanism::over_input) is meant.
 struct Form {
     const void* model = nullptr;
     std::size_t assembly = 0;
     std::size_t guided = 0;
+    std::size_t over_input = 0;
 };
 
 struct FunctionTarget;
@@ -74,6 +76,15 @@ struct LoopRow;
 
 /// What a guided point follows for a stretch of its path.
 enum class Followed { nothing, line, arc };
+
+/// A function, a line or an arc as one of several that a problem asks for, each over an input range of its own.
+struct AskedOverInput {
+    std::string name{};
+    double weight = 1;                                 ///< of its mean square in that of all
+    std::shared_ptr<const FunctionTarget> function{};  ///< null: a guided point follows something
+    Followed followed = Followed::nothing;
+    bool full_turn = false;  ///< the crank has to turn fully
+};
 
 /// The discrete data of a design and the motion over which it is judged.
 struct Motion {
@@ -87,8 +98,11 @@ struct Motion {
     std::array<double, Setting::most> settings{};  ///< values of Mechanism::settings
     const FunctionTarget* function = nullptr;      ///< what a function generator does; null without one
     Followed followed = Followed::nothing;         ///< by a guided point, over an input range
-    bool has_instant = false;                      ///< velocities at one crank angle are asked for
-    bool is_range_of_use = false;                  ///< over the stretch between the targets of a path
+    /// Where functions, lines and arcs have names all of them; `function` and `followed` then are those of the quantity
+    /// that is measured.
+    const std::vector<AskedOverInput>* asked = nullptr;
+    bool has_instant = false;      ///< velocities at one crank angle are asked for
+    bool is_range_of_use = false;  ///< over the stretch between the targets of a path
 
     Form form() const { return {model, assembly}; }
 };
@@ -154,7 +168,7 @@ struct Quantity {
     Digits50 (*measure_again)(const Motion&, std::span<const Digits50> arguments) = nullptr;
 
     PathMeasure path = PathMeasure::none;  ///< path quantities have none of the four functions
-    std::size_t of_target = every_target;  ///< of several paths and poses that one alone; else all of them
+    std::size_t of_target = every_target;  ///< of several targets of its section that one alone; else all of them
     bool worst_first = false;              ///< the first component always is the quantity; the others are runners-up
     bool paired = false;     ///< each second component is the negative of the one before: of absolute values
     std::string section{};   ///< it has a value only in problems with this section

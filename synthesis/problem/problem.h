@@ -22,6 +22,8 @@ namespace mechwright {
 
 struct Study;
 
+inline constexpr std::size_t most_targets = 16;  ///< of a problem
+
 struct Units {
     bool degrees = true;        ///< else radians
     std::string length = "mm";  ///< a label; lengths are never converted
@@ -162,6 +164,9 @@ struct Problem {
     std::array<double, Setting::most> settings{};  ///< of the mechanism, in the order of Mechanism::settings
     std::shared_ptr<const FunctionTarget> function;
     std::optional<FollowedTarget> followed;
+    /// Functions, lines and arcs that have names, in the order of Mechanism::over_input; `function` and `followed` are
+    /// of one that has none.
+    std::shared_ptr<const std::vector<AskedOverInput>> over_input;
     bool has_instant = false;      ///< velocities are asked for at the crank angle crank-start
     std::size_t cam_rotation = 0;  ///< of a cam: ccw, cw, or either
     SolverOptions solver;
@@ -169,12 +174,25 @@ struct Problem {
     std::shared_ptr<const Study> study;              ///< of problems that differ from this one in a few values
 };
 
-/// Whether the motion is that over an input range, whose ends are dimensions.
-inline bool has_input_range(const Problem& problem) { return problem.function != nullptr || problem.followed; }
+/// Whether something is asked over an input range, whose ends are dimensions.
+inline bool has_input_range(const Problem& problem) {
+    return problem.function != nullptr || problem.followed || problem.over_input != nullptr;
+}
+
+/// Whether the motion is that in which all targets are met, one of them over an input range; with a closed path it is a
+/// full turn.
+inline bool moves_over_targets(const Problem& problem) {
+    return has_input_range(problem) && !(problem.path && problem.path->closed);
+}
+
+/// Whether that motion is of several targets, and not the input range of the only one.
+inline bool covers_several(const Problem& problem) {
+    return moves_over_targets(problem) && (problem.path || problem.over_input);
+}
 
 /// Whether designs are judged over a stretch of crank angles that depends on the design.
 inline bool has_moving_ends(const Problem& problem) {
-    return !problem.crank_range && (has_input_range(problem) || problem.use.has_value());
+    return !problem.crank_range && (moves_over_targets(problem) || problem.use.has_value());
 }
 
 /// What a mechanism's point follows; none where it cannot.

@@ -155,16 +155,18 @@ struct Builder {
             }
             add_row(std::string(condition.name), std::move(form), condition_margin, unlimited);
         }
-        if (has_input_range(problem)) {
-            add_margins(block_of(problem.mechanism->input->margin));
-            if (family.full_turn && family.assembly_margin) add_full_turn(family);
-            return;
+        const bool one_range = moves_over_targets(problem) && !covers_several(problem);
+        if (one_range) add_margins(block_of(problem.mechanism->input->margin));
+        if (moves_over_targets(problem) && family.full_turn) {
+            if (family.assembly_margin) add_full_turn(family);
+        } else if (!one_range) {
+            if (family.assembly_margin && is_defined(*family.assembly_margin, motion))
+                add_margins(block_of(*family.assembly_margin));
+            if (needs_stretch(problem, family)) {
+                const Quantity& margin = problem.mechanism->input->margin;
+                add_margins(add_block(margin, motion_for(margin, motion), true));
+            }
         }
-        if (family.assembly_margin && is_defined(*family.assembly_margin, motion))
-            add_margins(block_of(*family.assembly_margin));
-        if (!needs_stretch(problem, family)) return;
-        const Quantity& margin = problem.mechanism->input->margin;
-        add_margins(add_block(margin, motion_for(margin, motion), true));
     }
 
     /// What keeps the crank turning fully beyond the range of its input.
@@ -193,8 +195,9 @@ struct Builder {
     QuantityBlock block_of(const Quantity& quantity) {
         for (const QuantityBlock& block : program.blocks)
             if (block.quantity == &quantity) return block;
+        // What knows that the ends of the motion move gets those of the stretch in which all targets are met.
         return add_block(quantity, motion_of(problem, quantity, motion),
-                         problem.use && has_moving_ends(problem, quantity));
+                         (problem.use || covers_several(problem)) && has_moving_ends(problem, quantity));
     }
 
     std::size_t place(std::optional<std::size_t>& output, std::size_t count) {

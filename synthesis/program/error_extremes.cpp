@@ -18,10 +18,10 @@ constexpr std::size_t most_extremes = 40;
 constexpr double as_great_within = 1e-6;
 
 /// What an error is off by rounding: a few units of the last place of what it is the difference of.
-double rounding_of_error(const Problem& problem, const Design& design) {
+double rounding_of_error(const Problem& problem, const InputTask& task, const Design& design) {
     constexpr double units = 8;
     double size = 1;
-    if (error_unit(problem) == Unit::length) {
+    if (task.unit() == Unit::length) {
         size = 0;
         for (std::size_t i = 0; i < design.dimensions.size(); ++i)
             if (problem.mechanism->dimensions[i].kind == DimensionKind::length)
@@ -33,16 +33,10 @@ double rounding_of_error(const Problem& problem, const Design& design) {
 /// Columns of sensitivities are independent if they differ by more than this.
 constexpr double independent_beyond = 1e-7;
 
-const Quantity& deviation_of(const Problem& problem) {
-    const Mechanism& mechanism = *problem.mechanism;
-    return deviation_from(mechanism,
-                          problem.followed ? followed_shape_of(mechanism, *problem.followed)->name : "function");
-}
-
 /// How many of the dimensions left open the error depends on independently: the size of a linkage does not count where
 /// only angles matter.
-int free_dimensions(const Problem& problem, const Design& design) {
-    const Quantity& q = deviation_of(problem);
+int free_dimensions(const Problem& problem, const InputTask& task, const Design& design) {
+    const Quantity& q = *task.deviation;
     const Motion motion = motion_of(problem, design);
     const std::size_t count = count_components(q, motion);
     std::vector<double> value(count), gradient(count * q.reads.size());
@@ -70,50 +64,42 @@ int free_dimensions(const Problem& problem, const Design& design) {
 
 }  // namespace
 
-bool asks_for_least_error(const Problem& problem) {
+bool asks_for_least_error(const Problem& problem, const InputTask& task) {
     if (!problem.objective || problem.objective->terms.size() != 1 || !problem.requirements.empty()) return false;
     const ObjectiveTerm& term = problem.objective->terms.front();
-    const Quantity& quantity = problem.mechanism->quantities[term.quantity];
-    return !term.maximize && !quantity.section.empty() && quantity.reduce == Reduce::greatest;
+    return !term.maximize && &problem.mechanism->quantities[term.quantity] == task.deviation;
 }
 
-Unit error_unit(const Problem& problem) {
-    if (problem.followed) return Unit::length;
-    const DimensionKind kind = problem.mechanism->dimensions[problem.mechanism->input->start + 2].kind;
-    return kind == DimensionKind::angle ? Unit::angle : Unit::length;
-}
-
-std::vector<ErrorExtreme> every_extreme(const Problem& problem, const Design& design) {
-    const Mechanism& mechanism = *problem.mechanism;
-    const Form form = mechanism.form(design.assembly);
+std::vector<ErrorExtreme> every_extreme(const Problem& problem, const InputTask& task, const Design& design) {
+    const Form form = task.form(*problem.mechanism, design.assembly);
     std::array<double, Reads::most> room;
-    const auto arguments = deviation_of(problem).reads.of(design.dimensions, room);
-    return problem.followed ? followed_shape_of(mechanism, *problem.followed)->extremes(form, arguments)
-                            : mechanism.function->extremes(*problem.function, form, arguments);
+    const auto arguments = task.deviation->reads.of(design.dimensions, room);
+    return task.is_function() ? task.generation->extremes(*task.asked.function, form, arguments)
+                              : task.shape->extremes(form, arguments);
 }
 
-ErrorExtremes error_extremes_of(const Problem& problem, const Design& design) {
+ErrorExtremes error_extremes_of(const Problem& problem, const InputTask& task, const Design& design) {
     ErrorExtremes e;
-    e.all = every_extreme(problem, design);
+    e.all = every_extreme(problem, task, design);
     double greatest = 0;
     for (const auto& extreme : e.all)
         greatest = std::max(greatest, std::abs(extreme.error));
-    const double as_great_from = (1 - as_great_within) * greatest - rounding_of_error(problem, design);
+    const double as_great_from = (1 - as_great_within) * greatest - rounding_of_error(problem, task, design);
     double last = 0;
     for (const auto& extreme : e.all) {
         if (std::abs(extreme.error) < as_great_from || last * extreme.error > 0) continue;
         last = extreme.error;
         ++e.alternating;
     }
-    e.free = free_dimensions(problem, design);
+    e.free = free_dimensions(problem, task, design);
     if (e.all.size() > most_extremes) e.all.resize(most_extremes);
     return e;
 }
 
-double place_of(const Problem& problem, const Design& design, double share) {
-    if (problem.function) return problem.function->from + share * (problem.function->to - problem.function->from);
-    const std::size_t input = problem.mechanism->input->start;
-    return in_file_unit(design.dimensions[input] + share * design.dimensions[input + 1], Unit::angle, problem.units);
+double place_of(const Problem& problem, const InputTask& task, const Design& design, double share) {
+    if (const FunctionTarget* f = task.asked.function.get()) return f->from + share * (f->to - f->from);
+    return in_file_unit(design.dimensions[task.start] + share * design.dimensions[task.start + 1], Unit::angle,
+                        problem.units);
 }
 
 }  // namespace mechwright

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "synthesis/problem/input_tasks.h"
 #include "synthesis/program/result.h"
 #include "synthesis/target/function/function_target.h"
 
@@ -17,19 +18,16 @@ struct ErrorExtremes {
 };
 
 /// Every extreme of the error of a function, a line or an arc, in order along the input range.
-std::vector<ErrorExtreme> every_extreme(const Problem& problem, const Design& design);
+std::vector<ErrorExtreme> every_extreme(const Problem& problem, const InputTask& task, const Design& design);
 
-/// Of a problem with a function or a line.
-ErrorExtremes error_extremes_of(const Problem& problem, const Design& design);
+/// The same with what its number says.
+ErrorExtremes error_extremes_of(const Problem& problem, const InputTask& task, const Design& design);
 
-/// Whether the greatest error alone is to be least: beside other objectives and requirements a design may stand where
-/// its extremes do not balance, and their number shows nothing.
-bool asks_for_least_error(const Problem& problem);
-
-/// The unit of the error.
-Unit error_unit(const Problem& problem);
+/// Whether the greatest error of this alone is to be least: beside other objectives, requirements and targets a design
+/// may stand where its extremes do not balance, and their number shows nothing.
+bool asks_for_least_error(const Problem& problem, const InputTask& task);
 
 /// The place at a share of the range, in the file's unit: x of a function, the crank angle of a line or an arc.
-double place_of(const Problem& problem, const Design& design, double share);
+double place_of(const Problem& problem, const InputTask& task, const Design& design, double share);
 
 }  // namespace mechwright

@@ -14,7 +14,9 @@ using Eigen::VectorXd;
 void set_arguments(const Program& program, const QuantityBlock& block, std::span<const double> dimensions,
                    const VectorXd& x, BlockArguments& arguments) {
     const Reads& reads = block.quantity->reads;
-    for (std::size_t i = 0; i < reads.size(); ++i)
+    // In place of an input range that has numbers of its own the stretch is given, which holds it.
+    const bool has_numbers = block.along_stretch && program.problem->mechanism->input->start != no_dimension;
+    for (std::size_t i = 0; i < reads.size() - (has_numbers ? 2 : 0); ++i)
         add_dimension(program, dimensions, reads[i], arguments);
     if (block.along_stretch) add_stretch(program, dimensions, x, arguments);
 }

@@ -17,7 +17,7 @@ struct BlockArguments {
     std::size_t count = 0;
     std::array<double, Reads::most> value;
     std::array<std::span<const LinearTerm>, Reads::most> source;
-    std::array<LinearTerm, 3> ends;  ///< of a stretch: the variables of its first crank angle, its last, its first
+    std::array<LinearTerm, 6 * Reads::most> ends;  ///< what start and range of a stretch follow from
 };
 
 /// Adds an argument that follows from a dimension alone.

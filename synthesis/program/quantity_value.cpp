@@ -38,17 +38,17 @@ std::optional<double> reduced(Reduce reduce, std::span<const double> components)
 
 namespace {
 
-/// The crank angles over which a design is judged where that is not its whole motion.
+/// The crank angles over which a design is judged where that is not its whole motion: those given, the range of use, or
+/// those in which all targets are met where one of them is over an input range.
 std::optional<std::array<double, 2>> crank_range_of(const Problem& problem, const Design& design) {
     if (problem.crank_range) return std::array{problem.crank_range->x, problem.crank_range->y};
-    if (problem.use) {
-        if (design.path_angles.size() != problem.path->points.size()) return std::array{1.0, 0.0};
-        const CrankStretch stretch = stretch_of(problem, design.path_angles);
-        return std::array{stretch.first, stretch.last};
+    if (problem.use || covers_several(problem)) {
+        const auto stretch = stretch_of(problem, design);
+        return stretch ? std::array{stretch->first, stretch->last} : std::array{1.0, 0.0};
     }
-    if (!has_input_range(problem)) return std::nullopt;
-    const double start = design.dimensions[problem.mechanism->input->start];
-    const double end = start + design.dimensions[problem.mechanism->input->start + 1];
+    if (!moves_over_targets(problem)) return std::nullopt;
+    const std::size_t input = problem.mechanism->input->start;
+    const double start = design.dimensions[input], end = start + design.dimensions[input + 1];
     return std::array{std::min(start, end), std::max(start, end)};
 }
 
@@ -57,6 +57,7 @@ Motion motion_over(const Problem& problem, const Design& design, const double* r
     motion.settings = problem.settings;
     motion.function = problem.function.get();
     motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
+    motion.asked = problem.over_input.get();
     motion.has_instant = problem.has_instant;
     motion.is_range_of_use = problem.use.has_value();
     return motion;

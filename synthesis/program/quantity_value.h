@@ -12,7 +12,8 @@
 namespace mechwright {
 
 /// The motion over which the problem judges a design: the given crank range, else the range of use, or the input range
-/// of a function or a line, else all of it. from > to if it assembles nowhere, or where the range of use is not known.
+/// of a function, a line or an arc, or the stretch in which all targets are met, else all of it. from > to if it
+/// assembles nowhere, or where that stretch is not known.
 Motion motion_of(const Problem& problem, const Design& design);
 /// The same for one of its quantities: all of the motion for one that is over the whole of it.
 Motion motion_of(const Problem& problem, const Quantity& quantity, const Design& design);

@@ -41,7 +41,9 @@ void add_conditions(const Mechanism& mechanism, const Motion& motion, const Desi
 }
 
 void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
-    if (has_input_range(problem) && has_moving_ends(problem) && problem.mechanism->input)
+    if (covers_several(problem) && !problem.crank_range)
+        return margins.add("the mechanism assembles over its targets", least_margin_along(problem, design));
+    if (moves_over_targets(problem) && has_moving_ends(problem) && problem.mechanism->input)
         return margins.add("the mechanism assembles over its input range",
                            least_component(problem.mechanism->input->margin, motion, design.dimensions));
     const auto& families = problem.mechanism->families;

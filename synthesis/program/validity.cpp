@@ -66,14 +66,19 @@ void add_margin_of_full_turn(const Problem& problem, const Design& design, std::
     all.push_back({family.assembly_margin->meaning, std::isnan(relative) ? -endless : relative, true});
 }
 
+void add_margin_between_targets(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {
+    const Motion whole = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
+    if (needs_stretch(problem, problem.mechanism->families[whole.family]))
+        all.push_back(
+            {"it stays assembled from the first target to the last", least_margin_along(problem, design), false});
+}
+
 void add_margins_of_path(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {
     const Motion whole = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     if (problem.path->closed)
         all.push_back({"the crank goes round the closed path", whole.full_turn ? 0 : -endless, false});
     all.push_back({"it assembles at every target", margin_at_targets(problem, design), false});
-    if (needs_stretch(problem, problem.mechanism->families[whole.family]))
-        all.push_back(
-            {"it stays assembled from the first target to the last", least_margin_along(problem, design), false});
+    add_margin_between_targets(problem, design, all);
     const PathTarget& path = *problem.path;
     if (design.path_angles.size() != path.points.size()) return;
     const double advance = least_advance(path, design.path_angles);
@@ -90,7 +95,10 @@ std::vector<ValidityMargin> validity_margins(const Problem& problem, const Desig
     add_margin_of_full_turn(problem, design, all);
     all.push_back(
         {"it assembles over the range of crank angles", assembles_over_range(problem, design) ? 0 : -endless, false});
-    if (problem.path) add_margins_of_path(problem, design, all);
+    if (problem.path)
+        add_margins_of_path(problem, design, all);
+    else if (covers_several(problem))
+        add_margin_between_targets(problem, design, all);
     return all;
 }
 

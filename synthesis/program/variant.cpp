@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "synthesis/problem/input_tasks.h"
+
 namespace mechwright {
 
 Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembly) {
@@ -13,6 +15,7 @@ Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembl
     motion.model = problem.mechanism->model.data();
     motion.function = problem.function.get();
     motion.followed = problem.followed ? problem.followed->shape : Followed::nothing;
+    motion.asked = problem.over_input.get();
     motion.has_instant = problem.has_instant;
     motion.is_range_of_use = problem.use.has_value();
     motion.full_turn =
@@ -103,13 +106,12 @@ std::vector<std::size_t> families_of(const Problem& problem) {
         const Motion motion = motion_of(problem, f, 0);
         const bool range_known =
             families[f].full_turn || problem.crank_range || problem.path || has_input_range(problem);
-        const bool must_turn = problem.followed && problem.followed->full_turn;
-        if (has_input_range(problem) && families[f].full_turn != must_turn) continue;
+        if (moves_over_targets(problem) && families[f].full_turn != must_turn_fully(problem)) continue;
         if (problem.path && problem.path->closed && !families[f].full_turn) continue;
         if (range_known && all_defined(problem, motion)) usable.push_back(f);
     }
     // Over a given range the family of limited motions contains all others.
-    if (problem.crank_range && !has_input_range(problem))
+    if (problem.crank_range && !moves_over_targets(problem))
         for (const std::size_t f : usable)
             if (!families[f].full_turn) return {f};
     return usable;

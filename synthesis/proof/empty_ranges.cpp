@@ -9,6 +9,7 @@
 #include <string>
 
 #include "synthesis/mechanism/four_bar/four_bar.h"
+#include "synthesis/problem/input_tasks.h"
 #include "synthesis/program/variant.h"
 
 namespace mechwright {
@@ -53,7 +54,7 @@ std::string condition_out_of_reach(const Problem& problem, const Family& family)
 /// only full turns have.
 bool may_end_by_itself(const Problem& problem, std::size_t family) {
     if (problem.mechanism->families[family].full_turn) return false;
-    if ((problem.path && problem.path->closed) || (problem.followed && problem.followed->full_turn)) return false;
+    if ((problem.path && problem.path->closed) || must_turn_fully(problem)) return false;
     Motion motion = motion_of(problem, family, 0);
     if (!(motion.from <= motion.to)) motion.to = motion.from;
     return all_defined(problem, motion);

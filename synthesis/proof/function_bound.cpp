@@ -88,7 +88,7 @@ std::string FunctionBound::why_not(const Problem& problem) {
 FunctionBound::FunctionBound(const Problem& problem, const Design& best) {
     loop_row_ = problem.mechanism->function->loop_row;
     const FunctionTarget& f = *problem.function;
-    auto extremes = every_extreme(problem, best);
+    auto extremes = every_extreme(problem, input_tasks(problem).front(), best);
     error_ = 0;
     for (const ErrorExtreme& e : extremes)
         error_ = std::max(error_, std::abs(e.error));

@@ -79,6 +79,7 @@ Start screened_start(const Program& program, std::uint64_t seed, int index, int 
     const auto n = static_cast<Index>(program.size());
     const Mechanism& mechanism = *program.problem->mechanism;
     const std::vector<std::size_t> coordinates = coordinates_of_starts(mechanism);
+    const std::vector<InputTask> tasks = input_tasks(*program.problem);
     const std::size_t sampled_dimensions = whole_of(mechanism).dimensions.size() + 2;
     const LowDiscrepancy sequence(sampled_dimensions, seed, program.variant.family * 16 + program.variant.assembly);
     constexpr int tries = 40;  // draws for each candidate until the conditions of motion hold
@@ -90,8 +91,8 @@ Start screened_start(const Program& program, std::uint64_t seed, int index, int 
     ProgramValues values;
     const auto consider = [&](VectorXd x, bool preferred) {
         if (program.path) fit_placement(program, x);
-        if (program.problem->function) fit_function(program, x);
-        if (program.problem->followed) fit_followed(program, x);
+        for (const InputTask& task : tasks)
+            task.is_function() ? fit_function(program, task, x) : fit_followed(program, task, x);
         settle_epigraphs(program, x);
         const double m = merit(program, x, values);
         if (found && !(m < least)) return;

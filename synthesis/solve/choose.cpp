@@ -21,7 +21,7 @@ std::string defect_of(const std::vector<Check>& checks) {
 
 /// Which of the designs already taken (0: the best one) draws the curve of another.
 std::optional<std::size_t> cognate_of(const Problem& problem, const Result& result, const Solution& other) {
-    if (!problem.path || !problem.mechanism->point->draws_same_curve) return std::nullopt;
+    if (!problem.path || has_input_range(problem) || !problem.mechanism->point->draws_same_curve) return std::nullopt;
     const auto draws_same_curve = problem.mechanism->point->draws_same_curve;
     const auto is_cognate = [&](const Solution& known) {
         return draws_same_curve(known.design.dimensions, other.design.dimensions);

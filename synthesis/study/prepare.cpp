@@ -7,6 +7,7 @@
 
 #include "synthesis/document/versions.h"
 #include "synthesis/problem/bytes.h"
+#include "synthesis/problem/input_tasks.h"
 #include "synthesis/problem/study/varied_problem.h"
 
 namespace mechwright {
@@ -23,12 +24,13 @@ void add_new(std::vector<std::string>& names, std::string_view name) {
 bool has_section(const Problem& problem, std::string_view section) {
     if (section.empty()) return true;
     if (section == "instant") return problem.has_instant;
+    const std::vector<InputTask> tasks = input_tasks(problem);
+    if (std::any_of(tasks.begin(), tasks.end(), [&](const InputTask& task) { return task.section() == section; }))
+        return true;
     // A mechanism whose targets have names has the quantities of those alone.
     if (problem.path && !problem.path->parts.empty()) return section == "path" || section == "poses";
     if (section == "path") return problem.path && !problem.path->guides_body();
-    if (section == "poses") return problem.path && problem.path->guides_body();
-    if (section == "function") return problem.function != nullptr;
-    return problem.followed && followed_shape_of(*problem.mechanism, *problem.followed)->name == section;
+    return section == "poses" && problem.path && problem.path->guides_body();
 }
 
 void add_columns(const Problem& problem, const Study& study, StudyColumns& columns) {

@@ -7,6 +7,7 @@
 
 #include "synthesis/target/followed/numbers.h"
 #include "synthesis/target/function/numbers.h"
+#include "synthesis/target/over_input/numbers.h"
 #include "synthesis/target/path/numbers.h"
 
 namespace mechwright {
@@ -27,10 +28,24 @@ struct Numbers {
 constexpr std::array<Numbers, 6> all_numbers{{
     {{"path", "poses", "instant"}, "crank-start", add_crank_start},
     {{"poses"}, "body-angle", add_body_angle},
-    {{"function", "line", "arc"}, "", add_input_range},
-    {{"function"}, "", add_output_range},
-    {{"line"}, "", [](Mechanism& m) { add_shape(m, *m.line); }},
-    {{"arc"}, "", [](Mechanism& m) { add_shape(m, *m.arc); }},
+    {{"function", "line", "arc"},
+     "",
+     [](Mechanism& m) { m.over_input.empty() ? add_input_range(m) : add_numbers_over_input(m); }},
+    {{"function"},
+     "",
+     [](Mechanism& m) {
+         if (m.function) add_output_range(m);
+     }},
+    {{"line"},
+     "",
+     [](Mechanism& m) {
+         if (m.line) add_shape(m, *m.line);
+     }},
+    {{"arc"},
+     "",
+     [](Mechanism& m) {
+         if (m.arc) add_shape(m, *m.arc);
+     }},
 }};
 
 void add_numbers(Mechanism& m, std::span<const std::string_view> names) {
@@ -69,6 +84,7 @@ void add_quantities(Mechanism& m, std::span<const std::string_view> names) {
     if (m.function) add(m.function->quantities);
     if (m.line) add(m.line->quantities);
     if (m.arc) add(m.arc->quantities);
+    add(quantities_over_input(m));
     for (Quantity& q : m.at_instant)
         q.reads = q.reads.and_then(m.point->roles.start, 1);
     add(m.at_instant);

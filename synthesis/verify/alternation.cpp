@@ -23,30 +23,29 @@ constexpr std::size_t most_listed = 40;  // extremes of a document
 
 struct Error {
     const Claim& claim;
+    InputTask task;
     Rebuilt design;
     ErrorAgain curve;
     std::vector<ExtremeAgain> extremes;
     Digits50 greatest = 0;
 
-    explicit Error(const Claim& c) : claim(c), design(rebuilt(c)), curve(design), extremes(curve.extremes()) {
+    Error(const Claim& c, const InputTask& t)
+        : claim(c), task(t), design(rebuilt(c)), curve(design, t), extremes(curve.extremes()) {
         for (const ExtremeAgain& e : extremes)
             greatest = std::max<Digits50>(greatest, abs(e.error));
     }
 
-    Unit unit() const {
-        const Mechanism& m = *claim.mechanism;
-        return claim.function && m.dimensions[m.input->start + 2].kind == DimensionKind::angle ? Unit::angle
-                                                                                               : Unit::length;
-    }
+    Unit unit() const { return task.unit(); }
+    const char* place_name() const { return task.is_function() ? "x" : "crank_angle"; }
+    const char* error_name() const { return task.is_function() ? "error" : "distance"; }
     /// What an error is off by rounding of the dimensions.
     Digits50 rounding() const {
         return 8 * std::numeric_limits<double>::epsilon() * (unit() == Unit::angle ? Digits50(1) : design.longest);
     }
     /// The place as a document has it: x of a function, else the crank angle.
     double place(double share) const {
-        if (claim.function) return claim.function->from + share * (claim.function->to - claim.function->from);
-        const std::size_t input = claim.mechanism->input->start;
-        const Digits50 angle = design.dimensions[input] + design.dimensions[input + 1] * share;
+        if (const FunctionTarget* f = task.asked.function.get()) return f->from + share * (f->to - f->from);
+        const Digits50 angle = design.dimensions[task.start] + design.dimensions[task.start + 1] * share;
         return in_document(angle, Unit::angle, claim.units).convert_to<double>();
     }
 };
@@ -55,8 +54,7 @@ struct Error {
 /// listed or not.
 std::string extremes_defect(const Json& stated, const Error& error) {
     constexpr double place_within = 1e-5, error_within = 1e-7;
-    const char* where = error.claim.function ? "x" : "crank_angle";
-    const char* what = error.claim.function ? "error" : "distance";
+    const char *where = error.place_name(), *what = error.error_name();
     const double span = std::abs(error.place(1) - error.place(0));
     const Digits50 room = error_within * error.greatest + error.rounding();
     if (!stated.is_array()) return "they are no list";
@@ -122,15 +120,20 @@ std::vector<Row> slopes(const Error& error, const std::vector<ExtremeAgain>& at)
     return rows;
 }
 
-/// Columns of unit length, or none.
+/// Columns of unit length, or none: what is that much smaller than the greatest is rounding of the differences, where
+/// nothing depends on a dimension.
 void scale_columns(std::vector<Row>& rows) {
-    for (std::size_t k = 0; !rows.empty() && k < rows[0].size(); ++k) {
-        Digits50 square = 0;
+    const Digits50 nothing("1e-20");
+    std::vector<Digits50> lengths(rows.empty() ? 0 : rows[0].size());
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
         for (const Row& row : rows)
-            square += row[k] * row[k];
-        for (Row& row : rows)
-            if (square > 0) row[k] /= sqrt(square);
+            lengths[k] += row[k] * row[k];
+        lengths[k] = sqrt(lengths[k]);
     }
+    const Digits50 least = lengths.empty() ? nothing : nothing * *std::max_element(lengths.begin(), lengths.end());
+    for (Row& row : rows)
+        for (std::size_t k = 0; k < lengths.size(); ++k)
+            row[k] = lengths[k] > least ? Digits50(row[k] / lengths[k]) : Digits50(0);
 }
 
 /// Brings rows to echelon form, the greatest pivot first, and returns the number of independent columns and, in
@@ -240,15 +243,16 @@ Check check_balance(const Error& error, const std::vector<ExtremeAgain>& equal,
 
 }  // namespace
 
-std::vector<Check> check_alternation(const Json& stated, const Claim& claim) {
-    Check check{"extremes of the error are as stated", false, {}};
-    const Error error(claim);
+std::vector<Check> check_alternation(const Json& stated, const Claim& claim, const InputTask& task) {
+    const std::string called = task.asked.name.empty() ? "" : fmt::format(" of '{}'", task.asked.name);
+    Check check{fmt::format("extremes of the error{} are as stated", called), false, {}};
+    const Error error(claim, task);
     if (!all_passed(error.design.of_motion)) return {};
     const Json extremes = stated.value("extremes", Json());
     constexpr double zero_within = 1e-11;
     if (error.greatest < zero_within) {
         // Of errors that are nothing but rounding neither places nor their number mean anything.
-        const char* what = claim.function ? "error" : "distance";
+        const char* what = error.error_name();
         check.passed = extremes.is_array() && std::all_of(extremes.begin(), extremes.end(), [&](const Json& e) {
                            return e.is_object() && e.contains(what) && e[what].is_number() &&
                                   std::abs(e[what].get<double>()) <= 1e-10;
@@ -270,7 +274,7 @@ std::vector<Check> check_alternation(const Json& stated, const Claim& claim) {
     if (!check.passed) return {check};
     check.detail =
         fmt::format("{} extremes derived again in fifty digits, {} of them alternate", extremes.size(), equal.size());
-    if (free.count == 0 || equal.size() <= free.most || !asks_for_least_error(claimed_design(claim).problem))
+    if (free.count == 0 || equal.size() <= free.most || !asks_for_least_error(claimed_design(claim).problem, task))
         return {check};
     return {check, check_balance(error, equal, free.columns)};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/program/singular.h"
@@ -46,10 +47,14 @@ std::vector<Check> check_derived(const Json& document) {
     const auto [claim, defect] = read_claim(document);
     if (!defect.empty() || !why_not_evaluable(claim).empty()) return checks;
     const ClaimedDesign claimed = claimed_design(claim);
-    for (const char* target : {"function", "line", "arc"})
-        if (document.contains(target) && document[target].is_object() && document[target].contains("extremes"))
-            for (Check& check : check_alternation(document[target], claim))
-                checks.push_back(std::move(check));
+    std::map<std::string, std::size_t> seen;  // of each section, where it is a list
+    for (const InputTask& task : input_tasks(claim)) {
+        const Json& member = document[task.section()];
+        const Json& stated = member.is_array() ? member[seen[task.section()]++] : member;
+        if (!stated.contains("extremes")) continue;
+        for (Check& check : check_alternation(stated, claim, task))
+            checks.push_back(std::move(check));
+    }
     // A design that comes apart needs no warning.
     if (document.contains("warnings") ||
         (!singular_margins(claimed.problem, claimed.design).empty() && all_passed(rebuilt(claim).of_motion)))

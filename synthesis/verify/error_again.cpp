@@ -10,7 +10,8 @@
 
 namespace mechwright {
 
-ErrorAgain::ErrorAgain(const Rebuilt& design) : design_(&design), function_(design.claim->function.get()) {
+ErrorAgain::ErrorAgain(const Rebuilt& design, const InputTask& task)
+    : design_(&design), task_(task), function_(task.asked.function.get()) {
     if (!function_) return;
     if (function_->parts.empty()) {
         y_ = std::make_shared<ExpressionValues>(function_->expression);
@@ -18,10 +19,8 @@ ErrorAgain::ErrorAgain(const Rebuilt& design) : design_(&design), function_(desi
         height_ = (*y_)(function_->to) - y_from_;
     }
     // The registry measures sizes alone: asked for a little less, the output errs by so much more, and the size of that
-    // tells the sign.
-    const Mechanism& mechanism = *design.claim->mechanism;
-    const bool angle = mechanism.dimensions[mechanism.input->start + 2].kind == DimensionKind::angle;
-    shift_ = angle ? Digits50(1) : design.longest;
+    // tells the sign. A little: an angle that is off by more than half a turn counts from the other side.
+    shift_ = task.unit() == Unit::angle ? Digits50(1e-6) : design.longest;
 }
 
 double ErrorAgain::part(double share) const {
@@ -34,29 +33,28 @@ double ErrorAgain::part(double share) const {
 }
 
 Digits50 ErrorAgain::of_function(double share, std::vector<Digits50> d) const {
-    const Mechanism& mechanism = *design_->claim->mechanism;
-    const std::size_t scale = mechanism.input->start;
+    const std::size_t scale = task_.start;
     d[scale] += d[scale + 1] * share;
     d[scale + 2] += d[scale + 3] * part(share);
     FunctionTarget here;
     here.parts = {{0, 0}};
     Motion motion = design_->motion;
+    motion.asked = nullptr;
     motion.function = &here;
     motion.from = motion.to = d[scale].convert_to<double>();
-    const Quantity& deviation = deviation_from(mechanism, "function");
-    const Digits50 size = measure_again(deviation, motion, d);
+    const Digits50 size = measure_again(*task_.deviation, motion, d);
     d[scale + 2] -= shift_;
-    const Digits50 shifted = measure_again(deviation, motion, d);
+    const Digits50 shifted = measure_again(*task_.deviation, motion, d);
     return abs(shifted - abs(shift_ + size)) <= abs(shifted - abs(shift_ - size)) ? size : Digits50(-size);
 }
 
 Digits50 ErrorAgain::of_shape(double share, std::span<const Digits50> d) const {
     const Claim& claim = *design_->claim;
-    const std::size_t input = claim.mechanism->input->start;
-    const Digits50 crank_angle = d[input] + d[input + 1] * share;
-    const Vector<Digits50> p = point_again(*claim.mechanism, claim.mechanism->form(claim.assembly), d, crank_angle);
-    const std::size_t place = followed_shape_of(*claim.mechanism, *claim.followed)->place;
-    if (claim.followed->shape == Followed::line) return cos(d[place]) * p.y - sin(d[place]) * p.x - d[place + 1];
+    const Digits50 crank_angle = d[task_.start] + d[task_.start + 1] * share;
+    const Vector<Digits50> p =
+        point_again(*claim.mechanism, task_.form(*claim.mechanism, claim.assembly), d, crank_angle);
+    const std::size_t place = task_.shape->place;
+    if (task_.is_line()) return cos(d[place]) * p.y - sin(d[place]) * p.x - d[place + 1];
     const Vector<Digits50> away = p - Vector<Digits50>{d[place], d[place + 1]};
     return sqrt(dot(away, away)) - d[place + 2];
 }

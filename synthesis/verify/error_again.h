@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "synthesis/problem/input_tasks.h"
 #include "synthesis/target/function/function_target.h"
 #include "synthesis/verify/rebuilt.h"
 
@@ -20,8 +21,8 @@ struct ExtremeAgain {
 };
 
 struct ErrorAgain {
-    /// Only for a claim with a function, a line or an arc.
-    explicit ErrorAgain(const Rebuilt& design);
+    /// Of one of the targets of the claim (`input_tasks`).
+    ErrorAgain(const Rebuilt& design, const InputTask& task);
 
     /// Radians or lengths; NaN where the mechanism does not assemble. `dimensions` are those of the design, or close.
     Digits50 at(double share, std::span<const Digits50> dimensions) const;
@@ -38,6 +39,7 @@ private:
     Digits50 of_shape(double share, std::span<const Digits50> dimensions) const;
 
     const Rebuilt* design_;
+    InputTask task_;
     const FunctionTarget* function_;  ///< null for a line or an arc
     std::shared_ptr<ExpressionValues> y_;
     double y_from_ = 0, height_ = 1;

@@ -13,6 +13,7 @@
 #include "synthesis/program/result.h"
 #include "synthesis/target/path/verify.h"
 #include "synthesis/verify/motion_again.h"
+#include "synthesis/verify/stretch_again.h"
 
 namespace mechwright {
 
@@ -27,18 +28,15 @@ double plain(const Digits50& value) { return value.convert_to<double>(); }
 
 Digits50 to_radians() { return boost::math::constants::pi<Digits50>() / 180; }
 
-/// The range of the input that is given, the range of use, or that of the input of a function, a line or an arc.
+/// The range of the input that is given, the range of use, or that in which all targets are met.
 std::optional<Vector<Digits50>> range_of(const Rebuilt& design) {
     const Claim& claim = *design.claim;
-    const std::span<const Digits50> dimensions = design.dimensions;
     if (claim.crank_range)
         return Vector<Digits50>{from_document(claim.crank_range->x, input_unit(*claim.mechanism), claim.units),
                                 from_document(claim.crank_range->y, input_unit(*claim.mechanism), claim.units)};
     if (claim.use) return range_of_use_again(design);
-    if (!claim.function && !claim.followed) return std::nullopt;
-    const std::size_t input = claim.mechanism->input->start;
-    const Digits50 start = dimensions[input], end = start + dimensions[input + 1];
-    return Vector<Digits50>{std::min(start, end), std::max(start, end)};
+    const auto stretch = stretch_again(claim, design.dimensions);
+    return stretch ? std::optional(Vector<Digits50>{stretch->from, stretch->to}) : std::nullopt;
 }
 
 /// The direction of the link that guides the point of a target, which is here.
@@ -194,6 +192,7 @@ Rebuilt rebuilt(const Claim& claim) {
         motion.settings = claim.settings;
         motion.function = claim.function.get();
         motion.followed = claim.followed ? claim.followed->shape : Followed::nothing;
+        motion.asked = claim.over_input.get();
         motion.has_instant = claim.has_instant;
         motion.is_range_of_use = claim.use.has_value();
         return motion;

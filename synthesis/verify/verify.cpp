@@ -11,6 +11,7 @@
 #include "synthesis/mechanism/cycle.h"
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/affine.h"
+#include "synthesis/problem/input_tasks.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/result.h"
@@ -95,7 +96,7 @@ Check check_circuit(const Rebuilt& design) {
 bool ends_by_itself(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     const Motion& motion = design.motion;
-    return !claim.crank_range && !claim.use && !claim.function && !claim.followed && !motion.full_turn &&
+    return !claim.crank_range && !claim.use && input_tasks(claim).empty() && !motion.full_turn &&
            motion.from <= motion.to;
 }
 
@@ -316,7 +317,7 @@ std::vector<Check> checks_of(const Claim& claim, bool infeasible, Stated parts) 
         checks.push_back(stated_check("all listed quantities are as stated", std::move(defects)));
     }
     if (claim.function && !claim.function->accuracy_points.empty()) checks.push_back(check_accuracy_points(design));
-    if (claim.followed && claim.followed->full_turn) checks.push_back(check_full_turn(design));
+    if (must_turn_fully(claim)) checks.push_back(check_full_turn(design));
     if (claim.use) checks.push_back(check_range_of_use(design, parts));
     if (claim.path)
         for (Check& check : check_path(design, parts))

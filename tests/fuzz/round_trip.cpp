@@ -50,11 +50,15 @@ bool same(const PathTarget& a, const PathTarget& b) {
 
 bool same(const FollowedTarget& a, const FollowedTarget& b) { return a.shape == b.shape && a.full_turn == b.full_turn; }
 
-bool same_function(const Problem& a, const Problem& b) {
-    if (!a.function || !b.function) return a.function == b.function;
-    return a.function->expression == b.function->expression && same(a.function->samples, b.function->samples) &&
-           same(a.function->from, b.function->from) && same(a.function->to, b.function->to) &&
-           same(a.function->accuracy_points, b.function->accuracy_points);
+bool same_function(const FunctionTarget* a, const FunctionTarget* b) {
+    if (!a || !b) return a == b;
+    return a->expression == b->expression && same(a->samples, b->samples) && same(a->from, b->from) &&
+           same(a->to, b->to) && same(a->accuracy_points, b->accuracy_points);
+}
+
+bool same(const AskedOverInput& a, const AskedOverInput& b) {
+    return a.name == b.name && same(a.weight, b.weight) && same_function(a.function.get(), b.function.get()) &&
+           a.followed == b.followed && a.full_turn == b.full_turn;
 }
 
 bool same(const SolverOptions& a, const SolverOptions& b) {
@@ -82,7 +86,10 @@ void check_same(const Problem& a, const Problem& b) {
     require(same(a.objective, b.objective), "an objective survives a round trip");
     require(same(a.path, b.path), "a path survives a round trip");
     require(same(a.crank_range, b.crank_range) && same(a.settings, b.settings), "motion and settings survive");
-    require(same_function(a, b) && same(a.followed, b.followed), "a function or line survives a round trip");
+    require(same_function(a.function.get(), b.function.get()) && same(a.followed, b.followed),
+            "a function or line survives a round trip");
+    require(!a.over_input == !b.over_input && (!a.over_input || same(*a.over_input, *b.over_input)),
+            "functions, lines and arcs with names survive a round trip");
     require(a.has_instant == b.has_instant && a.cam_rotation == b.cam_rotation &&
                 (program_of(*a.mechanism) == nullptr) == (program_of(*b.mechanism) == nullptr) && a.wanted == b.wanted,
             "the rest survives a round trip");

@@ -317,10 +317,6 @@ TEST(LinkageFunctions, WrongOnesAreSaidWithARemedy) {
               std::string::npos);
     EXPECT_NE(error("a = { angle = \"rocker\" }\nb = { sum = { a = 0.5 } }", "signal = \"b\"").find("no whole numbers"),
               std::string::npos);
-    EXPECT_EQ(first_error(free_four_bar + with_function("angle = \"rocker\"", power) +
-                          "[path]\npoint = \"P\"\npoints = [[0, 0], [1, 2]]\n"),
-              "[function] does not go with [path] in this version: several targets of a problem are paths and poses; "
-              "leave one of the two out");
     EXPECT_NE(
         first_error(free_four_bar + "[instant]\ncrank = 3\n").find("[[require]] quantity = \"NAME.speed.at(60)\""),
         std::string::npos);

@@ -185,10 +185,8 @@ TEST(SeveralTargets, WrongOnesAreSaidWithARemedy) {
     contains(error(named + "[signals]\na = { x = \"P\" }\n"), "'a' is a signal already");
     contains(error(named + replaced(named, "\"a\"", "\"b\"") + "timing = \"none\"\n"),
              "give all paths and poses of a problem one timing");
-    contains(error(named + "[line]\npoint = \"P\"\nstart = 0\nrange = 90\n"), "[line] does not go with [path]");
-    contains(error("[[line]]\npoint = \"P\"\nstart = 0\nrange = 90\n"), "one [line] in this version");
     contains(error("path = []\n"), "'path'");
-    contains(error(named + "[objective]\nminimize = \"a.pose-rms\"\n"), "it has a.path-rms, a.path-max");
+    contains(error(named + "[objective]\nminimize = \"a.pose-rms\"\n"), "it has a.path-sse, a.path-rms and a.path-max");
     contains(error(named + "[objective]\nminimize = \"ab.path-rms\"\n"), "did you mean 'a'?");
     std::string many;
     for (int i = 0; i < 17; ++i)
@@ -222,8 +220,9 @@ std::string timed(std::string targets) {
 TEST(SeveralTargets, TheMotionIsTheShortestStretchThatCoversAll) {
     ReadProblem read = read_without_fault(free_four_bar + three_targets);
     const double turn = 2 * std::acos(-1.0);
-    const std::vector<double> angles{0.4, 0.9, 1.5, 0.2 - turn, 1.1 - turn, 6.1, 6.2, 6.25};
-    const CrankStretch stretch = stretch_of(read.problem, angles);
+    Design design;
+    design.path_angles = {0.4, 0.9, 1.5, 0.2 - turn, 1.1 - turn, 6.1, 6.2, 6.25};
+    const CrankStretch stretch = *stretch_of(read.problem, design);
     EXPECT_NEAR(stretch.last - stretch.first, 1.5 + turn - 6.1, 1e-12);
     EXPECT_NEAR(std::remainder(stretch.first - 6.1, turn), 0, 1e-12);
 }

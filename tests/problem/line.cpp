@@ -44,9 +44,11 @@ TEST(Line, NeedsItsInputRange) {
     EXPECT_TRUE(says(read_line("start = 3\nrange = 3\nslope = 1"), "p.toml:11:1", {"unknown", "slope"}));
 }
 
-TEST(Line, GoesWithNoOtherTarget) {
-    EXPECT_TRUE(only_says(read_line("start = 3\nrange = 3\n[path]\npoints = [[1, 1], [2, 2], [3, 1]]"), "p.toml:8:1",
-                          {"not both"}));
+TEST(Line, GoesWithAPathWhoseMotionHasAnEnd) {
+    const std::string with_path = "start = 3\nrange = 3\n[path]\npoints = [[1, 1], [2, 2], [3, 1]]\n";
+    EXPECT_TRUE(accepted(read_line(with_path)));
+    EXPECT_TRUE(accepted(read_line(with_path + "timing = \"none\"\nclosed = true")));
+    EXPECT_TRUE(only_says(read_line(with_path + "timing = \"none\""), "p.toml:8:1", {"closed = true"}));
 }
 
 TEST(Arc, IsReadWithItsInputRange) {
@@ -70,8 +72,8 @@ TEST(Arc, HasARadiusGreaterThanZero) {
         only_says(read(valid + "[arc]\nstart = 1\nrange = 9\nradius = -4\n"), "p.toml:11:10", {"greater than 0"}));
     EXPECT_TRUE(only_says(read(valid + "[arc]\nstart = 1\nrange = 9\nradius = { min = -1, max = 3 }\n"), "p.toml:11:10",
                           {"greater than 0"}));
-    EXPECT_TRUE(
-        says(read(valid + "[arc]\nstart = 1\nrange = 9\n[line]\nstart = 1\nrange = 9\n"), "p.toml:8:1", {"not both"}));
+    EXPECT_TRUE(says(read(valid + "[arc]\nstart = 1\nrange = 9\n[line]\nstart = 1\nrange = 9\n"), "p.toml:8:1",
+                     {"cannot have [arc] beside [line]", "expand"}));
 }
 
 TEST(Line, ItsQuantitiesNeedIt) {

@@ -15,7 +15,7 @@ namespace mechwright::testing {
 
 namespace {
 
-constexpr const char* use = "[motion]\nfrom = \"first-target\"\nto = \"last-target\"\nbefore = 5\nafter = 10\n";
+constexpr const char* with_use = "[motion]\nfrom = \"first-target\"\nto = \"last-target\"\nbefore = 5\nafter = 10\n";
 
 /// What a problem without one says of the quantity, by its name.
 std::optional<double> value_in(const Problem& problem, const Design& design, std::string_view name) {
@@ -27,7 +27,7 @@ void expect_alike(const std::string& mechanism, const std::string& path) {
     for (const bool falls : {false, true}) {
         const std::string timed =
             mechanism + path + (falls ? "crank_angles = [40, 10, 0]\n" : "crank_angles = [0, 10, 40]\n");
-        const Problem used = problem_of(timed + use), whole = problem_of(timed);
+        const Problem used = problem_of(timed + with_use), whole = problem_of(timed);
         const Problem given = problem_of(timed + "[motion]\ncrank_range = " + (falls ? "[10, 65]\n" : "[15, 70]\n"));
         const Design design = evaluate_given(used).design;
         int compared = 0;

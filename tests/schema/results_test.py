@@ -94,6 +94,29 @@ link = "coupler"
 poses = [[0, 0, 0], [10, 5, 10], [20, 0]]
 timing = "prescribed"
 crank_angles = [0, 60, 120]
+[[function]]
+name = "dial"
+weight = 2
+signal = "swing"
+expression = "x^2"
+x = [1, 2]
+input = { start = 10, range = 60 }
+output = { start = 60, range = 30 }
+[[line]]
+name = "flat"
+point = "C"
+start = 20
+range = 40
+angle = 30
+offset = 50
+[arc]
+name = "round"
+point = "B"
+start = 20
+range = 40
+centre-x = 0
+centre-y = 0
+radius = 30
 """
 WHOLE_LINKAGE = LINKAGE.format(ground=100, coupler=93)
 USED = '[motion]\nfrom = "first-target"\nto = "last-target"\n'

@@ -22,6 +22,11 @@ using linkage::Signal;
 
 inline constexpr double turn = 2 * std::numbers::pi;
 
+/// What is asked over an input range, where a quantity is of that.
+inline const LinkageInputTarget& target_of(const LinkageModel& model, const LinkageMeasure& measure) {
+    return model.over_input[measure.over_input];
+}
+
 /// The linkage and the motion that a quantity is measured over.
 struct Over {
     const LinkageModel& model;
@@ -44,7 +49,8 @@ struct Over {
     }
     /// Of the arguments those that are numbers of what is followed.
     std::size_t shape_numbers() const {
-        return !is_followed() ? 0 : model.followed == Followed::line ? LineShape::parameters : ArcShape::parameters;
+        if (!is_followed()) return 0;
+        return target_of(model, measure).followed == Followed::line ? LineShape::parameters : ArcShape::parameters;
     }
     template <class T>
     std::span<const T> dimensions_of(std::span<const T> arguments) const {
@@ -85,12 +91,14 @@ struct Over {
 };
 
 /// The signals that a ready-made quantity is of.
-inline std::vector<Signal> own_signals(const LinkageModel& model, Kind kind) {
+inline std::vector<Signal> own_signals(const LinkageModel& model, const LinkageMeasure& measure) {
+    const Kind kind = measure.kind;
     const linkage::Structure& s = model.structure;
     std::vector<Signal> signals;
     if (kind == Kind::distance_greatest || kind == Kind::extent) {
-        const std::size_t pin = model.guided.front().pin;
-        const auto distance = model.followed == Followed::line ? Signal::Kind::y : Signal::Kind::radius;
+        const LinkageInputTarget& target = target_of(model, measure);
+        const std::size_t pin = model.guided[target.of].pin;
+        const auto distance = target.followed == Followed::line ? Signal::Kind::y : Signal::Kind::radius;
         return {{distance, pin}, {Signal::Kind::x, pin}, {Signal::Kind::y, pin}};
     }
     if (kind == Kind::transmission_angle_worst)

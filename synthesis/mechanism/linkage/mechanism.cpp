@@ -135,24 +135,17 @@ std::vector<Family> families_of(const LinkageModel& model, std::size_t dimension
     return {{"the drive turns fully", true, {}, assembly_margin(dimensions), std::max(model.turns, 1)}, over_range};
 }
 
+void add_target(Mechanism& made, const char* section) {
+    if (std::find(made.targets.begin(), made.targets.end(), section) == made.targets.end())
+        made.targets.emplace_back(section);
+}
+
 void add_guidance(const LinkageModel& model, Mechanism& made) {
     const std::size_t count = made.dimensions.size();
     made.point = linkage_point_guidance(model, count);
-    made.input = input_range(made.quantities, count);
-    if (model.followed == Followed::line) {
-        made.line = linkage_line(count);
-        made.targets = {"line"};
-    }
-    if (model.followed == Followed::arc) {
-        made.arc = linkage_arc(count);
-        made.targets = {"arc"};
-    }
-    if (model.followed != Followed::nothing) return;
-    made.targets.clear();
     for (const GuidedPoint& guided : model.guided) {
-        const char* target = guided.is_body ? "poses" : "path";
-        if (std::find(made.targets.begin(), made.targets.end(), target) == made.targets.end())
-            made.targets.emplace_back(target);
+        if (guided.follows) continue;
+        add_target(made, guided.is_body ? "poses" : "path");
         if (guided.is_body && !made.body) made.body = linkage_body_guidance(model, guided, count);
         if (guided.name.empty()) continue;
         GuidedTarget& named = made.guided.emplace_back();
@@ -162,11 +155,26 @@ void add_guidance(const LinkageModel& model, Mechanism& made) {
     }
 }
 
-void add_function(const LinkageModel& model, Mechanism& made) {
+/// What it has for functions, lines and arcs.
+void add_over_input(const LinkageModel& model, Mechanism& made) {
     const std::size_t count = made.dimensions.size();
-    made.input = input_range(made.quantities, count);
-    made.function = linkage_function(model, count);
-    made.targets = {"function"};
+    for (std::size_t i = 0; i < model.over_input.size(); ++i) {
+        const LinkageInputTarget& target = model.over_input[i];
+        const bool is_function = target.followed == Followed::nothing, is_line = target.followed == Followed::line;
+        add_target(made, is_function ? "function" : is_line ? "line" : "arc");
+        std::optional<FunctionGeneration> function;
+        std::optional<FollowedShape> shape;
+        if (is_function)
+            function = linkage_function(model, i, count);
+        else
+            shape = linkage_shape(model, i, count);
+        if (!target.name.empty())
+            made.over_input.push_back({target.name, no_dimension, std::move(function), std::move(shape)});
+        else if (is_function)
+            made.function = std::move(function);
+        else
+            (is_line ? made.line : made.arc) = std::move(shape);
+    }
 }
 
 }  // namespace
@@ -224,8 +232,10 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     for (GuidedPoint& guided : model.guided)
         guided.needed = linkage::needed_of(model.structure, model.order, model.numbers.size(), guided.pin,
                                            guided.is_body ? guided.link : linkage::none, true);
+    if (!model.guided.empty() || !model.over_input.empty())
+        made.input = input_range(made.quantities, made.dimensions.size());
     if (!model.guided.empty()) add_guidance(model, made);
-    if (model.output) add_function(model, made);
+    add_over_input(model, made);
     made.model = Model(std::move(model));
     made.size = size_of_linkage;
     made.motion = motion_of_linkage;

@@ -48,7 +48,16 @@ struct GuidedPoint {
     std::size_t link = 0;
     bool is_body = false;                     ///< the link is a body that takes poses
     std::string name{};                       ///< of the target, where it has one
+    bool follows = false;                     ///< a line or an arc; else it is of a path or of poses
     linkage::Needed needed{.closed = false};  ///< what it depends on; set when the mechanism is made
+};
+
+/// What is asked of a linkage over an input range: that a signal is a function of the input, or that a guided point
+/// follows a line or an arc.
+struct LinkageInputTarget {
+    std::string name{};                     ///< where it has one
+    Followed followed = Followed::nothing;  ///< nothing: the signal is a function
+    std::size_t of = 0;                     ///< the guided point, or the signal
 };
 
 struct LinkageModel {
@@ -64,13 +73,12 @@ struct LinkageModel {
     std::array<Affine, 3> placement{};            ///< origin-x, origin-y, tilt of the frame in the drawing
     Affine scale{1, {}};                          ///< of all lengths; > 0
     std::vector<linkage::Signal> signals{};
-    std::vector<NamedSignal> signal_names{};  ///< one for each
-    std::vector<GuidedPoint> guided{};        ///< several where targets have names (Form::guided)
-    Followed followed = Followed::nothing;    ///< by the guided point
-    std::optional<std::size_t> output{};      ///< the signal that is to be a function of the input
-    std::optional<double> at{};               ///< an input of the master that belongs to the motion
-    int turns = 1;                            ///< of the master, after which everything is where it was; 0: never
-    double unit = 1;                          ///< the length by which its lengths are divided (over_unit)
+    std::vector<NamedSignal> signal_names{};       ///< one for each
+    std::vector<GuidedPoint> guided{};             ///< those of paths, of poses, of lines and arcs (Form::guided)
+    std::vector<LinkageInputTarget> over_input{};  ///< functions, lines, arcs (Form::over_input)
+    std::optional<double> at{};                    ///< an input of the master that belongs to the motion
+    int turns = 1;                                 ///< of the master, after which everything is where it was; 0: never
+    double unit = 1;                               ///< the length by which its lengths are divided (over_unit)
     /// Of a driven slide the displacement, not divided, that counts as much as a radian does: a power of two, so that
     /// inputs of the analysis are of order one and no digit is lost. 1 where the master turns.
     double input_length = 1;

@@ -233,7 +233,7 @@ template <std::size_t K>
 bool measure_by_series(const Over& over, std::span<const double> arguments, const Measurement& out) {
     const std::span<const double> dimensions = over.dimensions_of(arguments);
     const Kind kind = over.measure.kind;
-    const std::vector<Signal> own = own_signals(over.model, kind);
+    const std::vector<Signal> own = own_signals(over.model, over.measure);
     const std::span<const Signal> signals =
         over.measure.signals.empty() ? std::span<const Signal>(own) : std::span<const Signal>(over.measure.signals);
     auto plain = measured<double, K>(over, arguments, signals);

@@ -46,6 +46,7 @@ struct LinkageMeasure {
     linkage::Asked asked{};                          ///< which of these
     std::optional<std::array<double, 2>> stretch{};  ///< inputs of the master, radians or length; the whole motion
     double input = 0;                                ///< of `at`
+    std::size_t over_input = 0;                      ///< of what is asked over an input range: which of the targets
 };
 
 struct LinkageModel;

@@ -37,7 +37,7 @@ Json json_of(const toml::node& node) {
 /// What one target says of what it guides, as a member of the object.
 void add_names_of_target(Json& object, const char* target, const toml::node& node) {
     const toml::table* table = node.as_table();
-    for (const char* key : {"name", "point", "link"})
+    for (const char* key : {"name", "point", "link", "signal"})
         if (const auto name = table == nullptr ? std::nullopt : (*table)[key].value_exact<std::string>())
             object[target][key] = *name;
 }
@@ -49,7 +49,7 @@ Json sections_of_linkage(const toml::table& table) {
     for (const std::string_view name : describing)
         if (const toml::node* node = table.get(name)) sections[std::string(name)] = json_of(*node);
     if (const auto at = table["motion"]["at"].value<double>()) sections["motion"] = {{"at", *at}};
-    for (const char* target : {"path", "poses", "line", "arc"}) {
+    for (const char* target : {"path", "poses", "line", "arc", "function"}) {
         const toml::node* node = table.get(target);
         if (node == nullptr) continue;
         const toml::array* list = node->as_array();
@@ -66,8 +66,6 @@ Json sections_of_linkage(const toml::table& table) {
         // One that is headed in double brackets is the same as one in single ones.
         sections[target] = all.size() == 1 ? all.front() : all;
     }
-    if (const auto name = table["function"]["signal"].value_exact<std::string>())
-        sections["function"]["signal"] = *name;
     return sections;
 }
 

@@ -91,9 +91,8 @@ struct Linkage {
     bool scaled = false;                          ///< the file says a scale
     std::optional<Vector<double>> crank_range{};  ///< radians, or displacements
     std::optional<double> at;  ///< a crank angle of its motion, radians; a displacement where a slide is driven
-    std::vector<GuidedPoint> guided{};      ///< by paths, then by poses; or by [line] or [arc]
-    Followed followed = Followed::nothing;  ///< by [line] or [arc]
-    std::optional<std::size_t> output{};    ///< the signal that [function] speaks of
+    std::vector<GuidedPoint> guided{};             ///< by paths, by poses, by lines, by arcs
+    std::vector<LinkageInputTarget> over_input{};  ///< functions, lines, arcs
     linkage::Mobility mobility;
     linkage::Order order;
     std::vector<std::int8_t> sides;  ///< for each choice of the order 1, -1, or 0 for either

@@ -191,8 +191,7 @@ LinkageModel model_of(const Linkage& linkage) {
         if (size > 0) model.input_length = std::exp2(std::round(std::log2(size)));
     }
     model.guided = linkage.guided;
-    model.followed = linkage.followed;
-    model.output = linkage.output;
+    model.over_input = linkage.over_input;
     model.at = linkage.at;
     for (const LinkageSignal& signal : linkage.signals) {
         model.signal_names.push_back({signal.name, signal.unit});
@@ -269,6 +268,15 @@ double stops_apart(const Linkage& linkage) {
     return numbers[*master.stops.max] - numbers[*master.stops.min];
 }
 
+/// Whether something is asked over an input range, and something else beside it.
+bool covers_several(const Linkage& linkage) {
+    const bool has_path = std::any_of(linkage.guided.begin(), linkage.guided.end(),
+                                      [](const GuidedPoint& guided) { return !guided.follows; });
+    return linkage.over_input.size() + (has_path ? 1 : 0) > 1 && !linkage.over_input.empty();
+}
+
+bool has_targets(const Linkage& linkage) { return !linkage.guided.empty() || !linkage.over_input.empty(); }
+
 }  // namespace
 
 std::string why_no_mechanism(const Linkage& linkage) {
@@ -286,13 +294,13 @@ std::string why_no_mechanism(const Linkage& linkage) {
         return fmt::format("{} dyads are closed on 'either' side: say the sides of all but {}", open, most_open_sides);
     // A guided point has the crank angle, too, and a body its own.
     const std::size_t count = dimensions_of(linkage).size(),
-                      most = !linkage.guided.empty() || linkage.output ? PointGuidance::most_reads - 2 : Reads::most;
+                      most = has_targets(linkage) ? PointGuidance::most_reads - 2 : Reads::most;
     if (count > most)
         return fmt::format("it has {} dimensions with those of its placement: {} at most can be", count, most);
     const auto& steps = linkage.order.steps;
-    if ((!linkage.guided.empty() || linkage.output) &&
-        std::any_of(steps.begin(), steps.end(),
-                    [](const linkage::Step& step) { return step.kind == linkage::Step::Kind::unwound; }))
+    if (has_targets(linkage) && std::any_of(steps.begin(), steps.end(), [](const linkage::Step& step) {
+            return step.kind == linkage::Step::Kind::unwound;
+        }))
         return "a gear of it follows a link that a dyad places, whose whole turns are known along a motion alone; such "
                "a linkage guides no point or body to targets and generates no function in this version";
     return {};
@@ -390,7 +398,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
             messages, place_of(*table.get("drive")),
             "nothing ends the motion of the slide that is driven: give it stops, 'min' and 'max' in [drive], "
             "or the motion an end, [motion] crank_range = [0, 100]");
-    if (model.driven_by_slide() && (!linkage.guided.empty() || linkage.output))
+    if (model.driven_by_slide() && has_targets(linkage))
         return add_error(messages, place_of(*target_of(table)),
                          "the targets of this section are met at crank angles, and the linkage is driven by a slide: "
                          "require values of signals at displacements instead, like quantity = \"height.at(20)\", or "
@@ -400,6 +408,10 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
                          fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "
                                      "give the motion an end, [motion] crank_range = [0, 360]",
                                      linkage::most_turns));
+    if (model.turns == 0 && covers_several(linkage))
+        return add_error(messages, place_of(*table.get("drive")),
+                         "with these ratios it never is where it was, so that several targets, each of which may be "
+                         "met whole turns later, do not say over which motion: ask for one, or give other ratios");
     problem.dimensions = ranges_of(linkage);
     problem.dimensions.resize(problem.mechanism->dimensions.size());
     problem.crank_range = linkage.crank_range;

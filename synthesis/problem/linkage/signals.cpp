@@ -42,26 +42,38 @@ constexpr std::array<Word, 11> of_targets{"path-sse",    "path-rms",      "path-
                                           "pose-max",    "function-max",  "function-rms", "line-deviation",
                                           "line-length", "arc-deviation", "arc-angle"};
 
-/// The targets that have names in a file, each with the words that its quantities end in.
+/// What is said of the targets of a section: words that its quantities end in, by their place in `of_targets`.
+struct TargetWords {
+    Word section;
+    std::size_t first;
+    std::size_t count;
+
+    std::span<const Word> words() const { return std::span(of_targets).subspan(first, count); }
+};
+
+constexpr std::array<TargetWords, 5> words_of_targets{
+    {{"path", 0, 3}, {"poses", 3, 2}, {"function", 5, 2}, {"line", 7, 2}, {"arc", 9, 2}}};
+
+/// A target that has a name in a file.
 struct NamedTarget {
     std::string name;
-    bool of_body;
+    const TargetWords* of;
 };
 
 std::vector<NamedTarget> named_targets(const Section& file) {
     std::vector<NamedTarget> all;
-    const auto add = [&](const toml::node& node, bool of_body) {
+    const auto add = [&](const toml::node& node, const TargetWords& of) {
         const toml::table* table = node.as_table();
         if (table == nullptr) return;
-        if (const auto name = (*table)["name"].value_exact<std::string>()) all.push_back({*name, of_body});
+        if (const auto name = (*table)["name"].value_exact<std::string>()) all.push_back({*name, &of});
     };
-    for (const auto& [section, of_body] : {std::pair("path", false), {"poses", true}}) {
-        const toml::node* node = file.table->get(section);
+    for (const TargetWords& of : words_of_targets) {
+        const toml::node* node = file.table->get(of.section);
         if (node == nullptr) continue;
-        add(*node, of_body);
+        add(*node, of);
         if (const toml::array* list = node->as_array())
             for (const toml::node& one : *list)
-                add(one, of_body);
+                add(one, of);
     }
     return all;
 }
@@ -214,7 +226,7 @@ std::string unknown_owner(const SignalReading& signals, const std::string& name,
     for (const LinkageSignal& signal : signals.signals())
         known.push_back(signal.name);
     if (is_one_of(known, name)) return {};
-    return fmt::format("there is no path, no poses and no signal {}; {}", reading::quoted(name), remedy(name, known));
+    return fmt::format("there is no target and no signal {}; {}", reading::quoted(name), remedy(name, known));
 }
 
 void check_quantity(const SignalReading& signals, const toml::node& node, const std::string& what) {
@@ -225,14 +237,14 @@ void check_quantity(const SignalReading& signals, const toml::node& node, const 
     const std::string name = quantity.substr(0, quantity.find('.'));
     for (const NamedTarget& target : named_targets(signals.reading.file)) {
         if (target.name != name) continue;
-        const std::span<const Word> words =
-            target.of_body ? std::span(of_targets).subspan(3, 2) : std::span(of_targets).first(3);
+        const std::span<const Word> words = target.of->words();
         if (name.size() < quantity.size() && is_one_of(words, Word(quantity).substr(name.size() + 1))) return;
+        std::string known;
+        for (std::size_t i = 0; i < words.size(); ++i)
+            known += fmt::format("{}{}.{}", i == 0 ? "" : i + 1 == words.size() ? " and " : ", ", name, words[i]);
         return add_error(
             signals.reading.messages, place_of(node),
-            fmt::format("{}: {} is no quantity of '{}': it has {}", what, reading::quoted(*text), name,
-                        target.of_body ? fmt::format("{0}.pose-rms and {0}.pose-max", name)
-                                       : fmt::format("{0}.path-rms, {0}.path-max and {0}.path-sse", name)));
+            fmt::format("{}: {} is no quantity of '{}': it has {}", what, reading::quoted(*text), name, known));
     }
     if (const std::string fault = unknown_owner(signals, name, quantity); !fault.empty())
         return add_error(signals.reading.messages, place_of(node), fmt::format("{}: {}", what, fault));

@@ -130,6 +130,18 @@ inline constexpr std::array scale{
     Key{"start", Shape::tied_range, "Where it stands at the first x: a number, or a range that is designed.", true},
     Key{"range", Shape::tied_range, "How far it moves over the range of x, with its sign.", true}};
 
+/// Of one of several.
+inline constexpr Key name_over_input{
+    "name", Shape::text, "Of a linkage with several functions, lines and arcs: what quantities and results call it."};
+inline constexpr Key weight_over_input{
+    "weight",
+    Shape::number,
+    "Of a linkage with several functions, lines and arcs: weight of its mean square in that of all. Preset: 1.",
+    false,
+    {},
+    {},
+    positive};
+
 inline constexpr std::array function{
     Key{"expression", Shape::text, "The function of x, as in \"x^2 + sin(x)\"."},
     Key{"x", Shape::ends, "Range of x of an expression."},
@@ -138,7 +150,9 @@ inline constexpr std::array function{
         "Where method = \"exact\" meets the expression: 3, 4 or 5 values of x, or only how many."},
     Key{"input", Shape::table, "The crank angle that stands for x.", true, {}, scale},
     Key{"output", Shape::table, "The output that stands for y.", true, {}, scale},
-    Key{"signal", Shape::text, "Of a linkage: the signal that is the output."}};
+    Key{"signal", Shape::text, "Of a linkage: the signal that is the output."},
+    name_over_input,
+    weight_over_input};
 
 inline constexpr std::array line{
     Key{"start", Shape::tied_range, "Crank angle at which the stretch begins.", true},
@@ -147,7 +161,9 @@ inline constexpr std::array line{
     Key{"offset", Shape::range, "Distance of the line from the origin, to the left of its direction. Preset: any."},
     Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
     Key{"point", Shape::text, "Of a linkage: the point that follows the line."},
-    Key{"link", Shape::text, "Of a linkage: the link on which it does. Preset: the first that has it."}};
+    Key{"link", Shape::text, "Of a linkage: the link on which it does. Preset: the first that has it."},
+    name_over_input,
+    weight_over_input};
 
 inline constexpr std::array arc{
     Key{"start", Shape::tied_range, "Crank angle at which the stretch begins.", true},
@@ -157,7 +173,9 @@ inline constexpr std::array arc{
     Key{"radius", Shape::range, "Radius of the arc. Preset: any."},
     Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
     Key{"point", Shape::text, "Of a linkage: the point that follows the arc."},
-    line.back()};
+    line[line.size() - 3],
+    name_over_input,
+    weight_over_input};
 
 inline constexpr std::array rates{Key{"crank", Shape::number, "Of the crank."},
                                   Key{"coupler", Shape::number, "Of the coupler."},

@@ -128,6 +128,9 @@ Names foreign_sections(const Mechanism& mechanism) {
     return foreign;
 }
 
+/// Targets of which a linkage can have several.
+constexpr std::array<std::string_view, 5> repeated_targets{"path", "poses", "function", "line", "arc"};
+
 constexpr std::array<std::string_view, 11> sections_of_linkage{
     "links", "slide", "slot", "gear", "belt", "rack", "drive", "assembly", "sketch", "placement", "signals"};
 
@@ -142,16 +145,14 @@ Json of_mechanism(const Mechanism& mechanism, Json condition) {
         schema["properties"][std::string(name)] = false;
     for (const std::string_view name : foreign_sections(mechanism))
         schema["properties"][std::string(name)] = false;
-    for (const std::string_view target : {"path", "poses", "line", "arc"})
+    for (const std::string_view target : repeated_targets)
         if (auto& section = schema["properties"][std::string(target)]; !section.is_boolean()) {
-            for (const char* key : {"point", "link", "crank-start", "body-angle", "name", "weight"})
+            for (const char* key : {"point", "link", "crank-start", "body-angle", "name", "weight", "signal"})
                 section["properties"][key] = false;
-            if (target != "path" && target != "poses") continue;
             // One that is headed in double brackets is the same as one in single ones.
             section["items"] = {{"properties", section["properties"]}};
             section["maxItems"] = 1;
         }
-    if (mechanism.function) schema["properties"]["function"]["properties"]["signal"] = false;
     if (is_cam(mechanism)) {
         schema["properties"]["motion"]["properties"]["crank_range"] = false;
         if (cam_kind(mechanism).contour != cam::ContourKind::none)
@@ -257,16 +258,16 @@ Json of_linkage() {
     for (const char* name : {"path", "line", "arc"})
         properties[name]["required"] = {"point"};
     properties["poses"]["required"] = {"point", "link"};
-    for (const char* name : {"path", "poses"})
-        properties[name]["items"] = {{"required", properties[name]["required"]}};
+    for (const std::string_view name : repeated_targets)
+        properties[std::string(name)]["items"] = {{"required", properties[std::string(name)]["required"]}};
     return where(is_named("linkage"), {{"properties", std::move(properties)}, {"required", {"links", "drive"}}});
 }
 
 /// A section that may be repeated.
-Json one_or_several(const Key& key) {
-    Json list = list_of(table_of(key.below));
+Json one_or_several(const Key& key, Json one) {
+    Json list = list_of(one);
     list["minItems"] = 1;
-    return with_meaning(any_of({table_of(key.below), std::move(list)}), key.meaning);
+    return with_meaning(any_of({std::move(one), std::move(list)}), key.meaning);
 }
 
 /// Names of all mechanisms' dimensions with what they are, for editors that look no further.
@@ -393,10 +394,10 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     properties["segment"] = segments(key("segment"));
     properties["objective"] = objectives(key("objective"));
     properties["require"] = requirements(key("require"));
-    properties["function"] = function_of(key("function"));
     properties["solver"]["properties"]["method"].update(one_of(methods));
-    for (const char* target : {"path", "poses"})
-        properties[target] = one_or_several(key(target));
+    for (const std::string_view target : repeated_targets)
+        properties[std::string(target)] =
+            one_or_several(key(target), target == "function" ? function_of(key(target)) : table_of(key(target).below));
     properties["study"] = study_of(key("study"), by_path["pattern"]);
     Json by_mechanism = Json::array();
     for (const auto& mechanism : mechanisms())

@@ -3,6 +3,7 @@
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/document/document.h"
 #include "synthesis/mechanism/input.h"
+#include "synthesis/problem/input_tasks.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
@@ -51,10 +52,15 @@ FinishedDesign finished_design(const Problem& problem, const Design& design) {
     finished.mechanism = problem.mechanism;
     finished.motion = motion_of(problem, design);
     finished.dimensions = design.dimensions;
-    finished.guides_point = problem.path || problem.followed;
+    const std::vector<InputTask> tasks = input_tasks(problem);
+    const bool follows_something =
+        std::any_of(tasks.begin(), tasks.end(), [](const InputTask& task) { return !task.is_function(); });
+    finished.guides_point = problem.path || follows_something;
     finished.guides_body = problem.path && problem.path->guides_body();
     finished.units = problem.units;
     finished.function = problem.function;
+    finished.followed = problem.followed;
+    finished.over_input = problem.over_input;
     finished.targets = targets_of(problem, design);
     return finished;
 }

@@ -23,7 +23,9 @@ struct TargetPlace {
 /// A moving design with its units and targets.
 struct FinishedDesign : MovingDesign {
     Units units;
-    std::shared_ptr<const FunctionTarget> function;  ///< that the motion refers to
+    std::shared_ptr<const FunctionTarget> function;  ///< as those of the problem, that the motion refers to
+    std::optional<FollowedTarget> followed;
+    std::shared_ptr<const std::vector<AskedOverInput>> over_input;
     std::vector<TargetPlace> targets;
 };
 

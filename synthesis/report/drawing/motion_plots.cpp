@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "synthesis/mechanism/drawing/motion_row.h"
+#include "synthesis/problem/input_tasks.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv/csv_text.h"
 #include "synthesis/report/files/gnuplot.h"
@@ -117,30 +118,45 @@ void add_levels(MotionPlots& plots, const nlohmann::ordered_json& document, bool
         add(document["objective"], "value", "reached");
 }
 
-/// What is left between what a design does and what it is to follow, at a crank angle of its input range: the error of
-/// a function, or the distance from a line or an arc. NaN where there is none.
-double error_at(const FinishedDesign& design, const MotionRow& row) {
-    const double share = (row.values().front() - design["input-start"]) / design["input-range"];
-    constexpr double end_within = 1e-12;
-    if (!(share >= -end_within && share <= 1 + end_within)) return std::numeric_limits<double>::quiet_NaN();
-    return design.function ? function_error(design, share) : distance_from_followed(design, row.values().front());
+/// Where a crank angle is in an input range, as a share of that; it may be whole turns further on.
+double share_of(double angle, double start, double range) {
+    constexpr double end_within = 1e-12, turn = 2 * std::numbers::pi;
+    const auto inside = [](double share) { return share >= -end_within && share <= 1 + end_within; };
+    const double away = angle - start;
+    const double turned = away - turn * (range > 0 ? std::floor(away / turn) : std::ceil(away / turn));
+    return inside(away / range) ? away / range : inside(turned / range) ? turned / range : std::nan("");
 }
 
-/// The plot of that, first of all: it is what such a design is made for. Samples of a function are not joined.
-void add_error(const FinishedDesign& design, int steps, MotionPlots& plots) {
-    const bool function = design.function && !design.function->expression.empty();
-    if (!function && design.motion.followed == Followed::nothing) return;
-    const Unit unit = function ? deviation_from(*design.mechanism, "function").unit : Unit::length;
-    MotionCurve curve{function ? "error" : "distance", {}};
+/// What is left between what a design does and what it is to follow, at a crank angle of its input range: the error of
+/// a function, or the distance from a line or an arc. NaN where there is none.
+double error_at(const FinishedDesign& design, const InputTask& task, const MotionRow& row) {
+    const double angle = row.values().front();
+    const double share = share_of(angle, design.dimensions[task.start], design.dimensions[task.start + 1]);
+    if (std::isnan(share)) return share;
+    return task.is_function() ? function_error(design, task, share) : distance_from_followed(design, task, angle);
+}
+
+/// Samples of a function are not joined.
+MotionPlot error_plot(const FinishedDesign& design, const InputTask& task, int steps) {
+    MotionCurve curve{task.is_function() ? "error" : "distance", {}};
     for (const double angle : even_angles(design, steps)) {
         const MotionRow row(design, angle);
-        curve.values.push_back(row.assembled() ? error_at(design, row) * file_units_per_inner(unit, design.units)
-                                               : std::numeric_limits<double>::quiet_NaN());
+        curve.values.push_back(row.assembled()
+                                   ? error_at(design, task, row) * file_units_per_inner(task.unit(), design.units)
+                                   : std::numeric_limits<double>::quiet_NaN());
     }
-    const char* title = function                                   ? "error of the function"
-                        : design.motion.followed == Followed::line ? "distance from the line"
-                                                                   : "distance from the arc";
-    plots.plots.insert(plots.plots.begin(), {title, unit_label(unit, design.units), {std::move(curve)}, {}});
+    std::string title = std::string(task.is_function() ? "error of the " : "distance from the ") + task.section();
+    if (!task.asked.name.empty()) title += " '" + task.asked.name + "'";
+    return {title, unit_label(task.unit(), design.units), {std::move(curve)}, {}};
+}
+
+/// The plots of that, first of all: it is what such a design is made for.
+void add_errors(const FinishedDesign& design, int steps, MotionPlots& plots) {
+    std::vector<MotionPlot> errors;
+    for (const InputTask& task : input_tasks(design))
+        if (!task.is_function() || !task.asked.function->expression.empty())
+            errors.push_back(error_plot(design, task, steps));
+    plots.plots.insert(plots.plots.begin(), errors.begin(), errors.end());
 }
 
 MotionPlot& plot_with(std::vector<MotionPlot>& plots, std::string_view title, const std::string& unit) {
@@ -194,7 +210,7 @@ MotionPlots motion_plots(const FinishedDesign& design, const nlohmann::ordered_j
         plot.curves.push_back({(inverse ? "1/" : "") + std::string(mechanism.table.columns[c]),
                                in_units(std::move(table[c]), title, unit, design.units)});
     }
-    add_error(design, steps, plots);
+    add_errors(design, steps, plots);
     add_levels(plots, document, design.units.degrees);
     return plots;
 }

@@ -13,9 +13,9 @@ namespace mechwright {
 namespace {
 
 /// One sentence, indented; empty where nothing alternates.
-std::string alternation_text(const Problem& problem, const ErrorExtremes& extremes) {
+std::string alternation_text(const Problem& problem, const InputTask& task, const ErrorExtremes& extremes) {
     if (extremes.alternating < 2) return {};
-    const bool least = extremes.free > 0 && extremes.alternating > extremes.free && asks_for_least_error(problem);
+    const bool least = extremes.free > 0 && extremes.alternating > extremes.free && asks_for_least_error(problem, task);
     return folded("  ", fmt::format("{} extremes are as great as the greatest and alternate in sign, for {} free "
                                     "dimension{}{}.",
                                     extremes.alternating, extremes.free, extremes.free == 1 ? "" : "s",
@@ -24,18 +24,22 @@ std::string alternation_text(const Problem& problem, const ErrorExtremes& extrem
 
 }  // namespace
 
-std::string extremes_text(const Problem& problem, const Design& design, const std::string& what, Unit unit) {
-    const ErrorExtremes extremes = error_extremes_of(problem, design);
+std::string extremes_text(const Problem& problem, const InputTask& task, const Design& design,
+                          const std::string& what) {
+    const ErrorExtremes extremes = error_extremes_of(problem, task, design);
     Table table{{Align::left, Align::point, Align::left, Align::point}, {}};
     for (const auto& e : extremes.all)
-        table.rows.push_back({what, number_text(place_of(problem, design, e.share), 6), "is",
-                              value_with_unit(e.error, unit, problem.units)});
-    return to_text(table, 2) + alternation_text(problem, extremes);
+        table.rows.push_back({what, number_text(place_of(problem, task, design, e.share), 6), "is",
+                              value_with_unit(e.error, task.unit(), problem.units)});
+    return to_text(table, 2) + alternation_text(problem, task, extremes);
 }
 
 std::string error_section(const Problem& problem, const Design& design, bool colour) {
-    if (problem.function) return function_section(problem, design, colour);
-    return problem.followed ? followed_section(problem, design, colour) : std::string();
+    std::string text;
+    for (const InputTask& task : input_tasks(problem))
+        text += task.is_function() ? function_section(problem, task, design, colour)
+                                   : followed_section(problem, task, design, colour);
+    return text;
 }
 
 }  // namespace mechwright

@@ -4,20 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "synthesis/document/claim.h"
-#include "synthesis/document/claim_json.h"
+#include "synthesis/problem/input_tasks.h"
 #include "synthesis/program/result.h"
 
 namespace mechwright {
 
 /// {full_turn}; with a design also extremes: [{crank_angle, distance}], `alternating` and `free` as for a function.
-nlohmann::ordered_json followed_document(const Problem& problem, const Design* design);
-
-namespace claims {
-
-/// Reads the line or the arc of a document, if there is one.
-void read_followed(Reader& in, const Json& document, Claim& claim);
-
-}  // namespace claims
+nlohmann::ordered_json followed_document(const Problem& problem, const InputTask& task, const Design* design);
 
 }  // namespace mechwright

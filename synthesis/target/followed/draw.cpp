@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "analysis/numbers/scalar.h"
@@ -12,27 +13,27 @@ namespace mechwright {
 namespace {
 
 /// Where the guided point is in the drawing.
-Vector<double> followed_point(const FinishedDesign& design, double crank_angle) {
+Vector<double> followed_point(const FinishedDesign& design, const InputTask& task, double crank_angle) {
     PathMiss from_origin{};
-    miss_of_point(*design.mechanism, design.mechanism->form(design.motion.assembly), design.dimensions, crank_angle,
-                  {0, 0}, from_origin);
+    miss_of_point(*design.mechanism, task.form(*design.mechanism, design.motion.assembly), design.dimensions,
+                  crank_angle, {0, 0}, from_origin);
     return Vector<double>{0, 0} - from_origin.miss;
 }
 
 /// The line that the guided point is to follow, beside where it is over the input range.
-Outline followed_line(const FinishedDesign& design, std::span<const Vector<double>> reached, double beyond) {
-    const double angle = design["line-angle"];
+Outline followed_line(std::span<const double> line, std::span<const Vector<double>> reached, double beyond) {
+    const double angle = line[0];
     const Vector<double> along{std::cos(angle), std::sin(angle)};
-    const Vector<double> foot = design["line-offset"] * left_of(along);
+    const Vector<double> foot = line[1] * left_of(along);
     const auto [least, greatest] = std::minmax_element(
         reached.begin(), reached.end(), [&](const auto& a, const auto& b) { return dot(a, along) < dot(b, along); });
     return outlines::segment(foot + (dot(*least, along) - beyond) * along,
                              foot + (dot(*greatest, along) + beyond) * along, Layer::follow);
 }
 
-Outline followed_arc(const FinishedDesign& design, std::span<const Vector<double>> reached) {
-    const Vector<double> centre{design["arc-x"], design["arc-y"]};
-    const double radius = std::abs(design["arc-radius"]);
+Outline followed_arc(std::span<const double> of, std::span<const Vector<double>> reached) {
+    const Vector<double> centre{of[0], of[1]};
+    const double radius = std::abs(of[2]);
     std::vector<double> angles;
     for (const Vector<double>& p : reached) {
         const double angle = std::atan2(p.y - centre.y, p.x - centre.x);
@@ -52,25 +53,32 @@ Outline followed_arc(const FinishedDesign& design, std::span<const Vector<double
     return arc;
 }
 
+/// The numbers of a line or an arc.
+std::span<const double> numbers_of(const FinishedDesign& design, const InputTask& task) {
+    return std::span<const double>(design.dimensions).subspan(task.shape->place, task.shape->numbers.size());
+}
+
 }  // namespace
 
 void add_followed(const FinishedDesign& design, Scene& scene) {
-    if (design.motion.followed == Followed::nothing) return;
     constexpr int steps = 64;
-    std::vector<Vector<double>> reached;
-    for (int i = 0; i <= steps; ++i)
-        reached.push_back(followed_point(design, design["input-start"] + design["input-range"] * i / steps));
-    scene.fixed.push_back(design.motion.followed == Followed::line ? followed_line(design, reached, 2 * scene.symbol)
-                                                                   : followed_arc(design, reached));
+    for (const InputTask& task : input_tasks(design)) {
+        if (task.is_function()) continue;
+        const double start = design.dimensions[task.start], range = design.dimensions[task.start + 1];
+        std::vector<Vector<double>> reached;
+        for (int i = 0; i <= steps; ++i)
+            reached.push_back(followed_point(design, task, start + range * i / steps));
+        const auto numbers = numbers_of(design, task);
+        scene.fixed.push_back(task.is_line() ? followed_line(numbers, reached, 2 * scene.symbol)
+                                             : followed_arc(numbers, reached));
+    }
 }
 
-double distance_from_followed(const FinishedDesign& design, double crank_angle) {
-    const Vector<double> point = followed_point(design, crank_angle);
-    if (design.motion.followed == Followed::line) {
-        const double angle = design["line-angle"];
-        return dot(point, Vector<double>{-std::sin(angle), std::cos(angle)}) - design["line-offset"];
-    }
-    return std::hypot(point.x - design["arc-x"], point.y - design["arc-y"]) - design["arc-radius"];
+double distance_from_followed(const FinishedDesign& design, const InputTask& task, double crank_angle) {
+    const Vector<double> point = followed_point(design, task, crank_angle);
+    const auto numbers = numbers_of(design, task);
+    if (task.is_line()) return dot(point, Vector<double>{-std::sin(numbers[0]), std::cos(numbers[0])}) - numbers[1];
+    return std::hypot(point.x - numbers[0], point.y - numbers[1]) - numbers[2];
 }
 
 }  // namespace mechwright

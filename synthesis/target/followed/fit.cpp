@@ -9,17 +9,18 @@
 
 namespace mechwright {
 
-void fit_followed(const Program& program, Eigen::VectorXd& x) {
-    const FollowedShape& shape = *followed_shape_of(*program.problem->mechanism, *program.problem->followed);
+void fit_followed(const Program& program, const InputTask& task, Eigen::VectorXd& x) {
+    const FollowedShape& shape = *task.shape;
     std::vector<double> dimensions = dimensions_at(program, x);
     std::array<bool, 3> free{};
     const std::size_t numbers = shape.numbers.size();
     for (std::size_t k = 0; k < numbers; ++k)
         free[k] = program.variable_of[shape.place + k] >= 0;
     std::array<double, Reads::most> room;
-    const Mechanism& mechanism = *program.problem->mechanism;
-    shape.fit(program.form(), deviation_from(mechanism, shape.name).reads.of(dimensions, room),
-              std::span(dimensions).subspan(shape.place, numbers), free);
+    Form form = task.form(*program.problem->mechanism, program.variant.assembly);
+    form.model = program.model.data();
+    shape.fit(form, task.deviation->reads.of(dimensions, room), std::span(dimensions).subspan(shape.place, numbers),
+              free);
     for (std::size_t k = 0; k < numbers; ++k) {
         if (!free[k]) continue;
         const std::ptrdiff_t v = program.variable_of[shape.place + k];

@@ -1,3 +1,5 @@
+#include "synthesis/target/over_input/read.h"
+
 #include <fmt/format.h>
 
 #include <numbers>
@@ -42,41 +44,30 @@ void read_place(Section& section, Followed followed, std::size_t place, Problem&
     }
 }
 
-void read_shape(Section& file, std::string_view name, Followed followed, Problem& problem, Messages& messages) {
-    std::optional<Section> section = read_section(file, name, messages);
-    if (!section || problem.mechanism == nullptr) return;
+void read_shape(OverInputSection& of, Followed followed, Problem& problem, Messages& messages) {
+    Section& section = of.section;
     const Mechanism& mechanism = *problem.mechanism;
-    const FollowedTarget target{followed};
-    const std::optional<FollowedShape>& shape = followed_shape_of(mechanism, target);
-    const std::string title = section->title;
-    if (!shape)
-        return add_error(
-            messages, section->place,
-            fmt::format("a {} guides no point along a line or an arc: leave {} out", mechanism.name, title));
-    if (problem.function || problem.path || problem.followed)
-        return add_error(messages, section->place,
-                         fmt::format("a problem has one target, {} or {}: not both", title,
-                                     problem.function   ? "[function]"
-                                     : problem.followed ? "[line]"
-                                                        : "[path] or [poses]"));
-    if (mechanism.point->named) {
-        find(*section, "point");
-        find(*section, "link");
-    }
-    section->title = name;
-    read_scale(*section, mechanism.input->start, problem, messages);
-    section->title = title;
-    read_place(*section, followed, shape->place, problem, messages);
-    problem.followed = target;
-    problem.followed->full_turn = read_bool(*section, "full_turn", messages).value_or(false);
-    report_unknown_keys(*section, messages);
+    const bool alone = of.number == every_target;
+    const FollowedShape& shape =
+        alone ? *followed_shape_of(mechanism, FollowedTarget{followed}) : *mechanism.over_input[of.number].shape;
+    const std::string title = section.title;
+    section.title = shape.name;
+    read_scale(section, alone ? mechanism.input->start : mechanism.over_input[of.number].start, problem, messages);
+    section.title = title;
+    read_place(section, followed, shape.place, problem, messages);
+    AskedOverInput asked;
+    asked.followed = followed;
+    asked.full_turn = read_bool(section, "full_turn", messages).value_or(false);
+    report_unknown_keys(section, messages);
+    add_over_input(of, std::move(asked), problem);
 }
 
 }  // namespace
 
 void read_followed(Section& file, Problem& problem, Messages& messages) {
-    read_shape(file, "line", Followed::line, problem, messages);
-    read_shape(file, "arc", Followed::arc, problem, messages);
+    for (const auto& [name, followed] : {std::pair("line", Followed::line), {"arc", Followed::arc}})
+        for (OverInputSection& of : read_over_input_sections(file, name, problem, messages))
+            read_shape(of, followed, problem, messages);
 }
 
 }  // namespace mechwright::reading

@@ -9,12 +9,13 @@
 
 namespace mechwright {
 
-std::string followed_section(const Problem& problem, const Design& design, bool colour) {
-    std::string text =
-        heading(fmt::format("{} from crank angle {} to {}", problem.followed->shape == Followed::line ? "Line" : "Arc",
-                            number_text(place_of(problem, design, 0), 6), number_text(place_of(problem, design, 1), 6)),
-                colour);
-    return text + extremes_text(problem, design, "distance at crank angle", Unit::length);
+std::string followed_section(const Problem& problem, const InputTask& task, const Design& design, bool colour) {
+    const std::string called = task.asked.name.empty() ? "" : fmt::format(" '{}'", task.asked.name);
+    const auto place = [&](double share) { return number_text(place_of(problem, task, design, share), 6); };
+    std::string text = heading(
+        fmt::format("{}{} from crank angle {} to {}", task.is_line() ? "Line" : "Arc", called, place(0), place(1)),
+        colour);
+    return text + extremes_text(problem, task, design, "distance at crank angle");
 }
 
 }  // namespace mechwright

@@ -6,6 +6,7 @@
 #include "synthesis/problem/units.h"
 #include "synthesis/program/error_extremes.h"
 #include "synthesis/target/function/function_target.h"
+#include "synthesis/target/over_input/document.h"
 
 namespace mechwright {
 
@@ -17,9 +18,9 @@ using namespace names;
 
 }  // namespace
 
-Json function_document(const Problem& problem, const Design* design) {
-    const FunctionTarget& f = *problem.function;
-    Json json = Json::object();
+Json function_document(const Problem& problem, const InputTask& task, const Design* design) {
+    const FunctionTarget& f = *task.asked.function;
+    Json json = named(task);
     if (!f.expression.empty()) {
         json[of_function("expression")] = f.expression;
         json[of_function("x")] = {f.from, f.to};
@@ -32,12 +33,12 @@ Json function_document(const Problem& problem, const Design* design) {
     if (!f.accuracy_points.empty() && problem.solver.method == "exact")
         json[of_function("accuracy_points")] = f.accuracy_points;
     if (!design) return json;
-    const ErrorExtremes extremes = error_extremes_of(problem, *design);
+    const ErrorExtremes extremes = error_extremes_of(problem, task, *design);
     json[of_function("extremes")] = Json::array();
     for (const auto& e : extremes.all)
         json[of_function("extremes")].push_back(
-            {{of_error("x"), place_of(problem, *design, e.share)},
-             {of_error("error"), in_file_unit(e.error, error_unit(problem), problem.units)}});
+            {{of_error("x"), place_of(problem, task, *design, e.share)},
+             {of_error("error"), in_file_unit(e.error, task.unit(), problem.units)}});
     json[of_function("alternating")] = extremes.alternating;
     json[of_function("free")] = extremes.free;
     return json;
@@ -45,28 +46,25 @@ Json function_document(const Problem& problem, const Design* design) {
 
 namespace claims {
 
-void read_function(Reader& in, const Json& document, Claim& claim) {
-    const Json* json = member(document, of_document("function"));
-    if (!json || !in.object(json, "function")) return;
-    if (!claim.mechanism->function) return in.fail(fmt::format("a {} generates no functions", claim.mechanism->name));
+std::shared_ptr<const FunctionTarget> read_function(Reader& in, const Json& json, const std::string& place) {
     auto target = std::make_shared<FunctionTarget>();
-    if (const Json* expression = member(*json, of_function("expression"))) {
-        target->expression = in.text(expression, "function.expression");
-        const auto x = in.numbers(member(*json, of_function("x")), "function.x", 2, false);
-        if (x.size() != 2 || !(x[0] < x[1])) return in.fail("function.x is not [from, to]");
+    if (const Json* expression = member(json, of_function("expression"))) {
+        target->expression = in.text(expression, place + ".expression");
+        const auto x = in.numbers(member(json, of_function("x")), place + ".x", 2, false);
+        if (x.size() != 2 || !(x[0] < x[1])) return in.fail(place + ".x is not [from, to]"), nullptr;
         target->from = x[0];
         target->to = x[1];
     } else {
-        target->samples = in.points(member(*json, of_function("samples")), "function.samples", most_points);
+        target->samples = in.points(member(json, of_function("samples")), place + ".samples", most_points);
         for (std::size_t i = 1; i < target->samples.size(); ++i)
-            if (!(target->samples[i].x > target->samples[i - 1].x)) in.fail("function.samples do not rise in x");
-        if (target->samples.size() < 2) in.fail("function.samples are fewer than two");
+            if (!(target->samples[i].x > target->samples[i - 1].x)) in.fail(place + ".samples do not rise in x");
+        if (target->samples.size() < 2) in.fail(place + ".samples are fewer than two");
     }
-    if (const Json* points = member(*json, of_function("accuracy_points")))
-        target->accuracy_points = in.numbers(points, "function.accuracy_points", most_points, false);
-    if (!in.understood()) return;
-    if (const std::string why = complete(*target); !why.empty()) return in.fail("function: " + why);
-    claim.function = std::move(target);
+    if (const Json* points = member(json, of_function("accuracy_points")))
+        target->accuracy_points = in.numbers(points, place + ".accuracy_points", most_points, false);
+    if (!in.understood()) return nullptr;
+    if (const std::string why = complete(*target); !why.empty()) return in.fail(place + ": " + why), nullptr;
+    return target;
 }
 
 }  // namespace claims

@@ -7,14 +7,13 @@
 
 namespace mechwright {
 
-double function_error(const FinishedDesign& design, double share) {
+double function_error(const FinishedDesign& design, const InputTask& task, double share) {
     const Mechanism& mechanism = *design.mechanism;
     FunctionTarget here;
-    here.parts = {{share, part_at(*design.function, share)}};
+    here.parts = {{share, part_at(*task.asked.function, share)}};
     std::array<double, Reads::most> room;
-    const auto errors =
-        mechanism.function->extremes(here, mechanism.form(design.motion.assembly),
-                                     deviation_from(mechanism, "function").reads.of(design.dimensions, room));
+    const auto errors = task.generation->extremes(here, task.form(mechanism, design.motion.assembly),
+                                                  task.deviation->reads.of(design.dimensions, room));
     return errors.empty() ? std::numeric_limits<double>::quiet_NaN() : errors.front().error;
 }
 

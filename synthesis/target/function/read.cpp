@@ -1,3 +1,5 @@
+#include "synthesis/target/over_input/read.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,10 +62,11 @@ void read_target(Section& function, FunctionTarget& target, Messages& messages) 
     const bool expression = has(function, "expression");
     const bool samples = has(function, "samples");
     if (expression == samples)
-        return add_error(messages, function.place,
-                         expression
-                             ? "[function] has both 'expression' and 'samples': give one of them"
-                             : "[function] needs expression = \"...\" with x = [from, to], or samples = [[x, y], ...]");
+        return add_error(
+            messages, function.place,
+            expression
+                ? function.title + " has both 'expression' and 'samples': give one of them"
+                : function.title + " needs expression = \"...\" with x = [from, to], or samples = [[x, y], ...]");
     const std::size_t before = messages.entries.size();
     if (expression) {
         if (const auto text = read_string(function, "expression", messages)) target.expression = *text;
@@ -122,7 +125,7 @@ void read_accuracy_points(Section& function, FunctionTarget& target, Messages& m
 void read_scale_of(Section& function, std::string_view key, std::size_t first, Problem& problem, Messages& messages) {
     if (!has(function, key))
         return add_error(messages, function.place,
-                         fmt::format("[function] needs '{0}': {0} = {{ start = ..., range = ... }}", key));
+                         fmt::format("{1} needs '{0}': {0} = {{ start = ..., range = ... }}", key, function.title));
     auto scale = read_section(function, key, messages);
     if (!scale) return;
     scale->title = key;
@@ -155,30 +158,38 @@ void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& m
 
 void set_crank_range(Problem& problem) {
     if (problem.mechanism == nullptr || !has_input_range(problem)) return;
+    if (problem.path || problem.over_input) return;  // other targets may need more of it
     const DimensionRange& start = problem.dimensions[problem.mechanism->input->start];
     const DimensionRange& range = problem.dimensions[problem.mechanism->input->start + 1];
     if (!problem.crank_range && start.fixed() && range.fixed() && range.min != 0)
         problem.crank_range = {std::min(start.min, start.min + range.min), std::max(start.min, start.min + range.min)};
 }
 
-void read_function(Section& file, Problem& problem, Messages& messages) {
-    std::optional<Section> function = read_section(file, "function", messages);
-    if (!function || problem.mechanism == nullptr) return;
+namespace {
+
+void read_one_function(OverInputSection& of, Problem& problem, Messages& messages) {
+    Section& function = of.section;
     const Mechanism& mechanism = *problem.mechanism;
-    if (!mechanism.function)
-        return add_error(messages, function->place,
-                         fmt::format("a {} generates no functions here: leave [function] out", mechanism.name));
     auto target = std::make_shared<FunctionTarget>();
-    read_target(*function, *target, messages);
+    read_target(function, *target, messages);
     for (const char* key : {"expression", "samples", "x"})
-        find(*function, key);
-    if (!mechanism.made_from.empty()) find(*function, "signal");  // which says what is made
-    read_accuracy_points(*function, *target, messages);
-    const std::size_t scales = mechanism.input->start;
-    read_scale_of(*function, "input", scales, problem, messages);
-    read_scale_of(*function, "output", scales + 2, problem, messages);
-    report_unknown_keys(*function, messages);
-    problem.function = std::move(target);
+        find(function, key);
+    read_accuracy_points(function, *target, messages);
+    const std::size_t scales =
+        of.number == every_target ? mechanism.input->start : mechanism.over_input[of.number].start;
+    read_scale_of(function, "input", scales, problem, messages);
+    read_scale_of(function, "output", scales + 2, problem, messages);
+    report_unknown_keys(function, messages);
+    AskedOverInput asked;
+    asked.function = std::move(target);
+    add_over_input(of, std::move(asked), problem);
+}
+
+}  // namespace
+
+void read_function(Section& file, Problem& problem, Messages& messages) {
+    for (OverInputSection& of : read_over_input_sections(file, "function", problem, messages))
+        read_one_function(of, problem, messages);
 }
 
 }  // namespace mechwright::reading

@@ -9,11 +9,13 @@
 
 namespace mechwright {
 
-std::string function_section(const Problem& problem, const Design& design, bool colour) {
-    const FunctionTarget& f = *problem.function;
+std::string function_section(const Problem& problem, const InputTask& task, const Design& design, bool colour) {
+    const FunctionTarget& f = *task.asked.function;
     const std::string what = f.expression.empty() ? fmt::format("{} samples", f.samples.size())
                                                   : fmt::format("{} from x = {} to {}", f.expression, f.from, f.to);
-    return heading("Function: " + what, colour) + extremes_text(problem, design, "error at x =", error_unit(problem));
+    const std::string called = task.asked.name.empty() ? "" : fmt::format(" '{}'", task.asked.name);
+    return heading(fmt::format("Function{}: {}", called, what), colour) +
+           extremes_text(problem, task, design, "error at x =");
 }
 
 }  // namespace mechwright

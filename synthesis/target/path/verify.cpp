@@ -10,6 +10,8 @@
 
 #include "analysis/numbers/golden_section.h"
 #include "synthesis/mechanism/cycle.h"
+#include "synthesis/verify/stretch_again.h"
+
 namespace mechwright {
 
 namespace {
@@ -28,14 +30,10 @@ std::string nth(const ClaimedPath& path, std::size_t index) {
 
 const Digits50& full_turn() { return boost::math::constants::two_pi<Digits50>(); }
 
-/// The angle counted up from zero, in [0, 2 pi).
-Digits50 within_turn(const Digits50& angle) { return angle - full_turn() * floor(angle / full_turn()); }
+Digits50 within_turn(const Digits50& angle) { return within_period(angle, full_turn()); }
 
 /// The turns of the crank after which everything is where it was.
 Digits50 cycle(const Rebuilt& design) { return full_turn() * turns_of_cycle(*design.claim->mechanism); }
-
-/// The angle counted up from zero to a cycle.
-Digits50 within(const Digits50& cycle, const Digits50& angle) { return angle - cycle * floor(angle / cycle); }
 
 /// The error of each point against a limit; passes if every error is finite and within it.
 template <class Error>
@@ -99,21 +97,15 @@ Check check_prescribed(const Rebuilt& design) {
     return check_each(
         "meets the points at the prescribed crank angles", *claim.path, angular, [&](std::size_t i) -> Digits50 {
             const Digits50 due = start(i) + from_document(claim.path->prescribed_angles[i], Unit::angle, claim.units);
-            const Digits50 off = within(cycle(design), design.path->crank_angles[i] - due);
+            const Digits50 off = within_period(design.path->crank_angles[i] - due, cycle(design));
             return std::min(off, Digits50(cycle(design) - off));
         });
 }
 
-/// A range of crank angles, radians.
-struct Range {
-    Digits50 from;
-    Digits50 to;
-};
-
 /// The crank angles that are swept if the points of a target are met in order in a direction; nothing if they cannot
 /// be: an angle is met twice, or the crank needs more than a cycle (exactly one is allowed where the last point is the
 /// first again).
-std::optional<Range> swept_in_order(const Rebuilt& design, const PointRange& points, int direction) {
+std::optional<SweptRange> swept_in_order(const Rebuilt& design, const PointRange& points, int direction) {
     const std::vector<Vector<double>>& asked = design.claim->path->points;
     const Vector<double>&first = asked[points.first], &last = asked[points.end() - 1];
     const bool ends_meet = points.count > 2 && first.x == last.x && first.y == last.y;
@@ -121,43 +113,27 @@ std::optional<Range> swept_in_order(const Rebuilt& design, const PointRange& poi
     const Digits50 whole = cycle(design);
     Digits50 swept = 0;
     for (std::size_t i = points.first + 1; i < points.end(); ++i) {
-        const Digits50 step = within(whole, direction * (angles[i] - angles[i - 1]));
+        const Digits50 step = within_period(direction * (angles[i] - angles[i - 1]), whole);
         if (step < least_step) return std::nullopt;
         swept += step;
     }
     if (swept > whole + (ends_meet ? angular : -least_step)) return std::nullopt;
     const Digits50& begin = angles[points.first];
-    return direction > 0 ? Range{begin, begin + swept} : Range{begin - swept, begin};
+    return direction > 0 ? SweptRange{begin, begin + swept} : SweptRange{begin - swept, begin};
 }
 
 /// From the least to the greatest angle of some points.
-Range range_of(const std::vector<Digits50>& angles, const PointRange& points) {
+SweptRange range_of(const std::vector<Digits50>& angles, const PointRange& points) {
     const auto from = angles.begin() + static_cast<std::ptrdiff_t>(points.first);
     const auto [least, greatest] = std::minmax_element(from, from + static_cast<std::ptrdiff_t>(points.count));
     return {*least, *greatest};
 }
 
-/// The shortest range that holds several, each turned on by whole cycles.
-Range shortest_over(const std::vector<Range>& ranges, const Digits50& whole) {
-    std::optional<Range> shortest;
-    for (const Range& first : ranges) {
-        Range one = first;
-        for (const Range& range : ranges) {
-            const Digits50 ahead = within(whole, range.from - first.from);
-            // What begins where the first does may by rounding seem to begin a cycle later.
-            const Digits50 begin = whole - ahead < angular ? Digits50(0) : ahead;
-            one.to = std::max<Digits50>(one.to, first.from + begin + (range.to - range.from));
-        }
-        if (!shortest || one.to - one.from < shortest->to - shortest->from) shortest = one;
-    }
-    return *shortest;
-}
-
 /// The sweeps by which the crank can meet the points of all targets: those of each by itself, in one direction.
-std::vector<Range> sweeps(const Rebuilt& design) {
+std::vector<SweptRange> sweeps(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     const ClaimedPath& path = *claim.path;
-    std::vector<Range> ranges;
+    std::vector<SweptRange> ranges;
     if (path.prescribed_timing) {
         std::vector<Digits50> due;
         for (std::size_t i = 0; i < path.points.size(); ++i)
@@ -171,7 +147,7 @@ std::vector<Range> sweeps(const Rebuilt& design) {
         if (design.motion.full_turn) return {{0, cycle(design)}};
         return {range_of(design.path->crank_angles, path.points_of(every_target))};
     }
-    std::vector<Range> possible;
+    std::vector<SweptRange> possible;
     for (const int direction : {1, -1}) {
         ranges.clear();
         for (std::size_t target = 0; target < path.targets(); ++target)
@@ -182,9 +158,9 @@ std::vector<Range> sweeps(const Rebuilt& design) {
 }
 
 /// From the least to the greatest crank angle of the targets in the shortest stretch with all of them.
-Range stretch_between(const Rebuilt& design) {
+SweptRange stretch_between(const Rebuilt& design) {
     const ClaimedPath& path = *design.claim->path;
-    std::vector<Range> ranges;
+    std::vector<SweptRange> ranges;
     for (std::size_t target = 0; target < path.targets(); ++target)
         ranges.push_back(range_of(design.path->crank_angles, path.points_of(target)));
     return shortest_over(ranges, cycle(design));
@@ -200,7 +176,7 @@ bool met_clockwise(const Rebuilt& design) {
     return false;
 }
 
-std::string range_text(const Rebuilt& design, const Range& range) {
+std::string range_text(const Rebuilt& design, const SweptRange& range) {
     return fmt::format("crank angles {} to {}", value_text(range.from, Unit::angle, design.claim->units),
                        value_text(range.to, Unit::angle, design.claim->units));
 }
@@ -292,7 +268,7 @@ Check check_closed(const Rebuilt& design) {
     return {"the crank goes round the closed path", passed, passed ? "it turns fully" : "it does not turn fully"};
 }
 
-Check check_order(const Rebuilt& design, const std::vector<Range>& possible) {
+Check check_order(const Rebuilt& design, const std::vector<SweptRange>& possible) {
     const bool passed = !possible.empty();
     const std::string cycle = cycle_words(*design.claim->mechanism);
     return {"meets the points in order within " + cycle + " of the crank", passed,
@@ -301,9 +277,9 @@ Check check_order(const Rebuilt& design, const std::vector<Range>& possible) {
 }
 
 /// One of the sweeps must lie on one branch in one assembled range.
-Check check_sweep(const Rebuilt& design, const std::vector<Range>& possible) {
+Check check_sweep(const Rebuilt& design, const std::vector<SweptRange>& possible) {
     Check check{"stays assembled on one branch along the path", false, "the points are not met in order"};
-    for (const Range& range : possible) {
+    for (const SweptRange& range : possible) {
         Motion motion = design.motion;
         motion.full_turn = false;
         motion.from = range.from.convert_to<double>();
@@ -323,7 +299,7 @@ Check check_sweep(const Rebuilt& design, const std::vector<Range>& possible) {
 std::optional<Vector<Digits50>> range_of_use_again(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     if (!design.path) return Vector<Digits50>{1, 0};
-    const Range between = stretch_between(design);
+    const SweptRange between = stretch_between(design);
     Digits50 before = from_document(claim.use->before, Unit::angle, claim.units);
     Digits50 after = from_document(claim.use->after, Unit::angle, claim.units);
     if (met_clockwise(design)) std::swap(before, after);

@@ -88,7 +88,7 @@ Finding check_function(const ProofContext& c, const Digits50& bound) {
     const std::string_view name = c.problem.mechanism->name;
     if (name != "four-bar" && name != "slider-crank") return fails("nothing is known of such functions");
     const LoopKind kind = name == "four-bar" ? LoopKind::four_bar : LoopKind::slider_crank;
-    const ErrorAgain error(c.design);
+    const ErrorAgain error(c.design, input_tasks(*c.design.claim).front());
     const std::vector<double> shares = shares_of(c, error);
     const std::size_t first = c.problem.mechanism->input->start;
     Scales own;

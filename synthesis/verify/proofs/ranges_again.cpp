@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "synthesis/problem/input_tasks.h"
+
 namespace mechwright {
 
 namespace {
@@ -16,8 +18,8 @@ namespace {
 bool has_to_turn(const ProofContext& c) {
     const Claim& claim = *c.design.claim;
     if (claim.path && claim.path->closed) return true;
-    if (claim.followed && claim.followed->full_turn) return true;
-    if (claim.crank_range || claim.path || claim.function || claim.followed) return false;
+    if (must_turn_fully(claim)) return true;
+    if (claim.crank_range || claim.path || !input_tasks(claim).empty()) return false;
     const auto& families = claim.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
     if (limited == families.end()) return true;

@@ -12,6 +12,7 @@
 #include "analysis/numbers/golden_section.h"
 #include "synthesis/mechanism/linkage/again/measured.h"
 #include "synthesis/mechanism/linkage/quantities.h"
+#include "synthesis/mechanism/over_range.h"
 #include "synthesis/target/followed/arc.h"
 #include "synthesis/target/followed/line.h"
 
@@ -120,11 +121,15 @@ Digits50 least_of_poses(const Scan& scan, const OfPose& of_pose) {
 
 /// The distance of the guided point from what it follows at its greatest, or how far it follows.
 template <class Shape>
-Digits50 of_followed(const Scan& scan, std::span<const Digits50> numbers, LinkageMeasure::Kind kind) {
-    const std::size_t pin = scan.model.guided.front().pin;
+Digits50 of_followed(const Motion& motion, std::span<const Digits50> arguments) {
+    const std::size_t dimensions = arguments.size() - 2 - Shape::parameters;
+    const Scan scan(within_input(motion, arguments.subspan(dimensions, 2)), arguments.first(dimensions));
+    if (scan.empty()) return missing;
+    const LinkageMeasure& of = *static_cast<const LinkageMeasure*>(motion.of);
+    const std::size_t pin = scan.model.guided[scan.model.over_input[of.over_input].of].pin;
     std::array<Digits50, Shape::parameters> shape;
-    std::copy_n(numbers.begin(), shape.size(), shape.begin());
-    if (kind == LinkageMeasure::Kind::extent) {
+    std::copy_n(arguments.last(shape.size()).begin(), shape.size(), shape.begin());
+    if (of.kind == LinkageMeasure::Kind::extent) {
         const auto at_end = [&](bool last) {
             const auto coordinate = [&](auto part) {
                 return of_poses(scan,
@@ -255,14 +260,11 @@ Digits50 measure_linkage_again(const Motion& motion, std::span<const Digits50> d
         return *greatest / *least;
     }
     if (q.kind == Kind::full_turn_margin) return full_turn_margin(model, motion.assembly, dimensions);
-    const bool followed = q.kind == Kind::distance_greatest || q.kind == Kind::extent;
-    const bool line = model.followed == Followed::line;
-    const std::size_t of_shape = followed ? (line ? LineShape::parameters : ArcShape::parameters) : 0;
-    const Scan scan(motion, dimensions.first(dimensions.size() - (followed ? 2 : 0) - of_shape));
+    if (q.kind == Kind::distance_greatest || q.kind == Kind::extent)
+        return model.over_input[q.over_input].followed == Followed::line ? of_followed<LineShape>(motion, dimensions)
+                                                                         : of_followed<ArcShape>(motion, dimensions);
+    const Scan scan(motion, dimensions);
     if (scan.empty()) return missing;
-    if (followed)
-        return line ? of_followed<LineShape>(scan, dimensions.last(of_shape), q.kind)
-                    : of_followed<ArcShape>(scan, dimensions.last(of_shape), q.kind);
     if (q.kind == Kind::transmission_angle_worst) return worst_transmission(scan);
     if (q.kind == Kind::joint_distance_least) return least_joint_distance(scan);
     return of_signal(scan, q);

@@ -5,6 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include "synthesis/mechanism/linkage/quantities.h"
+#include "synthesis/mechanism/over_range.h"
+
 namespace mechwright {
 
 namespace {
@@ -15,7 +18,8 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 LinkageOutputAgain::LinkageOutputAgain(const Motion& motion, std::span<const Digits50> arguments)
-    : scan_(motion, arguments.first(arguments.size() - scale_count)), output_(*linkage_of(motion.model).output) {
+    : scan_(within_input(motion, arguments.last(scale_count)), arguments.first(arguments.size() - scale_count)),
+      output_(linkage_of(motion.model).over_input[static_cast<const LinkageMeasure*>(motion.of)->over_input].of) {
     if (scan_.empty() || !linkage::turns_are_alike(scan_.model.signals, output_)) return;
     const std::span<const Digits50> four = arguments.last(scale_count);
     const double away = error(four[0].convert_to<double>(), four[2].convert_to<double>()) / (2 * std::numbers::pi);

@@ -17,12 +17,12 @@ namespace {
 
 using Kind = LinkageMeasure::Kind;
 
-/// What is asked of the guided point: its distance from what it follows.
-LinkageMeasure distance_measure() { return {Kind::distance_greatest}; }
+/// Of one of the targets over input ranges.
+LinkageMeasure measure_of(Kind kind, std::size_t over_input) { return {kind, {}, {}, {}, 0, over_input}; }
 
 /// The extremes of the distance over the input range, in order along it.
 std::vector<ErrorExtreme> extremes_of_distance(Form form, std::span<const double> arguments) {
-    const LinkageMeasure measure = distance_measure();
+    const LinkageMeasure measure = measure_of(Kind::distance_greatest, form.over_input);
     Motion motion;
     motion.assembly = form.assembly;
     motion.model = form.model;
@@ -35,7 +35,7 @@ std::vector<ErrorExtreme> extremes_of_distance(Form form, std::span<const double
     motion.to = std::max(start, start + range);
     const measuring::Over over(motion, true);
     const auto dimensions = over.dimensions_of(arguments), shape = over.shape_of(arguments);
-    const auto signals = measuring::own_signals(over.model, measure.kind);
+    const auto signals = measuring::own_signals(over.model, measure);
     auto plain = measuring::measured<double, 2>(over, arguments, signals);
     if (!measuring::closes_at_samples(over, dimensions)) return {};
     const measuring::Course course = measuring::course_of(over, dimensions, plain, signals);
@@ -56,6 +56,7 @@ template <class Shape>
 void fit_shape(Form form, std::span<const double> arguments, std::span<double> numbers,
                const std::array<bool, 3>& free) {
     const std::size_t own = arguments.size() - 2 - Shape::parameters;
+    form.guided = linkage_of(form.model).over_input[form.over_input].of;
     StretchPoints points;
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i] = guided_point_of_linkage(
@@ -70,16 +71,18 @@ void fit_shape(Form form, std::span<const double> arguments, std::span<double> n
 }
 
 template <class Shape>
-FollowedShape shape_of_linkage(std::size_t dimensions) {
+FollowedShape shape_of_linkage(std::size_t over_input, std::size_t dimensions) {
     const ShapeTexts texts = Shape::texts();
     FollowedShape entry;
     entry.name = Shape::name;
     entry.numbers = Shape::numbers();
     const auto add = [&](const std::string& name, Unit unit, std::string meaning, Kind kind) {
-        Quantity quantity = over_input(linkage_quantity(name, unit, std::move(meaning), {kind}, dimensions));
+        Quantity quantity = mechwright::over_input(
+            linkage_quantity(name, unit, std::move(meaning), measure_of(kind, over_input), dimensions));
         quantity.defined = Shape::is_followed;
         quantity.measure_again = measure_linkage_again;
         quantity.section = std::string(Shape::name);
+        quantity.of_motion = false;
         entry.quantities.push_back(std::move(quantity));
     };
     add(texts.deviation, Unit::length, "greatest distance of a stretch of the guided point's path from what it follows",
@@ -92,7 +95,12 @@ FollowedShape shape_of_linkage(std::size_t dimensions) {
 
 }  // namespace
 
-FollowedShape linkage_line(std::size_t dimensions) { return shape_of_linkage<LineShape>(dimensions); }
-FollowedShape linkage_arc(std::size_t dimensions) { return shape_of_linkage<ArcShape>(dimensions); }
+FollowedShape linkage_shape(const LinkageModel& model, std::size_t over_input, std::size_t dimensions) {
+    const LinkageInputTarget& target = model.over_input[over_input];
+    FollowedShape made = target.followed == Followed::line ? shape_of_linkage<LineShape>(over_input, dimensions)
+                                                           : shape_of_linkage<ArcShape>(over_input, dimensions);
+    made.guided = target.of;
+    return made;
+}
 
 }  // namespace mechwright

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A linkage whose guided point follows a line or an arc over an input range (LinkageModel::followed).
+/// A linkage whose guided point follows a line or an arc over an input range (LinkageModel::over_input).
 
 #include <cstddef>
 
@@ -9,8 +9,7 @@
 
 namespace mechwright {
 
-/// The registry's entry of a line, or an arc, for linkages with so many dimensions.
-FollowedShape linkage_line(std::size_t dimensions);
-FollowedShape linkage_arc(std::size_t dimensions);
+/// The registry's entry of the line or the arc that is a target of this number, for linkages with so many dimensions.
+FollowedShape linkage_shape(const LinkageModel& model, std::size_t over_input, std::size_t dimensions);
 
 }  // namespace mechwright

@@ -19,7 +19,7 @@ class Generating {
 public:
     Generating(const FunctionTarget& function, Form form, std::span<const double> arguments)
         : arguments_(arguments),
-          measure_(measuring::error_measure(linkage_of(form.model), Kind::function_greatest)),
+          measure_(measuring::error_measure(linkage_of(form.model), form.over_input, Kind::function_greatest)),
           motion_(motion(function, form, arguments, measure_)),
           over_(motion_, true),
           plain_(measuring::measured<double, orders>(over_, arguments, measure_.signals)) {
@@ -90,20 +90,21 @@ bool fit(const FunctionTarget&, std::span<double>, std::span<double, 4>, bool, b
 
 }  // namespace
 
-FunctionGeneration linkage_function(const LinkageModel& model, std::size_t dimensions) {
-    const NamedSignal& output = model.signal_names[*model.output];
+FunctionGeneration linkage_function(const LinkageModel& model, std::size_t over_input, std::size_t dimensions) {
+    const NamedSignal& output = model.signal_names[model.over_input[over_input].of];
     const bool angle = output.unit == Unit::angle;
     FunctionGeneration made;
     made.output = {angle ? DimensionKind::angle : DimensionKind::coordinate,
                    "'" + output.name + "' at the start of a function's range",
                    "way of '" + output.name + "' over the range of a function"};
     const auto add = [&](const char* name, const char* what, Kind kind, auto measure_again) {
-        Quantity quantity =
-            over_input(linkage_quantity(name, output.unit, what, measuring::error_measure(model, kind), dimensions));
+        Quantity quantity = mechwright::over_input(
+            linkage_quantity(name, output.unit, what, measuring::error_measure(model, over_input, kind), dimensions));
         quantity.defined = [](const Motion& motion) { return motion.function != nullptr; };
         quantity.measure_again = measure_again;
         quantity.worst_first = false;
         quantity.section = "function";
+        quantity.of_motion = false;
         made.quantities.push_back(std::move(quantity));
     };
     add("function-max", "greatest difference of the output from the function", Kind::function_greatest,

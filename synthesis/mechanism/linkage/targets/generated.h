@@ -16,10 +16,10 @@ namespace mechwright::measuring {
 
 inline constexpr std::size_t most_errors = 16;  ///< components of the greatest error
 
-/// The signals with the error of the output as the last, and what is asked of that.
-inline LinkageMeasure error_measure(const LinkageModel& model, Kind kind) {
-    LinkageMeasure measure{kind, model.signals, {model.signals.size(), 0}};
-    measure.signals.push_back({Signal::Kind::error, *model.output});
+/// The signals with the error of a function's output as the last, and what is asked of that.
+inline LinkageMeasure error_measure(const LinkageModel& model, std::size_t over_input, Kind kind) {
+    LinkageMeasure measure{kind, model.signals, {model.signals.size(), 0}, {}, 0, over_input};
+    measure.signals.push_back({Signal::Kind::error, model.over_input[over_input].of});
     return measure;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "synthesis/mechanism/cycle.h"
 #include "synthesis/target/path/rows/path_outputs.h"
@@ -13,58 +14,83 @@ namespace mechwright {
 using Eigen::VectorXd;
 
 bool needs_stretch(const Problem& problem, const Family& family) {
-    return problem.path && (problem.path->points.size() > 1 || problem.use) && !problem.path->closed &&
-           !family.full_turn && problem.mechanism->input.has_value();
+    if (family.full_turn || !problem.mechanism->input.has_value()) return false;
+    if (covers_several(problem)) return true;
+    return problem.path && (problem.path->points.size() > 1 || problem.use) && !problem.path->closed;
 }
 
 namespace {
 
-/// The points of a target between whose crank angles it is met: of an ordered path the first and the last.
-struct EndPoints {
-    std::size_t least;
-    std::size_t greatest;
+/// A part of the stretch that cannot be parted: between the ends of a target.
+struct Span {
+    StretchEnd first{}, last{};
+    double from = 0, to = 0;
+    bool turns = true;  ///< it may as well be whole cycles later
+};
+
+/// Between the crank angles of a path or poses: of an ordered path the first and the last.
+template <class AngleAt>
+Span span_of_path(const PathTarget& path, std::size_t target, const AngleAt& angle_at) {
+    const PointRange points = path.points_of(target);
+    const bool ordered = !path.prescribed_timing && !path.any_order;
+    std::size_t least = points.first, greatest = points.first;
+    for (std::size_t i = points.first; i < points.end(); ++i) {
+        if (ordered && i > points.first && i + 1 < points.end()) continue;
+        if (angle_at(i) < angle_at(least)) least = i;
+        if (angle_at(i) > angle_at(greatest)) greatest = i;
+    }
+    // Points that count by the nearest of the curve lie in one motion.
+    return {{least}, {greatest}, angle_at(least), angle_at(greatest), !path.any_order};
+}
+
+struct Spans {
+    std::array<Span, most_targets> all;
+    std::size_t count = 0;
+
+    void add(const Span& one) { all[count++] = one; }
+    void add_input_range(std::span<const double> dimensions, std::size_t at) {
+        const double start = dimensions[at], end = start + dimensions[at + 1];
+        const StretchEnd at_start{{}, at, false}, at_end{{}, at, true};
+        add(end < start ? Span{at_end, at_start, end, start} : Span{at_start, at_end, start, end});
+    }
+    std::span<const Span> those() const { return std::span(all).first(count); }
 };
 
 template <class AngleAt>
-EndPoints end_points(const PathTarget& path, std::size_t target, const AngleAt& angle_at) {
-    const PointRange points = path.points_of(target);
-    const bool ordered = !path.prescribed_timing && !path.any_order;
-    EndPoints ends{points.first, points.first};
-    for (std::size_t i = points.first; i < points.end(); ++i) {
-        if (ordered && i > points.first && i + 1 < points.end()) continue;
-        if (angle_at(i) < angle_at(ends.least)) ends.least = i;
-        if (angle_at(i) > angle_at(ends.greatest)) ends.greatest = i;
-    }
-    return ends;
+Spans spans_of(const Problem& problem, std::span<const double> dimensions, const AngleAt& angle_at) {
+    Spans spans;
+    for (std::size_t k = 0; problem.path && k < problem.path->targets(); ++k)
+        spans.add(span_of_path(*problem.path, k, angle_at));
+    for (const InputTarget& target : problem.mechanism->over_input)
+        spans.add_input_range(dimensions, target.start);
+    if (problem.function || problem.followed) spans.add_input_range(dimensions, problem.mechanism->input->start);
+    return spans;
 }
 
-/// The shortest stretch that holds the crank angles of every target, each turned on by whole cycles: it begins where
-/// one of them does. Points that count by the nearest of the curve lie in one motion, and are not turned.
-template <class AngleAt>
-StretchEnds shortest_stretch(const PathTarget& path, double cycle, const AngleAt& angle_at) {
-    const std::size_t targets = path.targets();
+/// The shortest stretch that holds all, each turned on by whole cycles: it begins where one of them does.
+StretchEnds shortest_stretch(const Spans& all, double cycle) {
+    constexpr double as_short = 1e-9;
+    const std::span<const Span> spans = all.those();
     StretchEnds best;
     double shortest = std::numeric_limits<double>::infinity();
-    for (std::size_t from = 0; from < targets; ++from) {
-        const double begin = angle_at(end_points(path, from, angle_at).least);
-        StretchEnds ends;
-        ends.first = ends.last = end_points(path, from, angle_at).least;
+    for (const Span& begins : spans) {
+        const double begin = begins.from;
+        StretchEnds ends{begins.first, begins.first, 0};
         double least = begin, greatest = begin;
-        for (std::size_t k = 0; k < targets; ++k) {
-            const EndPoints of = end_points(path, k, angle_at);
-            const double turns =
-                k == from || path.any_order ? 0 : cycle * std::ceil((begin - angle_at(of.least)) / cycle);
-            if (angle_at(of.least) + turns < least) {
-                least = angle_at(of.least) + turns;
-                ends.first = of.least;
+        for (const Span& span : spans) {
+            const bool stays = &span == &begins || !span.turns;
+            const double turns = stays ? 0 : cycle * std::ceil((begin - span.from) / cycle - as_short);
+            if (span.from + turns < least) {
+                least = span.from + turns;
+                ends.first = span.first;
             }
-            if (angle_at(of.greatest) + turns > greatest) {
-                greatest = angle_at(of.greatest) + turns;
-                ends.last = of.greatest;
+            if (span.to + turns > greatest) {
+                greatest = span.to + turns;
+                ends.last = span.last;
                 ends.turns = turns;
             }
         }
-        if (!(greatest - least < shortest)) continue;
+        if (!(greatest - least < shortest - as_short)) continue;
         shortest = greatest - least;
         best = ends;
     }
@@ -91,21 +117,28 @@ std::array<double, 2> beyond_ends(const Problem& problem, const AngleAt& angle_a
 
 }  // namespace
 
-CrankStretch stretch_of(const Problem& problem, std::span<const double> path_angles) {
-    const auto angle_at = [&](std::size_t i) { return path_angles[i]; };
-    const StretchEnds ends = shortest_stretch(*problem.path, cycle_of(*problem.mechanism), angle_at);
+std::optional<CrankStretch> stretch_of(const Problem& problem, const Design& design) {
+    if (problem.path && design.path_angles.size() != problem.path->points.size()) return std::nullopt;
+    const auto angle_at = [&](std::size_t i) { return design.path_angles[i]; };
+    const StretchEnds ends =
+        shortest_stretch(spans_of(problem, design.dimensions, angle_at), cycle_of(*problem.mechanism));
+    const auto angle = [&](const StretchEnd& end) {
+        if (end.point) return angle_at(*end.point);
+        return design.dimensions[end.input_start] + (end.after_range ? design.dimensions[end.input_start + 1] : 0);
+    };
     const auto [less, more] = beyond_ends(problem, angle_at);
-    return {path_angles[ends.first] - less, path_angles[ends.last] + ends.turns + more};
+    return CrankStretch{angle(ends.first) - less, angle(ends.last) + ends.turns + more};
 }
 
 double least_margin_along(const Problem& problem, const Design& design) {
     const InputRange& input = *problem.mechanism->input;
-    const CrankStretch stretch = stretch_of(problem, design.path_angles);
+    const auto stretch = stretch_of(problem, design);
+    if (!stretch) return std::numeric_limits<double>::quiet_NaN();
     std::vector<double> arguments;
     for (const std::size_t i : input.reads)
         arguments.push_back(design.dimensions[i]);
-    arguments.push_back(stretch.first);
-    arguments.push_back(stretch.last - stretch.first);
+    arguments.push_back(stretch->first);
+    arguments.push_back(stretch->last - stretch->first);
     std::array<double, InputRange::most_margins> value;
     Motion motion;
     motion.assembly = design.assembly;
@@ -119,22 +152,57 @@ double least_margin_along(const Problem& problem, const Design& design) {
 namespace {
 
 /// The crank angle of a point, as a path has it.
-double angle_at_point(const Program& program, const VectorXd& x, std::size_t i) {
+double angle_at_point(const Program& program, std::span<const double> dimensions, const VectorXd& x, std::size_t i) {
     const PathTarget& path = *program.problem->path;
     if (program.untimed_path()) return x[static_cast<Eigen::Index>(program.first_path_angle + i)];
-    const std::size_t start = program.problem->mechanism->roles_of(path.target_of(i)).start;
-    const std::ptrdiff_t variable = program.variable_of[start];
-    return path.crank_angles[i] + (variable < 0 ? program.dimensions[start] : x[variable]);
+    return path.crank_angles[i] + dimensions[program.problem->mechanism->roles_of(path.target_of(i)).start];
 }
+
+StretchEnds ends_at(const Program& program, std::span<const double> dimensions, const VectorXd& x) {
+    const Problem& problem = *program.problem;
+    // The crank may turn either way along an ordered path.
+    if (!covers_several(problem) && problem.path->parts.empty() && !problem.path->prescribed_timing &&
+        !problem.path->any_order)
+        return {{0}, {problem.path->points.size() - 1}, 0};
+    return shortest_stretch(
+        spans_of(problem, dimensions, [&](std::size_t i) { return angle_at_point(program, dimensions, x, i); }),
+        cycle_of(*problem.mechanism));
+}
+
+/// An argument of a measure as a sum of the crank angles of ends.
+struct SumOfEnds {
+    const Program& program;
+    std::span<const double> dimensions;
+    const VectorXd& x;
+    BlockArguments& arguments;
+    std::size_t& used;  ///< terms of the arguments that are taken
+    const std::size_t from = used;
+    std::size_t to = from;
+    double value = 0;
+
+    void add(const StretchEnd& end, double sign) {
+        if (end.point) {
+            const PathAngle met = path_angle(program, dimensions, x, *end.point);
+            value += sign * met.angle;
+            if (met.variable >= 0) arguments.ends[used++] = {static_cast<std::size_t>(met.variable), sign};
+        }
+        for (std::size_t k = 0; k < (end.point ? 0u : end.after_range ? 2u : 1u); ++k) {
+            value += sign * dimensions[end.input_start + k];
+            for (const LinearTerm& term : program.follows[end.input_start + k])
+                arguments.ends[used++] = {term.index, sign * term.factor};
+        }
+        to = used;
+    }
+    void finish() {
+        arguments.value[arguments.count] = value;
+        arguments.source[arguments.count++] = std::span<const LinearTerm>(arguments.ends).subspan(from, to - from);
+    }
+};
 
 }  // namespace
 
 StretchEnds stretch_ends(const Program& program, const VectorXd& x) {
-    const PathTarget& path = *program.problem->path;
-    // The crank may turn either way along an ordered path.
-    if (path.parts.empty() && !path.prescribed_timing && !path.any_order) return {0, path.points.size() - 1, 0};
-    return shortest_stretch(path, cycle_of(*program.problem->mechanism),
-                            [&](std::size_t i) { return angle_at_point(program, x, i); });
+    return ends_at(program, dimensions_at(program, x), x);
 }
 
 const QuantityBlock* stretch_block(const Program& program) {
@@ -152,27 +220,23 @@ bool depends_on_stretch(const Program& program) {
 void add_stretch(const Program& program, std::span<const double> dimensions, const VectorXd& x,
                  BlockArguments& arguments) {
     const Problem& problem = *program.problem;
-    const StretchEnds ends = stretch_ends(program, x);
-    const PathAngle first = path_angle(program, dimensions, x, ends.first);
-    const PathAngle last = path_angle(program, dimensions, x, ends.last);
-    const auto by = [](const PathAngle& angle, double factor) {
-        return LinearTerm{static_cast<std::size_t>(angle.variable), factor};
-    };
-    arguments.ends = {by(first, 1), by(last, 1), by(first, -1)};
-    const std::span<const LinearTerm> ends_by(arguments.ends);
-    const std::size_t of_first = first.variable >= 0 ? 1 : 0, of_last = last.variable >= 0 ? 1 : 0;
-    double start = first.angle, range = last.angle + ends.turns - first.angle;
+    const StretchEnds ends = ends_at(program, dimensions, x);
+    std::size_t used = 0;
+    SumOfEnds start{program, dimensions, x, arguments, used};
+    start.add(ends.first, 1);
+    SumOfEnds range{program, dimensions, x, arguments, used};
+    range.add(ends.last, 1);
+    range.value += ends.turns;
+    range.add(ends.first, -1);
     if (problem.use) {
-        const auto [less, more] = beyond_ends(problem, [&](std::size_t i) { return angle_at_point(program, x, i); });
+        const auto [less, more] =
+            beyond_ends(problem, [&](std::size_t i) { return angle_at_point(program, dimensions, x, i); });
         // The first of an ordered path is at the greater crank angle where the crank turns clockwise.
-        start += range < 0 ? more : -less;
-        range += range < 0 ? -(less + more) : less + more;
+        start.value += range.value < 0 ? more : -less;
+        range.value += range.value < 0 ? -(less + more) : less + more;
     }
-    std::size_t& i = arguments.count;
-    arguments.value[i] = start;
-    arguments.source[i++] = ends_by.first(of_first);
-    arguments.value[i] = range;
-    arguments.source[i++] = ends_by.subspan(2 - of_last, of_last + of_first);
+    start.finish();
+    range.finish();
 }
 
 }  // namespace mechwright

@@ -1,0 +1,58 @@
+#include "synthesis/verify/stretch_again.h"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+
+#include "synthesis/mechanism/cycle.h"
+#include "synthesis/problem/input_tasks.h"
+#include "synthesis/verify/rebuilt.h"
+
+namespace mechwright {
+
+namespace {
+
+constexpr double angular = 1e-9;  // radians
+
+}  // namespace
+
+Digits50 within_period(const Digits50& angle, const Digits50& period) { return angle - period * floor(angle / period); }
+
+SweptRange shortest_over(const std::vector<SweptRange>& ranges, const Digits50& period) {
+    std::optional<SweptRange> shortest;
+    for (const SweptRange& first : ranges) {
+        SweptRange one = first;
+        for (const SweptRange& range : ranges) {
+            const Digits50 ahead = within_period(range.from - first.from, period);
+            // What begins where the first does may by rounding seem to begin a turn later.
+            const Digits50 begin = period - ahead < angular ? Digits50(0) : ahead;
+            one.to = std::max<Digits50>(one.to, first.from + begin + (range.to - range.from));
+        }
+        if (!shortest || one.to - one.from < shortest->to - shortest->from - angular) shortest = one;
+    }
+    return *shortest;
+}
+
+std::optional<SweptRange> stretch_again(const Claim& claim, std::span<const Digits50> dimensions) {
+    std::vector<SweptRange> ranges;
+    const std::vector<InputTask> tasks = input_tasks(claim);
+    if (tasks.empty() || (claim.path && claim.path->closed)) return std::nullopt;
+    if (claim.path) {
+        const ClaimedPath& path = *claim.path;
+        if (path.crank_angles.size() != path.points.size()) return std::nullopt;
+        for (std::size_t target = 0; target < path.targets(); ++target) {
+            const PointRange points = path.points_of(target);
+            const auto from = path.crank_angles.begin() + static_cast<std::ptrdiff_t>(points.first);
+            const auto [least, greatest] = std::minmax_element(from, from + static_cast<std::ptrdiff_t>(points.count));
+            ranges.push_back(
+                {from_document(*least, Unit::angle, claim.units), from_document(*greatest, Unit::angle, claim.units)});
+        }
+    }
+    for (const InputTask& task : tasks) {
+        const Digits50 start = dimensions[task.start], end = start + dimensions[task.start + 1];
+        ranges.push_back({std::min(start, end), std::max(start, end)});
+    }
+    const Digits50& turn = boost::math::constants::two_pi<Digits50>();
+    return shortest_over(ranges, turn * turns_of_cycle(*claim.mechanism));
+}
+
+}  // namespace mechwright
