@@ -41,7 +41,9 @@ Json shape_of(const Key& key) {
         case Shape::range: return range_of(key.limits);
         case Shape::tied_range: {
             Json tied = range_of(key.limits);
-            tied["anyOf"].push_back(table_of(keys::tie));
+            Json tie = table_of(keys::tie);
+            tie["properties"]["of"].update(Json{{"type", "string"}});
+            tied["anyOf"].push_back(std::move(tie));
             tied["anyOf"].push_back({{"type", "string"}});
             return tied;
         }
