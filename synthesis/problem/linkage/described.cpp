@@ -1,6 +1,7 @@
 // What a file says of a linkage, as documents repeat it.
 
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "synthesis/problem/linkage/mechanism.h"
 #include "synthesis/problem/toml/in_order.h"
