@@ -16,15 +16,18 @@ TEST(Check, SaysNothingOfGoodFiles) {
 }
 
 TEST(Check, ReadsAProblemFromStandardInput) {
-    Start good{{"check", "-"}};
+    Start good;
+    good.arguments = {"check", "-"};
     good.in = crank_rocker();
     EXPECT_EQ(run(good).exit_code, 0);
-    Start wrong{{"check", "-"}};
+    Start wrong;
+    wrong.arguments = {"check", "-"};
     wrong.in = "schema = 1\nmechanism = \"four-bar\"\ndimension = 3\n";
     const Outcome outcome = run(wrong);
     EXPECT_EQ(outcome.exit_code, 3);
     expect_has(outcome.err, "-:3:1: unknown key 'dimension'");
-    Start solved{{"solve", "-", "--json"}};
+    Start solved;
+    solved.arguments = {"solve", "-", "--json"};
     solved.in = crank_rocker();
     const Outcome design = run(solved);
     EXPECT_EQ(design.exit_code, 0) << design.err;
