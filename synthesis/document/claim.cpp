@@ -12,6 +12,7 @@
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/affine.h"
+#include "synthesis/problem/allowed_values.h"
 #include "synthesis/problem/linkage/mechanism.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
@@ -124,6 +125,22 @@ double dimension_number(Reader& in, const Claim& claim, std::size_t i, const Jso
     return is_angle(claim, i) ? in.angle(json, place) : in.number(json, place);
 }
 
+ClaimedRange claimed_choices(Reader& in, const Claim& claim, std::size_t i, const Json& json,
+                             const std::string& place) {
+    ClaimedRange range{};
+    if (!in.array(&json, place, most_choices)) return range;
+    for (const Json& choice : json)
+        range.choices.push_back(dimension_number(in, claim, i, &choice, place));
+    if (range.choices.empty()) {
+        in.fail(place + " is empty");
+        return range;
+    }
+    std::sort(range.choices.begin(), range.choices.end());
+    range.min = range.choices.front();
+    range.max = range.choices.back();
+    return range;
+}
+
 void read_given(Reader& in, const Json& document, Claim& claim) {
     claim.given.resize(claim.mechanism->dimensions.size());
     const Json* given = in.object(member(document, of_document("dimensions")), "dimensions");
@@ -148,10 +165,15 @@ void read_given(Reader& in, const Json& document, Claim& claim) {
             if (!sum.fault.empty() || sum.value.terms.empty())
                 return in.fail(fmt::format("{} is no sum of dimensions: {}", place, sum.fault));
             claim.given[i] = ClaimedRange{0, 0, sum.value};
+        } else if (value.is_object() && member(value, of_choices("choices"))) {
+            claim.given[i] = claimed_choices(in, claim, i, *member(value, of_choices("choices")), place + ".choices");
         } else if (value.is_object()) {
             const double min = dimension_number(in, claim, i, member(value, of_range("min")), place + ".min");
             const double max = dimension_number(in, claim, i, member(value, of_range("max")), place + ".max");
-            claim.given[i] = ClaimedRange{min, max, {}};
+            const Json* step = member(value, of_range("step"));
+            claim.given[i] =
+                ClaimedRange{min, max, {}, {}, step ? dimension_number(in, claim, i, step, place + ".step") : 0};
+            if (step && !(claim.given[i]->step > 0 && min < max)) in.fail(place + ".step makes no values");
         } else {
             const double number = dimension_number(in, claim, i, &value, place);
             claim.given[i] = ClaimedRange{number, number, {}};

@@ -18,7 +18,9 @@ namespace mechwright {
 struct ClaimedRange {
     double min;
     double max;
-    Affine tie{};  ///< in the document's units; where it has terms the limits are not read
+    Affine tie{};                   ///< in the document's units; where it has terms the limits are not read
+    std::vector<double> choices{};  ///< the values that it may have; empty: any of the range
+    double step = 0;                ///< above 0: the least value or whole steps more
 
     bool tied() const { return !tie.terms.empty(); }
 };

@@ -28,6 +28,9 @@ DimensionRange range_of(const Claim& claim, std::size_t dimension) {
     range.tie.constant = from_file_unit(given->tie.constant, unit, claim.units);
     range.min = from_file_unit(given->min, unit, claim.units);
     range.max = from_file_unit(given->max, unit, claim.units);
+    for (const double choice : given->choices)
+        range.choices.push_back(from_file_unit(choice, unit, claim.units));
+    range.step = from_file_unit(given->step, unit, claim.units);
     // A tied dimension has no limits of its own.
     if (range.tied()) range.min = range.max = from_file_unit(claim.design[dimension], unit, claim.units);
     return range;

@@ -41,6 +41,19 @@ Json given_tie(const Problem& problem, Affine tie, double constant) {
     return {{of_tie("of"), dimensions[other].name}, {of_tie("times"), times}};
 }
 
+template <class Outside>
+Json given_range(const DimensionRange& range, const Outside& outside) {
+    if (!range.choices.empty()) {
+        Json choices = Json::array();
+        for (const double choice : range.choices)
+            choices.push_back(outside(choice));
+        return {{of_choices("choices"), std::move(choices)}};
+    }
+    Json given{{of_range("min"), outside(range.min)}, {of_range("max"), outside(range.max)}};
+    if (range.step > 0) given[of_range("step")] = outside(range.step);
+    return given;
+}
+
 Json given_dimensions(const Problem& problem) {
     Json given = Json::object();
     for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
@@ -53,8 +66,7 @@ Json given_dimensions(const Problem& problem) {
         else if (range.fixed())
             given[std::string(dimension.name)] = outside(range.min);
         else
-            given[std::string(dimension.name)] = {{of_range("min"), outside(range.min)},
-                                                  {of_range("max"), outside(range.max)}};
+            given[std::string(dimension.name)] = given_range(range, outside);
     }
     return given;
 }
@@ -264,6 +276,14 @@ Json search_of(const Problem& problem, const SearchReport& search) {
         json[of_search("boxes")] = search.boxes;
     }
     if (search.solutions) json[of_search("solutions")] = solutions_of(*search.solutions);
+    if (search.discrete) {
+        Json discrete{{of_discrete("problems"), search.discrete->problems}};
+        if (problem.objective) {
+            if (search.discrete->continuous) put(discrete, of_discrete("continuous"), *search.discrete->continuous);
+            put(discrete, of_discrete("gap"), search.discrete->gap);
+        }
+        json[of_search("discrete")] = std::move(discrete);
+    }
     json[of_search("evaluations")] = search.evaluations;
     json[of_search("seed")] = problem.solver.seed;
     put(json, of_search("seconds"), search.seconds);

@@ -54,8 +54,10 @@ inline constexpr std::array units{Key{"angle", Shape::word, "Unit of angles.", t
                                   Key{"force", Shape::word, "Unit of forces.", false, keys::force_units},
                                   Key{"mass", Shape::word, "Unit of masses.", false, keys::mass_units}};
 
-inline constexpr std::array range{Key{"min", Shape::number, "Least value.", true},
-                                  Key{"max", Shape::number, "Greatest value.", true}};
+inline constexpr std::array range{
+    Key{"min", Shape::number, "Least value.", true}, Key{"max", Shape::number, "Greatest value.", true},
+    Key{"step", Shape::number, "It is the least value or whole steps more.", false, {}, {}, positive}};
+inline constexpr std::array choices{Key{"choices", Shape::numbers, "The values that it may have.", true}};
 inline constexpr std::array range_of_use{
     Key{"from", Shape::word, "Where it begins.", true, keys::use_begins},
     Key{"to", Shape::word, "Where it ends.", true, keys::use_ends},
@@ -240,6 +242,11 @@ inline constexpr std::array certificate{
     Key{"quantity", Shape::text, "What is limited."},
     Key{"value", Shape::number, "The limit."}};
 
+inline constexpr std::array discrete{
+    Key{"problems", Shape::whole_number, "How many were solved with ranges in place of allowed values.", true},
+    Key{"continuous", Shape::number, "The objective that the ranges allow where any value of them may be taken."},
+    Key{"gap", Shape::number, "By how much values that were not looked at may be better, as far as was found."}};
+
 inline constexpr std::array search{
     Key{"method", Shape::text, "How the design was found.", true},
     Key{"complete", Shape::flag, "Whether the answer is proven.", true},
@@ -252,6 +259,7 @@ inline constexpr std::array search{
     Key{"bound", Shape::number, "No design has a better objective than this."},
     Key{"boxes", Shape::whole_number, "Boxes that were examined for the bound."},
     Key{"solutions", Shape::table, "What became of all solutions of an exact problem.", false, {}, solutions},
+    Key{"discrete", Shape::table, "Branch and bound over allowed values.", false, {}, discrete},
     Key{"evaluations", Shape::whole_number, "Of the functions of the nonlinear program.", true},
     Key{"seed", Shape::whole_number, "What the starts were drawn from.", true},
     Key{"seconds", Shape::number, "What the run took."}};
@@ -287,7 +295,7 @@ inline constexpr std::array of_run{
     Key{"note", Shape::text, "One sentence for the user where the status needs one."},
     Key{"tolerance", Shape::number, "Relative, on every requirement.", true, {}, {}, positive},
     Key{"dimensions", Shape::names,
-        "What was given: a number, a range, a multiple of another dimension, or a sum of such.", true},
+        "What was given: a number, a range, choices, a multiple of another dimension, or a sum of such.", true},
     Key{"cam", Shape::table, "What was given of a cam.", false, {}, cam},
     Key{"linkage", Shape::value, "Of a linkage the sections that describe it, as its problem file has them."},
     Key{"crank_range", Shape::ends, "Crank angles that the file limits the motion to."},
@@ -319,8 +327,10 @@ namespace mechwright::names {
 inline constexpr NamesOf<fields::alternative> of_alternative;
 inline constexpr NamesOf<fields::cam> of_cam;
 inline constexpr NamesOf<fields::certificate> of_certificate;
+inline constexpr NamesOf<fields::choices> of_choices;
 inline constexpr NamesOf<fields::check> of_check;
 inline constexpr NamesOf<fields::design> of_design;
+inline constexpr NamesOf<fields::discrete> of_discrete;
 inline constexpr NamesOf<fields::distance> of_distance;
 inline constexpr NamesOf<fields::document> of_document;
 inline constexpr NamesOf<fields::error> of_error;

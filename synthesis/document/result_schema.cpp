@@ -82,12 +82,17 @@ Json findings_of(const Kinds& kinds) {
             {"quantities", table_by(kinds.quantities, number())}};
 }
 
+/// What is given of a dimension.
+Json given() {
+    return any_of({number(), table_of(fields::range), table_of(fields::choices), table_of(fields::tie),
+                   Json{{"type", "string"}}});
+}
+
 Json of_kinds(const Kinds& kinds) {
-    const Json given = any_of({number(), table_of(fields::range), table_of(fields::tie), Json{{"type", "string"}}});
     Json properties = findings_of(kinds);
     for (const char* target : targets)
         properties[target] = {{"type", "object"}};
-    properties["dimensions"] = table_by(kinds.dimensions, given);
+    properties["dimensions"] = table_by(kinds.dimensions, given());
     properties["settings"] = table_by(kinds.settings, number());
     properties["front"] = {{"items", {{"properties", findings_of(kinds)}}}};
     properties["alternatives"] = {{"items", {{"properties", {{"design", properties["design"]}}}}}};
@@ -107,12 +112,10 @@ Json of_linkages() {
     Json design = table_of(fields::design);
     design["properties"]["assembly"].update(table_of_any(any_of({table_of(fields::side), table_of(larger_group)})));
     design["additionalProperties"] = number();
-    Json properties{
-        {"design", design},
-        {"quantities", table_of_any(number())},
-        {"dimensions",
-         table_of_any(any_of({number(), table_of(fields::range), table_of(fields::tie), Json{{"type", "string"}}}))},
-        {"linkage", table_of(fields::linkage)}};
+    Json properties{{"design", design},
+                    {"quantities", table_of_any(number())},
+                    {"dimensions", table_of_any(given())},
+                    {"linkage", table_of(fields::linkage)}};
     properties["front"] = {{"items", {{"properties", properties}}}};
     properties["alternatives"] = {{"items", {{"properties", {{"design", std::move(design)}}}}}};
     Json is_one{{"properties", {{"mechanism", {{"const", "linkage"}}}}}};

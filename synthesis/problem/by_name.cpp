@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "synthesis/problem/allowed_values.h"
 #include "synthesis/problem/text.h"
 
 namespace mechwright {
@@ -78,6 +81,28 @@ void design_within(Problem& problem, std::string_view dimension, double min, dou
     if (start && !(*start >= min && *start <= max))
         refuse_with("{} is to start at {}, outside its range from {} to {}", dimension, *start, min, max);
     named_range(problem, dimension) = {min, max, start, true};
+}
+
+void choose_among(Problem& problem, std::string_view dimension, std::vector<double> choices) {
+    if (choices.empty()) refuse_with("{} has no choices", dimension);
+    if (choices.size() > most_choices) refuse_with("{} has more than {} choices", dimension, most_choices);
+    for (const double choice : choices)
+        refuse_infinite(dimension, choice);
+    std::sort(choices.begin(), choices.end());
+    if (std::adjacent_find(choices.begin(), choices.end()) != choices.end())
+        refuse_with("{} has the same choice twice", dimension);
+    if (choices.size() == 1) return fix(problem, dimension, choices.front());
+    DimensionRange& range = named_range(problem, dimension) = {choices.front(), choices.back(), {}, true};
+    range.choices = std::move(choices);
+}
+
+void design_in_steps(Problem& problem, std::string_view dimension, double min, double max, double step) {
+    refuse_infinite(dimension, step);
+    design_within(problem, dimension, min, max);
+    DimensionRange& range = named_range(problem, dimension);
+    if (!end_with_step(range, step))
+        refuse_with("the steps of {} are {}: they must be > 0, and one at least but not more than {} in its range",
+                    dimension, step, most_steps);
 }
 
 void assemble(Problem& problem, std::string_view assembly) {

@@ -23,6 +23,10 @@ void fix(Problem& problem, std::string_view dimension, double value);
 void design_within(Problem& problem, std::string_view dimension, double min, double max,
                    std::optional<double> start = {});
 
+/// One of some values, or the least value and whole steps more (step > 0, max - min at least that).
+void choose_among(Problem& problem, std::string_view dimension, std::vector<double> choices);
+void design_in_steps(Problem& problem, std::string_view dimension, double min, double max, double step);
+
 /// The assembly by its name, or "either" for all.
 void assemble(Problem& problem, std::string_view assembly);
 

@@ -32,16 +32,20 @@ struct Units {
     double per_mass = 1;        ///< what the file's masses are times that one
 };
 
-/// One dimension: a fixed number, a range to be designed in, or a sum of multiples of others.
+/// One dimension: a fixed number, a range to be designed in, all of it or a few of its values, or a sum of multiples of
+/// others.
 struct DimensionRange {
     double min = 0;
     double max = 0;
     std::optional<double> start;
     bool named = false;  ///< stands in the file; else the default 0
     Affine tie{};        ///< of dimensions that are not tied; where it has terms the range follows from theirs
+    std::vector<double> choices{};  ///< the values that it may have, ascending, from min to max; empty: any
+    double step = 0;                ///< above 0: it is min or whole steps more, as max is
 
     bool fixed() const { return min == max && !tied(); }
     bool tied() const { return !tie.terms.empty(); }
+    bool discrete() const { return !choices.empty() || step > 0; }
     /// For an angle: whether the range is a full turn or more.
     bool any_angle() const { return max - min >= 2 * std::numbers::pi * (1 - 1e-12); }
 };
@@ -211,6 +215,11 @@ inline bool turns_freely(const Problem& problem, std::size_t dimension) {
     return problem.mechanism->dimensions[dimension].kind == DimensionKind::angle &&
            problem.dimensions[dimension].any_angle() &&
            std::all_of(problem.dimensions.begin(), problem.dimensions.end(), is_alike);
+}
+
+inline bool is_discrete(const Problem& problem) {
+    return std::any_of(problem.dimensions.begin(), problem.dimensions.end(),
+                       [](const DimensionRange& range) { return range.discrete(); });
 }
 
 inline bool has_ties(const Problem& problem) {

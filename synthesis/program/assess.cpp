@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/problem/allowed_values.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing.h"
@@ -24,6 +25,7 @@ double range_violation(const Problem& problem, const Design& design) {
         const double value = design.dimensions[i];
         const double size = std::max({std::abs(range.min), std::abs(range.max), std::numeric_limits<double>::min()});
         worst = std::max({worst, (range.min - value) / size, (value - range.max) / size});
+        if (range.discrete()) worst = std::max(worst, std::abs(value - nearest_allowed(range, value)) / size);
         const bool length = problem.mechanism->dimensions[i].kind == DimensionKind::length;
         if (!std::isfinite(value) || (length && !(value > 0))) return without_limit;
     }

@@ -47,6 +47,14 @@ struct SolutionCounts {
 /// See synthesis/program/proof.h.
 struct Proof;
 
+/// What branch and bound over the discrete dimensions did. Its bounds are the best designs that searches found, and as
+/// sure as those are.
+struct DiscreteReport {
+    long problems = 0;                   ///< that were solved with ranges in place of allowed values
+    std::optional<double> continuous{};  ///< the objective that the whole ranges allow
+    double gap = 0;  ///< by how much, in the objective's unit, allowed values not looked at may be better
+};
+
 struct SearchReport {
     std::string method;
     std::shared_ptr<const Proof> proof{};  ///< that this is the whole answer; null where nothing is proven
@@ -60,6 +68,7 @@ struct SearchReport {
     std::optional<double> bound{};              ///< no design has a better objective than this
     long boxes = 0;                             ///< that were examined for it
     std::optional<SolutionCounts> solutions{};  ///< of an exact method
+    std::optional<DiscreteReport> discrete{};   ///< where dimensions are discrete
 
     /// Whether the answer is proven.
     bool complete() const { return proof != nullptr; }

@@ -8,12 +8,14 @@
 #include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/exact/exact.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/program/proof.h"
 #include "synthesis/program/search_trace.h"
 #include "synthesis/proof/prove.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/search/nearby.h"
 #include "synthesis/search/path_objective.h"
 #include "synthesis/search/path_search.h"
+#include "synthesis/solve/discrete.h"
 #include "synthesis/solve/solve.h"
 
 namespace mechwright {
@@ -28,6 +30,28 @@ std::string why_no_search(const Problem& problem) {
         if (problem.mechanism->quantities[r.quantity].path == PathMeasure::greatest && (r.min || r.equal))
             return problem.mechanism->quantities[r.quantity].name + " can only be limited from above";
     return {};
+}
+
+/// Whether no number is left to be found.
+bool is_given(const Problem& problem) {
+    return std::all_of(problem.dimensions.begin(), problem.dimensions.end(),
+                       [](const DimensionRange& d) { return d.fixed() || d.tied(); }) &&
+           !(problem.path && !problem.path->prescribed_timing);
+}
+
+Found given_designs(const Problem& problem) {
+    Found found;
+    for (const std::size_t assembly : problem.assemblies)
+        found.candidates.push_back(evaluate_given(problem, assembly));
+    std::stable_sort(found.candidates.begin(), found.candidates.end(),
+                     [&](const Solution& a, const Solution& b) { return preferred(problem, a, b); });
+    found.report.method = "given";
+    found.report.proof = proof_by("every dimension is given", GivenCertificate{});
+    found.report.local_optima = 1;
+    found.report.missed_chance = 0;
+    found.report.evaluations = static_cast<long>(found.candidates.size());
+    found.infeasible = !found.candidates.front().feasible;
+    return found;
 }
 
 Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) {
@@ -222,6 +246,14 @@ Found near_neighbour(const Problem& problem, const RunOptions& options, Clock::t
     found.report.evaluations = near.evaluations;
     found.stopped = limits.reached();
     return found;
+}
+
+Found find_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
+    const Method* method = find_method(problem.solver.method);
+    if (is_given(problem)) return given_designs(problem);
+    if (is_discrete(problem)) return discrete_designs(problem, options, end);
+    if (options.neighbour && is_search(*method)) return near_neighbour(problem, options, end.deadline);
+    return method->run(problem, options, end.deadline);
 }
 
 bool leaves_none_out(const SearchReport& report) {

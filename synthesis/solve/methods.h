@@ -31,6 +31,10 @@ bool is_search(const Method& method);
 /// What local searches from a neighbour's design find. Precondition: the options have one.
 Found near_neighbour(const Problem& problem, const RunOptions& options, std::chrono::steady_clock::time_point deadline);
 
+/// What the problem's method finds, not yet verified; where all dimensions are given, these; where some are discrete,
+/// what branch and bound finds by that method.
+Found find_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
+
 /// Whether every solution is known and listed: singular ones are counted alone.
 bool leaves_none_out(const SearchReport& report);
 

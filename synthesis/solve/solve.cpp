@@ -17,47 +17,16 @@
 
 namespace mechwright {
 
-namespace {
-
 using Clock = std::chrono::steady_clock;
-
-/// Best first.
-void rank(const Problem& problem, std::vector<Solution>& all) {
-    std::stable_sort(all.begin(), all.end(),
-                     [&](const Solution& a, const Solution& b) { return preferred(problem, a, b); });
-}
-
-std::size_t design_variables(const Problem& problem) {
-    return static_cast<std::size_t>(std::count_if(problem.dimensions.begin(), problem.dimensions.end(),
-                                                  [](const DimensionRange& d) { return !d.fixed() && !d.tied(); }));
-}
-
-}  // namespace
 
 Result solve(const Problem& problem, const RunOptions& options) {
     const Clock::time_point begin = Clock::now();
     const auto budget = std::chrono::duration<double>(std::min(problem.solver.time_limit, 1e9));
     const Clock::time_point deadline = begin + std::chrono::duration_cast<Clock::duration>(budget);
     const RunEnd end{deadline, options.stop};
-    const Method* method = find_method(problem.solver.method);
 
     Result result;
-    Found found;
-    if (design_variables(problem) == 0 && !(problem.path && !problem.path->prescribed_timing)) {
-        for (const std::size_t assembly : problem.assemblies)
-            found.candidates.push_back(evaluate_given(problem, assembly));
-        rank(problem, found.candidates);
-        found.report.method = "given";
-        found.report.proof = proof_by("every dimension is given", GivenCertificate{});
-        found.report.local_optima = 1;
-        found.report.missed_chance = 0;
-        found.report.evaluations = static_cast<long>(found.candidates.size());
-        found.infeasible = !found.candidates.front().feasible;
-    } else if (options.neighbour && is_search(*method)) {
-        found = near_neighbour(problem, options, deadline);
-    } else {
-        found = method->run(problem, options, deadline);
-    }
+    Found found = find_designs(problem, options, end);
     result.search = found.report;
     bool feasible = !found.candidates.empty() && found.candidates.front().feasible;
     std::optional<Timed> verifying(std::in_place, seconds_of(options.trace, &SearchTrace::verification));

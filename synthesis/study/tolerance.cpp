@@ -8,6 +8,7 @@
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/mechanism/cycle.h"
+#include "synthesis/problem/allowed_values.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
@@ -146,7 +147,7 @@ Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_
     Problem as_made = design.problem;
     as_made.text.clear();  // it asks for other dimensions
     for (std::size_t i = 0; i < piece.dimensions.size(); ++i)
-        as_made.dimensions[i].min = as_made.dimensions[i].max = piece.dimensions[i];
+        as_made.dimensions[i] = allowed_between(as_made.dimensions[i], piece.dimensions[i], piece.dimensions[i]);
     return assess(as_made, std::move(piece));
 }
 

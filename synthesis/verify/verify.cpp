@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <new>
 #include <numbers>
 
@@ -38,6 +39,13 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
     return fmt::format("{}", fmt::join(parts, between));
 }
 
+/// All four are rounded.
+bool is_whole_steps(double value, double min, double max, double step) {
+    const double steps = (value - min) / step;
+    const double rounded = 8 * std::numeric_limits<double>::epsilon() * std::max(std::abs(min), std::abs(max));
+    return std::abs(steps - std::round(steps)) * step <= rounded;
+}
+
 /// Why a dimension of the design is not what was asked for; empty if it is. What was given as one number must be that
 /// number, what was not given must be 0; ranges may be left by the tolerance, relative to their greater limit.
 std::string dimension_defect(const Claim& claim, std::size_t i) {
@@ -45,8 +53,12 @@ std::string dimension_defect(const Claim& claim, std::size_t i) {
     const auto defect = [&](std::string_view why, double number) {
         return fmt::format("{} is {}, {} {}", claim.mechanism->dimensions[i].name, value, why, number);
     };
+    const auto unlike_all = [&] {
+        return fmt::format("{} is {}, the choices are {}", claim.mechanism->dimensions[i].name, value,
+                           fmt::join(claim.given[i]->choices, ", "));
+    };
     if (!claim.given[i]) return value == 0 ? "" : defect("not given and must be", 0);
-    const auto& [min, max, tie] = *claim.given[i];
+    const auto& [min, max, tie, choices, step] = *claim.given[i];
     if (claim.given[i]->tied()) {
         const double asked = tie.at(std::span<const double>(claim.design));
         double size = std::abs(tie.constant);
@@ -57,8 +69,10 @@ std::string dimension_defect(const Claim& claim, std::size_t i) {
     }
     if (min == max) return value == min ? "" : defect("given was", min);
     const double slack = claim.tolerance * std::max(std::abs(min), std::abs(max));
+    if (!choices.empty()) return std::find(choices.begin(), choices.end(), value) != choices.end() ? "" : unlike_all();
     if (value < min - slack) return defect("the least allowed is", min);
-    return value > max + slack ? defect("the greatest allowed is", max) : "";
+    if (value > max + slack) return defect("the greatest allowed is", max);
+    return step > 0 && !is_whole_steps(value, min, max, step) ? defect("no whole number of steps above", min) : "";
 }
 
 Check check_ranges(const Claim& claim) {

@@ -73,6 +73,16 @@ TEST(ByName, APathIsFollowed) {
     EXPECT_LT(*value_named(problem, result.best->design, "path-rms"), 1e-6);
 }
 
+TEST(ByName, DimensionsHaveAFewValues) {
+    Problem problem = crank_rocker();
+    choose_among(problem, "crank", {30, 20, 25});
+    design_in_steps(problem, "rocker", 20, 301, 2);
+    EXPECT_EQ(problem.dimensions[1].choices, (std::vector<double>{20, 25, 30}));
+    EXPECT_EQ(problem.dimensions[3].max, 300);
+    choose_among(problem, "crank", {30});
+    EXPECT_TRUE(problem.dimensions[1].fixed());
+}
+
 template <class Call>
 std::string refusal(const Call& call) {
     try {
@@ -93,6 +103,10 @@ TEST(ByName, WhatCannotBeMeantIsRefusedWithWhatWouldBeRight) {
     says(refusal([&] { fix(problem, "crank", std::nan("")); }), "finite");
     says(refusal([&] { design_within(problem, "crank", 9, 5); }), "the first must be less");
     says(refusal([&] { design_within(problem, "crank", 5, 9, 10.0); }), "outside its range");
+    says(refusal([&] { choose_among(problem, "crank", {}); }), "no choices");
+    says(refusal([&] { choose_among(problem, "crank", {3, 4, 3}); }), "twice");
+    says(refusal([&] { design_in_steps(problem, "crank", 5, 9, 5); }), "one at least");
+    says(refusal([&] { design_in_steps(problem, "crank", 5, 9, -1); }), "must be > 0");
     says(refusal([&] { require_equal(problem, "swng", 1); }), "did you mean 'swing'");
     says(refusal([&] { require_within(problem, "swing", {}, {}); }), "least value");
     says(refusal([&] { minimize(problem, "swing", 0); }), "must be > 0");

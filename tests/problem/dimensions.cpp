@@ -119,4 +119,35 @@ TEST(Dimensions, SeveralErrorsAreAllReported) {
     EXPECT_TRUE(says(read_file, "p.toml:6:11", {"'coupler'"}));
 }
 
+TEST(Dimensions, AllowedValuesAreChoicesOrSteps) {
+    const ReadProblem choices = read(with_line(5, "crank = { choices = [30, 20, 25], start = 22 }"));
+    ASSERT_TRUE(accepted(choices));
+    EXPECT_EQ(choices.problem.dimensions[1].choices, (std::vector<double>{20, 25, 30}));
+    EXPECT_EQ(choices.problem.dimensions[1].min, 20);
+    EXPECT_EQ(choices.problem.dimensions[1].max, 30);
+    EXPECT_TRUE(read(with_line(5, "crank = { choices = [30] }")).problem.dimensions[1].fixed());
+    const ReadProblem steps = read(with_line(5, "crank = { min = 20, max = 33, step = 2.5 }"));
+    ASSERT_TRUE(accepted(steps));
+    EXPECT_EQ(steps.problem.dimensions[1].step, 2.5);
+    EXPECT_EQ(steps.problem.dimensions[1].max, 32.5);
+    EXPECT_EQ(read(with_line(5, "crank = { min = 0.1, max = 0.7, step = 0.1 }")).problem.dimensions[1].max, 0.7);
+}
+
+TEST(Dimensions, WrongChoicesAndStepsAreErrors) {
+    const auto wrong = [](const char* range, const char* place, const std::vector<std::string>& words) {
+        EXPECT_TRUE(only_says(read(with_line(5, std::string("crank = ") + range)), place, words)) << range;
+    };
+    wrong("{ choices = [] }", "p.toml:5:21", {"'choices'", "'crank'", "is empty"});
+    wrong("{ choices = [20, 30, 20] }", "p.toml:5:21", {"20 twice"});
+    wrong("{ choices = [0, 30] }", "p.toml:5:21", {"'crank'", "greater than 0, not 0"});
+    wrong("{ choices = [20, \"a\"] }", "p.toml:5:26", {"number 2 of 'choices'", "a string"});
+    wrong("{ choices = [20, 30], start = 40 }", "p.toml:5:39", {"'start' 40", "least choice 20", "30"});
+    wrong("{ choices = [20, 30], min = 4 }", "p.toml:5:31", {"'min'", "does not go with 'choices'"});
+    wrong("{ min = 20, max = 30, step = 0 }", "p.toml:5:38", {"'step' 0", "greater than 0"});
+    wrong("{ min = 20, max = 30, step = 11 }", "p.toml:5:38", {"'step' 11", "greater than the range from 20 to 30"});
+    wrong("{ min = 20, max = 30, step = 1e-9 }", "p.toml:5:38", {"more than 1000000 values"});
+    wrong("{ min = 0, max = 30, step = 5 }", "p.toml:5:17", {"'min'", "greater than 0, not 0"});
+    wrong("{ min = 20, max = 30, stp = 5 }", "p.toml:5:31", {"unknown key 'stp'", "did you mean 'step'"});
+}
+
 }  // namespace mechwright::test

@@ -5,6 +5,7 @@
 
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
 
 namespace mechwright::reading {
@@ -14,26 +15,6 @@ namespace {
 constexpr std::array<std::string_view, 10> reserved{
     "assembly",     "kind",       "scale",           "tilt", "origin-x", "origin-y", "transmission-angle-worst",
     "total-length", "link-ratio", "full-turn-margin"};
-
-void read_range(LinkageReading& reading, const toml::table& table, LinkageDimension& dimension) {
-    Messages& messages = reading.messages;
-    Section range{&table, fmt::format("the range of '{}'", dimension.name), place_of(table), keys::dimension_range};
-    for (const char* key : {"min", "max"})
-        if (!has(range, key))
-            add_error(messages, range.place,
-                      fmt::format("{} is missing: write {{ min = ..., max = ... }}", name_of(range, key)));
-    dimension.min = read_number(range, "min", messages).value_or(0);
-    dimension.max = read_number(range, "max", messages).value_or(dimension.min);
-    dimension.start = read_number(range, "start", messages);
-    report_unknown_keys(range, messages);
-    if (dimension.min > dimension.max)
-        add_error(messages, place_of(range, "min"),
-                  fmt::format("'min' {} is greater than 'max' {} in {}", dimension.min, dimension.max, range.title));
-    else if (dimension.start && (*dimension.start < dimension.min || *dimension.start > dimension.max))
-        add_error(messages, place_of(range, "start"),
-                  fmt::format("'start' {} in {} must lie between 'min' {} and 'max' {}", *dimension.start, range.title,
-                              dimension.min, dimension.max));
-}
 
 /// { of = "coupler", times = 2 }, as other mechanisms have it.
 std::optional<Affine> read_tie(LinkageReading& reading, const toml::table& table, const std::string& name) {
@@ -54,7 +35,10 @@ void read_value(LinkageReading& reading, const toml::node& node, std::size_t ind
     const std::string what = fmt::format("dimension '{}'", dimension.name);
     std::optional<Affine> tie;
     if (const toml::table* table = node.as_table()) {
-        if (!table->contains("of")) return read_range(reading, *table, dimension);
+        if (!table->contains("of")) {
+            read_linkage_range(reading, *table, dimension);
+            return;
+        }
         tie = read_tie(reading, *table, dimension.name);
     } else if (node.is_number()) {
         if (const auto number = to_number(node, what, reading.messages)) dimension.min = dimension.max = *number;
@@ -103,6 +87,17 @@ struct Expansion {
 };
 
 }  // namespace
+
+bool read_linkage_range(LinkageReading& reading, const toml::table& table, LinkageDimension& dimension) {
+    const auto range = to_range(table, dimension.name, reading.messages);
+    if (!range) return false;
+    dimension.min = range->min;
+    dimension.max = range->max;
+    dimension.start = range->start;
+    dimension.choices = range->choices;
+    dimension.step = range->step;
+    return true;
+}
 
 void read_linkage_dimensions(LinkageReading& reading) {
     std::optional<Section> section = read_section(reading.file, "dimensions", reading.messages);

@@ -68,8 +68,10 @@ std::string dimension_text(const Expanding& e, const toml::node& node, std::stri
     const auto design = e.number_of_design(name);
     if (!design || range == nullptr || range->contains("of")) return value_text(node);
     if (!e.put_in.as_starts) return fmt::format("{}", *design);
-    return fmt::format("{{ min = {}, max = {}, start = {} }}", value_text(*range->get("min")),
-                       value_text(*range->get("max")), *design);
+    std::string values;
+    for (const char* key : {"min", "max", "step", "choices"})
+        if (const toml::node* value = range->get(key)) values += fmt::format("{} = {}, ", key, value_text(*value));
+    return fmt::format("{{ {}start = {} }}", values, *design);
 }
 
 /// A number of the placement: it can be a sum of dimensions, but not tied to one.

@@ -40,7 +40,15 @@ std::string number_of_target_text(const Expanding& e, const toml::node* node, st
     if (!e.put_in.as_starts) return fmt::format("{}", *design);
     const Unit unit = unit_of(e.problem.mechanism->dimensions[dimension].kind);
     const auto in_file = [&](double value) { return in_file_unit(value, unit, e.problem.units); };
-    return fmt::format("{{ min = {}, max = {}, start = {} }}", in_file(range.min), in_file(range.max), *design);
+    std::string values = fmt::format("min = {}, max = {}", in_file(range.min), in_file(range.max));
+    if (range.step > 0) values += fmt::format(", step = {}", in_file(range.step));
+    if (!range.choices.empty()) {
+        std::vector<double> choices;
+        for (const double choice : range.choices)
+            choices.push_back(in_file(choice));
+        values = fmt::format("choices = [{}]", fmt::join(choices, ", "));
+    }
+    return fmt::format("{{ {}, start = {} }}", values, *design);
 }
 
 /// Start and range of a function's input or output, as [function] or [dimensions] says them.

@@ -36,6 +36,8 @@ struct LinkageDimension {
     double min = 0;  ///< in the file's units, as all numbers here; a given one has min == max
     double max = 0;
     std::optional<double> start{};
+    std::vector<double> choices{};  ///< as DimensionRange has them
+    double step = 0;
     std::optional<Affine> tied{};  ///< to others, of which none is tied
     Measure measure = Measure::unknown;
 

@@ -50,6 +50,9 @@ public:
     DimensionRange range(const LinkageDimension& d) const {
         DimensionRange range{value(d.min, d.measure), value(d.max, d.measure), {}, true, {}};
         if (d.start) range.start = value(*d.start, d.measure);
+        for (const double choice : d.choices)
+            range.choices.push_back(value(choice, d.measure));
+        range.step = value(d.step, d.measure);
         return range;
     }
     std::size_t count() const { return count_; }

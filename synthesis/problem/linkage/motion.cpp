@@ -93,18 +93,8 @@ void read_placement(LinkageReading& reading) {
             value_at(*node);
             continue;
         }
-        Section limits{range, fmt::format("the range of '{}'", key.name), place_of(*node), keys::dimension_range};
-        const auto min = read_number(limits, "min", reading.messages),
-                   max = read_number(limits, "max", reading.messages);
-        anchor.range.start = read_number(limits, "start", reading.messages);
-        anchor.range.min = min.value_or(0);
-        anchor.range.max = max.value_or(0);
-        report_unknown_keys(limits, reading.messages);
-        if (!min || !max || *min > *max)
-            add_error(reading.messages, limits.place,
-                      fmt::format("{} must have 'min' and 'max', the one not above the other", limits.title));
-        else if (key.name == "scale" && !(*min > 0))
-            add_error(reading.messages, place_of(limits, "min"), "'scale' in [placement] must be greater than 0");
+        if (read_linkage_range(reading, *range, anchor.range) && key.name == "scale" && !(anchor.range.min > 0))
+            add_error(reading.messages, place_of(*node), "'scale' in [placement] must be greater than 0");
     }
     report_unknown_keys(*section, reading.messages);
 }

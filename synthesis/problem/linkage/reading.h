@@ -72,6 +72,8 @@ std::vector<Section> sections_in(LinkageReading& reading, std::string_view name,
 linkage::Stops read_stops(LinkageReading& reading, Section& section, Measure measure);
 
 void read_linkage_dimensions(LinkageReading& reading);
+/// { min, max } or { choices }; false where it cannot be read, which is reported.
+bool read_linkage_range(LinkageReading& reading, const toml::table& table, LinkageDimension& dimension);
 /// After every other section: dimensions that nothing uses, measures of tied ones.
 void conclude_dimensions(LinkageReading& reading);
 void read_links(LinkageReading& reading);

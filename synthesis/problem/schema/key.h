@@ -26,7 +26,7 @@ enum class Shape {
     ends,          ///< [from, to]
     pairs,         ///< a list of [x, y]
     poses,         ///< a list of [x, y, angle], or [x, y]
-    range,         ///< a number, or { min, max } with or without start
+    range,         ///< a number, or { min, max } with or without start and step, or { choices }
     ranges,        ///< a list of these
     tied_range,    ///< one of these, or a tie to other dimensions
     expression,    ///< of a linkage: a number, or a sum of dimensions

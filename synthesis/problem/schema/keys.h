@@ -215,9 +215,13 @@ inline constexpr std::array tie{Key{"of", Shape::name, "The dimension that it fo
                                 Key{"times", Shape::number, "How many times that. Preset: 1."},
                                 Key{"plus", Shape::number, "What is added to it. Preset: 0."}};
 
-inline constexpr std::array dimension_range{Key{"min", Shape::number, "Least value.", true},
-                                            Key{"max", Shape::number, "Greatest value.", true},
-                                            Key{"start", Shape::number, "Where one of the local searches begins."}};
+inline constexpr std::array dimension_range{
+    Key{"min", Shape::number, "Least value.", true}, Key{"max", Shape::number, "Greatest value.", true},
+    Key{"start", Shape::number, "Where one of the local searches begins."},
+    Key{"step", Shape::number, "It is the least value or whole steps more.", false, {}, {}, positive}};
+
+inline constexpr std::array dimension_choices{Key{"choices", Shape::numbers, "The values that it may have.", true},
+                                              Key{"start", Shape::number, "Where one of the local searches begins."}};
 
 inline constexpr std::array steps{
     Key{"from", Shape::number, "First value.", true}, Key{"to", Shape::number, "Last value.", true},

@@ -405,8 +405,9 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     add_cams(by_mechanism);
     by_mechanism.push_back(of_linkage());
     schema["allOf"] = std::move(by_mechanism);
-    schema["definitions"] = {
-        {"range", table_of(keys::dimension_range)}, {"values", by_path["values"]}, {"deviation", deviation()}};
+    schema["definitions"] = {{"range", any_of({table_of(keys::dimension_range), table_of(keys::dimension_choices)})},
+                             {"values", by_path["values"]},
+                             {"deviation", deviation()}};
     return published("mechwright problem", "A problem for mechwright: a mechanism, and what it has to do.",
                      std::move(schema));
 }

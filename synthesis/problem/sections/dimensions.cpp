@@ -13,44 +13,24 @@ namespace {
 constexpr std::string_view assembly_key = "assembly";
 constexpr std::string_view any_assembly = "either";
 
-/// A value that ought to be there; reported if it is not.
-std::optional<double> required_number(Section& section, std::string_view key, Messages& messages) {
-    if (!has(section, key))
-        add_error(messages, section.place,
-                  fmt::format("{} is missing: write {{ min = ..., max = ... }}", name_of(section, key)));
-    return read_number(section, key, messages);
+void check_length(const toml::table& table, std::string_view name, const DimensionRange& read, Messages& messages) {
+    const auto fault = [&](const char* key, std::string_view why) {
+        const toml::node* node = table.get(read.choices.empty() && table.contains(key) ? key : "choices");
+        add_error(messages, node == nullptr ? place_of(table) : place_of(*node),
+                  fmt::format("{} in the range of '{}' must be {}",
+                              node == table.get(key) ? quoted(key) : "each choice", name, why));
+    };
+    if (read.discrete() && read.min <= 0)
+        fault("min", fmt::format("greater than 0, not {}", read.min));
+    else if (read.min < 0)
+        fault("min", fmt::format("0 or greater, not {}", read.min));
+    if (read.max <= 0) fault("max", fmt::format("greater than 0, not {}", read.max));
+    if (read.start && *read.start <= 0) fault("start", "greater than 0");
 }
 
-void check_range(const Section& range, const Dimension& dimension, const DimensionRange& read, Messages& messages) {
-    const bool length = dimension.kind == DimensionKind::length;
-    const FilePlace min = place_of(range, "min");
-    if (read.min > read.max)
-        return add_error(messages, min,
-                         fmt::format("'min' {} is greater than 'max' {} in {}", read.min, read.max, range.title));
-    if (length && read.min < 0)
-        add_error(messages, min, fmt::format("'min' in {} must be 0 or greater, not {}", range.title, read.min));
-    if (length && read.max <= 0)
-        add_error(messages, place_of(range, "max"),
-                  fmt::format("'max' in {} must be greater than 0, not {}", range.title, read.max));
-    if (!read.start) return;
-    if (*read.start < read.min || *read.start > read.max)
-        add_error(messages, place_of(range, "start"),
-                  fmt::format("'start' {} in {} must lie between 'min' {} and 'max' {}", *read.start, range.title,
-                              read.min, read.max));
-    else if (length && *read.start <= 0)
-        add_error(messages, place_of(range, "start"), fmt::format("'start' in {} must be greater than 0", range.title));
-}
-
-std::optional<DimensionRange> read_range(const toml::node& node, const Dimension& dimension, Messages& messages) {
-    Section range{node.as_table(), fmt::format("the range of '{}'", dimension.name), place_of(node),
-                  keys::dimension_range};
-    const auto min = required_number(range, "min", messages);
-    const auto max = required_number(range, "max", messages);
-    const auto start = read_number(range, "start", messages);
-    report_unknown_keys(range, messages);
-    if (!min || !max) return {};
-    const DimensionRange read{*min, *max, start, true};
-    check_range(range, dimension, read, messages);
+std::optional<DimensionRange> read_range(const toml::table& table, const Dimension& dimension, Messages& messages) {
+    const auto read = to_range(table, dimension.name, messages);
+    if (read && dimension.kind == DimensionKind::length) check_length(table, dimension.name, *read, messages);
     return read;
 }
 
@@ -73,6 +53,9 @@ DimensionRange in_radians(const Units& units, const DimensionRange& range) {
     converted.min = to_radians(units, range.min);
     converted.max = to_radians(units, range.max);
     if (range.start) converted.start = to_radians(units, *range.start);
+    for (double& choice : converted.choices)
+        choice = to_radians(units, choice);
+    converted.step = to_radians(units, range.step);
     return converted;
 }
 
@@ -127,7 +110,8 @@ std::string required_names(const Mechanism& mechanism) {
 
 std::optional<DimensionRange> to_dimension(const toml::node& node, const Dimension& dimension, const Units& units,
                                            Messages& messages) {
-    const auto range = node.is_table() ? read_range(node, dimension, messages) : read_fixed(node, dimension, messages);
+    const auto range =
+        node.is_table() ? read_range(*node.as_table(), dimension, messages) : read_fixed(node, dimension, messages);
     return range && dimension.kind == DimensionKind::angle ? in_radians(units, *range) : range;
 }
 

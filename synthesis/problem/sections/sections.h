@@ -65,6 +65,10 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
 /// What the messages of reading come to, at the end of reading.
 void conclude(ReadProblem& read, Messages&& messages);
 
+/// { min, max } with or without start and step, or { choices } with or without start, in the file's unit; `name` is
+/// what it is of. What is wrong with it is reported.
+std::optional<DimensionRange> to_range(const toml::table& table, std::string_view name, Messages& messages);
+
 /// A number or a range of the file as a dimension, angles in radians.
 std::optional<DimensionRange> to_dimension(const toml::node& node, const Dimension& dimension, const Units& units,
                                            Messages& messages);

@@ -25,6 +25,8 @@ constexpr std::size_t longest_title = 400;
 std::string remark_on(const DimensionRange& range, double value, Unit unit, const Units& units) {
     if (range.tied()) return "tied";
     if (range.fixed()) return range.named ? "given" : "";
+    if (!range.choices.empty()) return fmt::format("one of {} choices", range.choices.size());
+    if (range.step > 0) return fmt::format("in steps of {}", number_text(in_file_unit(range.step, unit, units)));
     constexpr double at_limit_within = 1e-6;
     const double close = at_limit_within * std::max({std::abs(range.min), std::abs(range.max), std::abs(value)});
     if (value <= range.min + close) return "at its lower limit " + number_text(in_file_unit(range.min, unit, units));

@@ -124,6 +124,18 @@ std::string counted(long count, std::string_view one, std::string_view many) {
     return fmt::format("{}{}{}", count, tied_space, count == 1 ? one : many);
 }
 
+/// Of the search among allowed values.
+std::string discrete_text(const DiscreteReport& discrete) {
+    std::string text =
+        fmt::format(" Branch and bound over the allowed values, {}", counted(discrete.problems, "problem", "problems"));
+    if (discrete.continuous)
+        text += fmt::format(": {} could be had with any values of the ranges", number_text(*discrete.continuous));
+    return text + (discrete.gap > 0
+                       ? fmt::format("; allowed values that were not looked at may be better by {}.",
+                                     number_text(discrete.gap, 4))
+                       : "; no allowed values are left that could be better, as far as these searches see.");
+}
+
 std::string search_section(const SearchReport& search, bool colour) {
     std::string how = search.method;
     if (search.proof) {
@@ -138,6 +150,7 @@ std::string search_section(const SearchReport& search, bool colour) {
     } else {
         how += '.';
     }
+    if (search.discrete) how += discrete_text(*search.discrete);
     if (search.solutions) {
         const SolutionCounts& n = *search.solutions;
         how += fmt::format(" {}, {} at infinity, {} singular; {} real",
