@@ -331,6 +331,24 @@ void read_objective(Reader& in, const Json& document, Claim& claim) {
     claim.objective = std::move(objective);
 }
 
+void read_wishes(Reader& in, const Json& document, Claim& claim) {
+    const Json* list = member(document, of_document("wishes"));
+    if (!list || !in.array(list, "wishes", most_entries)) return;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const Json& json = (*list)[i];
+        const std::string place = fmt::format("wishes[{}]", i);
+        if (!in.object(&json, place)) return;
+        const auto term = read_term(in, json, place, claim);
+        const auto number = [&](std::string_view name) -> std::optional<double> {
+            return in.optional_number(member(json, std::string(name)), fmt::format("{}.{}", place, name));
+        };
+        const double within = in.number(member(json, of_wish("within")), place + ".within");
+        if (!term) return;
+        claim.wishes.push_back(
+            {term->quantity, term->maximize, within, number(of_wish("best")), number(of_wish("limit")), term->value});
+    }
+}
+
 void read_quantities(Reader& in, const Json& document, Claim& claim) {
     const Json* json = member(document, of_document("quantities"));
     if (!json || !in.object(json, "quantities")) return;
@@ -351,8 +369,9 @@ ReadClaim read_claim(const Json& document) {
     if (const Json* instant = member(document, of_document("instant"))) claim.has_instant = in.flag(instant, "instant");
     read_head(in, document, claim);
     if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
-    for (const auto read : {read_given, read_design, read_circuit, read_crank_range, read_range_of_use, read_settings,
-                            read_over_input, read_requirements, read_objective, read_quantities, read_path})
+    for (const auto read :
+         {read_given, read_design, read_circuit, read_crank_range, read_range_of_use, read_settings, read_over_input,
+          read_requirements, read_objective, read_wishes, read_quantities, read_path})
         if (in.understood()) read(in, document, claim);
     return {std::move(claim), in.defect};
 }

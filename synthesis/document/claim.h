@@ -35,6 +35,15 @@ struct ClaimedRequirement {
     std::optional<bool> active;
 };
 
+struct ClaimedWish {
+    std::size_t quantity;
+    bool maximize;
+    double within;
+    std::optional<double> best;
+    std::optional<double> limit;
+    std::optional<double> value;
+};
+
 struct ClaimedTerm {
     std::size_t quantity;
     bool maximize;
@@ -100,6 +109,7 @@ struct Claim {
     std::shared_ptr<const std::vector<AskedOverInput>> over_input;  ///< as Problem::over_input
     bool has_instant = false;
     std::vector<ClaimedRequirement> requirements;
+    std::vector<ClaimedWish> wishes;
     std::optional<ClaimedObjective> objective;
     std::vector<std::pair<std::size_t, double>> quantities;  ///< quantity and its value
     std::optional<ClaimedPath> path;

@@ -84,6 +84,10 @@ ClaimedDesign claimed_design(const Claim& claim) {
     problem.units = claim.units;
     problem.assemblies = {claim.assembly};
     problem.requirements = requirements_of(claim);
+    for (const ClaimedWish& wish : claim.wishes) {
+        const Unit unit = claim.mechanism->quantities[wish.quantity].unit;
+        problem.wishes.push_back({{wish.quantity, wish.maximize, 1}, from_file_unit(wish.within, unit, claim.units)});
+    }
     problem.objective = objective_of(claim);
     problem.path = path_of(claim);
     problem.settings = claim.settings;

@@ -126,6 +126,25 @@ Json objective_of(const Problem& problem, const Solution* solution) {
     return json;
 }
 
+Json wishes_of(const Problem& problem, const Solution* solution) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < problem.wishes.size(); ++i) {
+        const Wish& wish = problem.wishes[i];
+        const Quantity& quantity = problem.mechanism->quantities[wish.term.quantity];
+        const auto outside = [&](double value) { return in_file_unit(value, quantity.unit, problem.units); };
+        Json one{{of_wish("quantity"), quantity.name},
+                 {of_wish("sense"), wish.term.maximize ? "maximize" : "minimize"},
+                 {of_wish("within"), outside(wish.within)}};
+        if (solution && i < solution->wished.size()) {
+            put(one, of_wish("best"), outside(solution->wished[i].best));
+            put(one, of_wish("limit"), outside(solution->wished[i].limit));
+        }
+        if (solution) put_value_of(one, of_wish("value"), problem, wish.term.quantity, solution->design);
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
 Json requirements_of(const Problem& problem, const Design* design) {
     Json list = Json::array();
     for (const Requirement& requirement : problem.requirements) {
@@ -243,6 +262,7 @@ void put_findings(Json& json, const Problem& problem, const Solution& solution) 
     put_circuit(json, problem, solution.design);
     put_used_angles(json, problem, solution.design);
     if (problem.objective) json[of_finding("objective")] = objective_of(problem, &solution);
+    if (!problem.wishes.empty()) json[of_finding("wishes")] = wishes_of(problem, &solution);
     if (!problem.requirements.empty()) json[of_finding("requirements")] = requirements_of(problem, &solution.design);
     json[of_finding("quantities")] = quantities_of(problem, solution.design);
     put_targets(json, problem, &solution);
@@ -276,6 +296,7 @@ Json search_of(const Problem& problem, const SearchReport& search) {
         json[of_search("boxes")] = search.boxes;
     }
     if (search.solutions) json[of_search("solutions")] = solutions_of(*search.solutions);
+    if (search.free_numbers > 0) json[of_search("free_numbers")] = search.free_numbers;
     if (search.discrete) {
         Json discrete{{of_discrete("problems"), search.discrete->problems}};
         if (problem.objective) {
@@ -347,6 +368,7 @@ nlohmann::ordered_json verification_document(const std::vector<Check>& done) {
 /// What is asked for, where there is no design that it is measured of.
 void put_asked(Json& json, const Problem& problem) {
     if (problem.objective) json[of_document("objective")] = objective_of(problem, nullptr);
+    if (!problem.wishes.empty()) json[of_document("wishes")] = wishes_of(problem, nullptr);
     if (!problem.requirements.empty()) json[of_document("requirements")] = requirements_of(problem, nullptr);
 }
 

@@ -121,6 +121,14 @@ inline constexpr std::array objective{
     Key{"reduce", Shape::word, "Whether the weighted sum of several counts or the worst.", false, reductions},
     Key{"value", Shape::number, "What the design has."}};
 
+inline constexpr std::array wish{
+    Key{"quantity", Shape::text, "What is optimised before the objective.", true},
+    Key{"sense", Shape::word, "Which way.", true, senses},
+    Key{"within", Shape::number, "By how much it may be worse than its best.", true},
+    Key{"best", Shape::number, "The best that was found."},
+    Key{"limit", Shape::number, "The worst that was allowed for the sake of what comes after."},
+    Key{"value", Shape::number, "What the design has."}};
+
 inline constexpr std::array requirement{
     Key{"quantity", Shape::text, "What is limited.", true},
     Key{"value", Shape::number, "What the design has."},
@@ -259,6 +267,9 @@ inline constexpr std::array search{
     Key{"bound", Shape::number, "No design has a better objective than this."},
     Key{"boxes", Shape::whole_number, "Boxes that were examined for the bound."},
     Key{"solutions", Shape::table, "What became of all solutions of an exact problem.", false, {}, solutions},
+    Key{"free_numbers", Shape::whole_number,
+        "Of a family of designs that meet the targets exactly: how many numbers can be chosen; the most compact is "
+        "shown."},
     Key{"discrete", Shape::table, "Branch and bound over allowed values.", false, {}, discrete},
     Key{"evaluations", Shape::whole_number, "Of the functions of the nonlinear program.", true},
     Key{"seed", Shape::whole_number, "What the starts were drawn from.", true},
@@ -271,6 +282,7 @@ inline constexpr std::array finding{
     Key{"branch", Shape::whole_number, "Of a linkage the branch of that circuit, from 1."},
     Key{"used_crank_angles", Shape::ends, "Least and greatest crank angle of the range of use."},
     Key{"objective", Shape::table, "What is optimised.", false, {}, objective},
+    Key{"wishes", Shape::tables, "What came before the objective, in order.", false, {}, wish},
     Key{"requirements", Shape::tables, "What the design has to meet.", false, {}, requirement},
     Key{"quantities", Shape::names, "Value of every quantity that is defined for the design."},
     Key{"path", Shape::table, "The path that is followed.", false, {}, path},
@@ -356,5 +368,6 @@ inline constexpr NamesOf<fields::range_of_use> of_use;
 inline constexpr NamesOf<fields::units> of_units;
 inline constexpr NamesOf<fields::verification> of_verification;
 inline constexpr NamesOf<fields::warning> of_warning;
+inline constexpr NamesOf<fields::wish> of_wish;
 
 }  // namespace mechwright::names

@@ -79,6 +79,7 @@ Json findings_of(const Kinds& kinds) {
     return {{"design", design_of(kinds)},
             {"objective", std::move(objective)},
             {"requirements", {{"items", quantity}}},
+            {"wishes", {{"items", quantity}}},
             {"quantities", table_by(kinds.quantities, number())}};
 }
 

@@ -50,6 +50,12 @@ void add_term(Problem& problem, std::string_view quantity, bool maximized, doubl
     problem.objective->terms.push_back({named_quantity(problem, quantity), maximized, weight});
 }
 
+void add_wish(Problem& problem, std::string_view quantity, bool maximized, double within) {
+    if (!(within >= 0) || !std::isfinite(within))
+        refuse_with("{} is wished for within {}: it must be 0 or greater", quantity, within);
+    problem.wishes.push_back({{named_quantity(problem, quantity), maximized, 1}, within});
+}
+
 }  // namespace
 
 Problem problem_of(std::string_view mechanism) {
@@ -132,6 +138,13 @@ void minimize(Problem& problem, std::string_view quantity, double weight) {
 }
 void maximize(Problem& problem, std::string_view quantity, double weight) { add_term(problem, quantity, true, weight); }
 
+void wish_least(Problem& problem, std::string_view quantity, double within) {
+    add_wish(problem, quantity, false, within);
+}
+void wish_greatest(Problem& problem, std::string_view quantity, double within) {
+    add_wish(problem, quantity, true, within);
+}
+
 void follow_path(Problem& problem, std::vector<Vector<double>> points) {
     if (!problem.mechanism->point) refuse_with("a {} guides no point along a path", problem.mechanism->name);
     if (points.size() < 2) refuse_with("a path has two points or more, not {}", points.size());
@@ -148,6 +161,7 @@ std::string why_not_whole(const Problem& problem) {
     if (!problem.mechanism) return "it names no mechanism";
     const Mechanism& mechanism = *problem.mechanism;
     if (problem.dimensions.size() != mechanism.dimensions.size()) return "it has not all dimensions";
+    if (!problem.wishes.empty() && !problem.objective) return "it has wishes, and no objective that comes after them";
     std::vector<double> least, greatest;
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
         const Dimension& dimension = mechanism.dimensions[i];

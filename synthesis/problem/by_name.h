@@ -38,6 +38,11 @@ void require_within(Problem& problem, std::string_view quantity, std::optional<d
 void minimize(Problem& problem, std::string_view quantity, double weight = 1);
 void maximize(Problem& problem, std::string_view quantity, double weight = 1);
 
+/// What comes before those: a design is as good in it as can be, or worse by `within` (>= 0, radians for angles) at
+/// most. Several are wished for in the order of the calls.
+void wish_least(Problem& problem, std::string_view quantity, double within = 0);
+void wish_greatest(Problem& problem, std::string_view quantity, double within = 0);
+
 /// A path of at least two points, all of one weight, in order at any crank angles; the members of `problem.path` say
 /// more.
 void follow_path(Problem& problem, std::vector<Vector<double>> points);

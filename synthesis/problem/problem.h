@@ -69,6 +69,13 @@ struct Objective {
     bool worst = false;  ///< reduce = "max": the largest of minimized, the least of maximized terms counts
 };
 
+/// An objective that comes before the problem's: designs are the best in it that can be had, or worse by no more than
+/// `within`, in the quantity's unit, radians and not degrees.
+struct Wish {
+    ObjectiveTerm term{};
+    double within = 0;
+};
+
 /// Points of a path that stand next to each other.
 struct PointRange {
     std::size_t first = 0;
@@ -161,6 +168,7 @@ struct Problem {
     std::vector<DimensionRange> dimensions;  ///< in mechanism order, all of them
     std::vector<std::size_t> assemblies;     ///< those to be searched, indices into Mechanism::assemblies
     std::vector<Requirement> requirements;
+    std::vector<Wish> wishes;  ///< in their order
     std::optional<Objective> objective;
     std::optional<PathTarget> path;
     std::optional<Vector<double>> crank_range;     ///< (from, to), radians

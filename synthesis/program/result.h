@@ -20,6 +20,12 @@ struct Design {
     std::vector<double> path_angles;  ///< crank angle at each target point; empty without a path
 };
 
+/// What there is of a wish, in the quantity's unit.
+struct MetWish {
+    double best = 0;   ///< of designs that were found
+    double limit = 0;  ///< the worst that is allowed for the sake of what comes after
+};
+
 /// A design with what it is worth, evaluated by us and not by the solver that proposed it.
 struct Solution {
     Design design;
@@ -29,6 +35,7 @@ struct Solution {
     /// All equalities, ranges and conditions of motion are met: of designs that are not feasible such ones show best
     /// how far the inequalities can be met.
     bool misses_inequalities_only = false;
+    std::vector<MetWish> wished{};  ///< of each wish of its problem what was found before this design
 };
 
 enum class Status { solved, infeasible, limit, unverified, interrupted };
@@ -69,6 +76,8 @@ struct SearchReport {
     long boxes = 0;                             ///< that were examined for it
     std::optional<SolutionCounts> solutions{};  ///< of an exact method
     std::optional<DiscreteReport> discrete{};   ///< where dimensions are discrete
+    std::size_t free_numbers =
+        0;  ///< of the family of designs that meet targets exactly, where the most compact is shown
 
     /// Whether the answer is proven.
     bool complete() const { return proof != nullptr; }

@@ -9,13 +9,17 @@
 #include "synthesis/exact/exact.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/proof.h"
+#include "synthesis/program/quantity_value.h"
 #include "synthesis/program/search_trace.h"
+#include "synthesis/program/zero_objective.h"
 #include "synthesis/proof/prove.h"
+#include "synthesis/search/compact.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/search/nearby.h"
 #include "synthesis/search/path_objective.h"
 #include "synthesis/search/path_search.h"
 #include "synthesis/solve/discrete.h"
+#include "synthesis/solve/ranked.h"
 #include "synthesis/solve/solve.h"
 
 namespace mechwright {
@@ -248,12 +252,54 @@ Found near_neighbour(const Problem& problem, const RunOptions& options, Clock::t
     return found;
 }
 
+namespace {
+
+/// Where targets are met exactly by a family of designs, the most compact of those that are found comes first.
+void choose_compact(const Problem& problem, Found& found, const Method& method, const RunOptions& options,
+                    const RunEnd& end) {
+    constexpr int starts = 4;  // several times as many searches: the family is known
+    constexpr std::size_t most_kept = 8;
+    if (!problem.path || found.report.solutions || !found_feasible(found) ||
+        !is_at_zero(problem, found.candidates.front()))
+        return;
+    const std::size_t free = free_numbers(problem, found.candidates.front().design);
+    auto along = along_family(problem, found.candidates.front().design);
+    if (free == 0 || !along) return;
+    along->solver.starts = std::min(along->solver.starts, starts);
+    RunOptions quiet = options;
+    quiet.progress = nullptr;
+    quiet.trace = nullptr;
+    const Found compact = method.run(*along, quiet, end.deadline);
+    if (compact.stopped) return;
+    found.report.evaluations += compact.report.evaluations;
+    LocalLimits limits;
+    limits.deadline = end.deadline;
+    limits.stop = options.stop;
+    for (std::size_t i = 0; i < std::min(most_kept, compact.candidates.size()); ++i)
+        found.candidates.push_back(
+            met_exactly(problem, compact.candidates[i].design, limits, found.report.evaluations));
+    const std::size_t total = along->objective->terms.front().quantity;
+    const auto length_of = [&](const Solution& s) {
+        return is_at_zero(problem, s) ? quantity_value(problem, total, s.design).value_or(unlimited) : unlimited;
+    };
+    std::stable_sort(found.candidates.begin(), found.candidates.end(), [&](const Solution& a, const Solution& b) {
+        return length_of(a) != length_of(b) ? length_of(a) < length_of(b) : preferred(problem, a, b);
+    });
+    found.checks_of_first.clear();
+    found.report.free_numbers = free;
+}
+
+}  // namespace
+
 Found find_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const Method* method = find_method(problem.solver.method);
+    if (!problem.wishes.empty()) return ranked_designs(problem, options, end);
     if (is_given(problem)) return given_designs(problem);
     if (is_discrete(problem)) return discrete_designs(problem, options, end);
     if (options.neighbour && is_search(*method)) return near_neighbour(problem, options, end.deadline);
-    return method->run(problem, options, end.deadline);
+    Found found = method->run(problem, options, end.deadline);
+    choose_compact(problem, found, *method, options, end);
+    return found;
 }
 
 bool leaves_none_out(const SearchReport& report) {

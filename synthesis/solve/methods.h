@@ -32,7 +32,7 @@ bool is_search(const Method& method);
 Found near_neighbour(const Problem& problem, const RunOptions& options, std::chrono::steady_clock::time_point deadline);
 
 /// What the problem's method finds, not yet verified; where all dimensions are given, these; where some are discrete,
-/// what branch and bound finds by that method.
+/// what branch and bound finds by that method; where there are wishes, what is found in their order.
 Found find_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);
 
 /// Whether every solution is known and listed: singular ones are counted alone.

@@ -19,12 +19,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Members that a document has where its problem asks for them, and not else, at any depth.
-constexpr std::array<std::string_view, 30> only_where_asked{
-    "crank_range", "settings",   "instant",    "cam",          "contour",    "objective",    "terms",
-    "weight",      "reduce",     "equal",      "min",          "max",        "requirements", "poses",
-    "path",        "weights",    "directions", "of",           "times",      "samples",      "prescribed_angles",
-    "function",    "line",       "arc",        "range_of_use", "expression", "points",       "start",
-    "end",         "body_length"};
+constexpr std::array<std::string_view, 33> only_where_asked{
+    "crank_range", "settings",    "instant",    "cam",          "contour",    "objective",    "terms",
+    "weight",      "reduce",      "equal",      "min",          "max",        "requirements", "poses",
+    "path",        "weights",     "directions", "of",           "times",      "samples",      "prescribed_angles",
+    "function",    "line",        "arc",        "range_of_use", "expression", "points",       "start",
+    "end",         "body_length", "wishes",     "choices",      "step"};
 
 bool same_number(double a, double b) {
     constexpr double same_within = 1e-14;

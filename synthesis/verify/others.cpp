@@ -111,6 +111,10 @@ Json with_alternative(const Json& document, const Json& entry) {
 
 /// Why an alternative is better than the result's own design; empty if it is not.
 std::string better_than_best(const Json& document, const Json& entry) {
+    // Of designs at zero, which is proven, none is better: another reason chooses among them.
+    const Json* search = member(document, "search");
+    const Json* certificate = search && search->is_object() ? member(*search, "certificate") : nullptr;
+    if (certificate && certificate->is_object() && certificate->value("kind", Json()) == "zero") return {};
     const Json objective = document.value("objective", Json());
     const auto best = number_in(objective, "value"), other = number_in(entry, "objective");
     if (!best || !other) return {};

@@ -192,6 +192,32 @@ Check check_requirement(const ClaimedRequirement& r, Measurements& measurements)
     return check;
 }
 
+/// That a wish is met within its limit, and that the limit is no worse than the wish says, but for the room that
+/// searches are given: a millionth of the best and of the longest length.
+Check check_wish(const ClaimedWish& wish, Measurements& measurements) {
+    const Rebuilt& design = *measurements.design;
+    const Claim& claim = *design.claim;
+    const Quantity& quantity = quantity_of(claim, wish.quantity);
+    Check check{fmt::format("{} is as {} as was wished", quantity.name, wish.maximize ? "great" : "small"), false,
+                "it has no value for this design"};
+    const auto& again = measurements.of(wish.quantity);
+    if (!again) return check;
+    check.detail = "the best value and the limit are not stated";
+    if (!wish.best || !wish.limit) return check;
+    const auto inside = [&](double number) { return from_document(number, quantity.unit, claim.units); };
+    const Digits50 sign = wish.maximize ? -1 : 1;
+    const Digits50 best = inside(*wish.best), limit = inside(*wish.limit);
+    const Digits50 room = sign * (limit - best), beyond = sign * (again->value - limit);
+    const Digits50 most = inside(wish.within) + 1e-6 * (abs(best) + violation_scale(design, quantity.unit, {0}));
+    check.passed =
+        room >= 0 && room <= most && beyond <= claim.tolerance * violation_scale(design, quantity.unit, {limit});
+    check.detail =
+        fmt::format("measured again {}, the best that was found is {}, allowed is {}",
+                    value_text(again->value, quantity.unit, claim.units), value_text(best, quantity.unit, claim.units),
+                    value_text(limit, quantity.unit, claim.units));
+    return check;
+}
+
 /// Whether a stated value is the one measured again; if not, why.
 std::string stated_defect(std::size_t quantity, const std::optional<double>& stated, Measurements& measurements) {
     const Claim& claim = *measurements.design->claim;
@@ -324,6 +350,13 @@ std::vector<Check> checks_of(const Claim& claim, bool infeasible, Stated parts) 
     }
     if (claim.objective && (!infeasible || claim.objective->value))
         checks.push_back(check_objective(*claim.objective, measurements, parts));
+    for (const ClaimedWish& wish : claim.wishes) {
+        if (infeasible && !wish.best) continue;
+        checks.push_back(check_wish(wish, measurements));
+        if (parts == Stated::everything)
+            checks.push_back(stated_check(fmt::format("{} is as stated", quantity_of(claim, wish.quantity).name),
+                                          {stated_defect(wish.quantity, wish.value, measurements)}));
+    }
     if (!claim.quantities.empty()) {
         std::vector<std::string> defects;
         for (const auto& [quantity, value] : claim.quantities)

@@ -101,4 +101,37 @@ TEST(Objective, APathQuantityNeedsAPath) {
     EXPECT_TRUE(only_says(read_objective("minimize = \"path-sse\""), "p.toml:9:12", {"'path-sse'", "no [path]"}));
 }
 
+TEST(Objective, ObjectivesOfALowerRankComeFirst) {
+    const ReadProblem ranked = read(valid +
+                                    "[[objective]]\nminimize = \"total-length\"\nrank = 3\n[[objective]]\n"
+                                    "maximize = \"swing\"\nrank = 2\n[[objective]]\n"
+                                    "maximize = \"transmission-angle-worst\"\nwithin = 90\n"
+                                    "[[objective]]\nminimize = \"link-ratio\"\nweight = 2\nrank = 3\n");
+    ASSERT_TRUE(accepted(ranked));
+    const Problem& problem = ranked.problem;
+    ASSERT_EQ(problem.wishes.size(), 2u);
+    EXPECT_EQ(problem.mechanism->quantities[problem.wishes[0].term.quantity].name, "transmission-angle-worst");
+    EXPECT_TRUE(problem.wishes[0].term.maximize);
+    EXPECT_NEAR(problem.wishes[0].within, 1.5707963267948966, 1e-15);
+    EXPECT_EQ(problem.mechanism->quantities[problem.wishes[1].term.quantity].name, "swing");
+    ASSERT_EQ(problem.objective->terms.size(), 2u);
+    EXPECT_EQ(problem.objective->terms[1].weight, 2);
+}
+
+TEST(Objective, RanksThatMeanNothingAreErrors) {
+    EXPECT_TRUE(only_says(read_objective("minimize = \"swing\"\nrank = 2"), "p.toml:10:8", {"'rank'", "no effect"}));
+    EXPECT_TRUE(only_says(read_objectives("minimize = \"swing\"\nwithin = 2"), "p.toml:10:10",
+                          {"'within'", "that none comes after"}));
+    EXPECT_TRUE(only_says(read_objectives("minimize = \"swing\"\nrank = 0"), "p.toml:10:8", {"1 or greater, not 0"}));
+    EXPECT_TRUE(only_says(read_objectives("minimize = \"swing\"\nwithin = -1\n[[objective]]\nrank = 2\n"
+                                          "minimize = \"link-ratio\""),
+                          "p.toml:10:10", {"'within'", "0 or greater"}));
+    EXPECT_TRUE(only_says(read_objectives("minimize = \"swing\"\n[[objective]]\nminimize = \"total-length\"\nrank = 1\n"
+                                          "[[objective]]\nrank = 2\nminimize = \"link-ratio\""),
+                          "p.toml:12:8", {"two objectives have rank 1"}));
+    EXPECT_TRUE(only_says(read_objectives("minimize = \"swing\"\n[[objective]]\nrank = 2\nminimize = \"link-ratio\"\n"
+                                          "[solver]\npareto = 5"),
+                          "p.toml:14:10", {"'pareto'", "one rank"}));
+}
+
 }  // namespace mechwright::test

@@ -134,6 +134,15 @@ TEST(TamperedDocument, OfTiesIsNoticed) {
         "[solver]\nstarts = 6\n");
 }
 
+TEST(TamperedDocument, OfWishesAndAllowedValuesIsNoticed) {
+    expect_noticed(
+        "mechanism = \"four-bar\"\n[dimensions]\nground = { choices = [80, 100, 120] }\n"
+        "crank = { min = 20, max = 40, step = 5 }\ncoupler = { min = 60, max = 200 }\nrocker = { min = 40, max = 150 "
+        "}\n"
+        "[[require]]\nquantity = \"swing\"\nmin = 40\n[[objective]]\nmaximize = \"transmission-angle-worst\"\n"
+        "within = 3\n[[objective]]\nminimize = \"total-length\"\nrank = 2\n[solver]\nstarts = 6\n");
+}
+
 class TamperedShippedDocument : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(TamperedShippedDocument, IsNoticed) {

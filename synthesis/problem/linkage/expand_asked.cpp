@@ -146,7 +146,7 @@ void write_objective(Asking& asking, const toml::table& table, bool alone) {
     asking.e.text += alone ? "\n[objective]\n" : "\n[[objective]]\n";
     asking.e.text += fmt::format("{} = {}\n", sense, as_list ? fmt::format("[{}]", quoted_names) : quoted_names);
     if (several && !table.contains("reduce")) asking.e.text += "reduce = \"max\"\n";
-    for (const char* key : {"reduce", "weight"})
+    for (const char* key : {"reduce", "weight", "rank", "within"})
         if (const toml::node* node = table.get(key)) asking.e.text += fmt::format("{} = {}\n", key, value_text(*node));
 }
 

@@ -98,7 +98,21 @@ inline constexpr std::array objective{
     Key{"minimize", Shape::name, "Quantity to be made least; of a list the greatest counts, with reduce = \"max\"."},
     Key{"maximize", Shape::name, "Quantity to be made greatest; of a list the least counts, with reduce = \"max\"."},
     Key{"reduce", Shape::word, "Of a list of quantities the worst counts.", false, reductions},
-    Key{"weight", Shape::number, "Weight of one of several objectives. Preset: 1.", false, {}, {}, positive}};
+    Key{"weight", Shape::number, "Weight of one of several objectives. Preset: 1.", false, {}, {}, positive},
+    Key{"rank",
+        Shape::whole_number,
+        "Of several: those of a lower rank come first. Preset: 1.",
+        false,
+        {},
+        {},
+        {1, 1000}},
+    Key{"within",
+        Shape::number,
+        "By how much it may be worse than its best for the sake of those that come after. Preset: 0.",
+        false,
+        {},
+        {},
+        not_negative}};
 
 inline constexpr std::array requirement{Key{"quantity", Shape::text, "What is limited.", true},
                                         Key{"equal", Shape::number, "The value that it has to have."},

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/problem/units.h"
 
 namespace mechwright::reading {
 
@@ -60,34 +63,80 @@ Objective read_single(Section& section, const Context& context) {
                       R"('reduce' needs a list of quantities: ["first", "second"])");
         if (sense != nullptr) add_term(*sense, section, 1, objective, context);
     }
-    if (const toml::node* weight = find(section, "weight"); weight != nullptr)
-        add_error(context.messages, place_of(*weight),
-                  "'weight' has no effect on a single objective: leave it out, or write [[objective]] for a sum");
+    for (const char* key : {"weight", "rank", "within"})
+        if (const toml::node* node = find(section, key))
+            add_error(context.messages, place_of(*node),
+                      fmt::format("'{}' has no effect on a single objective: leave it out, or write [[objective]] for "
+                                  "each of several",
+                                  key));
     report_unknown_keys(section, context.messages);
     return objective;
 }
 
-void read_weighted(const toml::node& node, Objective& objective, const Context& context) {
-    if (!node.is_table())
-        return report_kind(node, "an entry of 'objective'", "a section, headed [[objective]]", context.messages);
+/// One of several objectives.
+struct Entry {
+    FilePlace place{};
+    FilePlace within_place{};
+    std::int64_t rank = 1;
+    std::optional<double> within{};  ///< in the file's unit
+    Objective objective{};           ///< of one term, or of none where it could not be read
+};
+
+std::optional<Entry> read_entry(const toml::node& node, const Context& context) {
+    if (!node.is_table()) {
+        report_kind(node, "an entry of 'objective'", "a section, headed [[objective]]", context.messages);
+        return {};
+    }
     Section section{node.as_table(), "[[objective]]", place_of(node), keys::objective};
     const toml::node* sense = find_sense(section, context.messages);
     const double weight = read_number(section, "weight", context.messages).value_or(1);
+    Entry entry;
+    entry.rank = read_whole_number(section, "rank", context.messages).value_or(1);
+    entry.within = read_number(section, "within", context.messages);
+    entry.place = place_of(section, "rank");
+    entry.within_place = place_of(section, "within");
     report_unknown_keys(section, context.messages);
     if (weight <= 0)
         add_error(context.messages, place_of(section, "weight"),
                   fmt::format("'weight' must be greater than 0, not {}", weight));
-    if (sense != nullptr) add_term(*sense, section, weight, objective, context);
+    if (entry.rank < 1)
+        add_error(context.messages, entry.place, fmt::format("'rank' must be 1 or greater, not {}", entry.rank));
+    if (entry.within && *entry.within < 0)
+        add_error(context.messages, entry.within_place,
+                  fmt::format("'within' must be 0 or greater, not {}", *entry.within));
+    if (sense != nullptr) add_term(*sense, section, weight, entry.objective, context);
+    return entry;
 }
 
-Objective read_sum(const toml::array& list, const Context& context) {
-    Objective objective;
+/// Entries of the last rank are summed; of each rank before that there is one, which is a wish.
+void read_several(const toml::array& list, Problem& problem, const Context& context) {
     if (list.empty())
         add_error(context.messages, place_of(list),
                   "'objective' is empty: leave it out to ask for any feasible design");
+    std::vector<Entry> entries;
     for (const toml::node& node : list)
-        read_weighted(node, objective, context);
-    return objective;
+        if (auto entry = read_entry(node, context)) entries.push_back(std::move(*entry));
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank < b.rank; });
+    Objective last;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const Entry& entry = entries[i];
+        if (entry.rank == entries.back().rank) {
+            if (entry.within)
+                add_error(context.messages, entry.within_place,
+                          "'within' has no effect on an objective that none comes after: give one of a higher 'rank'");
+            last.terms.insert(last.terms.end(), entry.objective.terms.begin(), entry.objective.terms.end());
+        } else if (i > 0 && entries[i - 1].rank == entry.rank) {
+            add_error(context.messages, entry.place,
+                      fmt::format("two objectives have rank {}: only those of the last rank are summed, give this one "
+                                  "a rank of its own",
+                                  entry.rank));
+        } else if (!entry.objective.terms.empty()) {
+            const ObjectiveTerm& term = entry.objective.terms.front();
+            const Unit unit = problem.mechanism->quantities[term.quantity].unit;
+            problem.wishes.push_back({term, from_file_unit(entry.within.value_or(0), unit, problem.units)});
+        }
+    }
+    problem.objective = std::move(last);
 }
 
 }  // namespace
@@ -97,7 +146,7 @@ void read_objective(Section& file, Problem& problem, Messages& messages) {
     if (node == nullptr) return;
     const Context context{file, problem, messages};
     if (node->is_array()) {
-        problem.objective = read_sum(*node->as_array(), context);
+        read_several(*node->as_array(), problem, context);
     } else if (node->is_table()) {
         Section section{node->as_table(), "[objective]", place_of(*node), keys::objective};
         problem.objective = read_single(section, context);

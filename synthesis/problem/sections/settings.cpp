@@ -119,6 +119,9 @@ void read_solver(Section& file, Problem& problem, Messages& messages) {
 
 void check_front(const Section& file, const Problem& problem, Messages& messages) {
     const toml::node* pareto = file.table->at_path("solver.pareto").node();
+    if (pareto != nullptr && !problem.wishes.empty())
+        return add_error(messages, place_of(*pareto),
+                         "'pareto' trades two objectives of one rank against each other: leave out 'rank' or 'pareto'");
     if (pareto != nullptr && (!problem.objective || problem.objective->terms.size() != 2 || problem.objective->worst))
         add_error(messages, place_of(*pareto),
                   "'pareto' needs two objectives to trade against each other: write two [[objective]] entries");

@@ -139,6 +139,15 @@ std::string objective_rows(const Json& objective, const UnitsOf& units) {
     return rows;
 }
 
+std::string wish_rows(const Json& document, const UnitsOf& units) {
+    std::string rows;
+    for (const Json& wish : list_in(document, "wishes"))
+        rows +=
+            table_row({text_in(wish, "sense") + " " + text_in(wish, "quantity"), text_in(wish, "value"),
+                       units.of_quantity(text_in(wish, "quantity")), text_in(wish, "best"), text_in(wish, "limit")});
+    return rows;
+}
+
 std::string quantities_table(const Json& document, const UnitsOf& units) {
     std::string rows;
     for (const auto& [name, value] : object_in(document, "quantities").items())
@@ -269,6 +278,7 @@ std::string tables_of(const Json& document) {
     const std::string warning =
         defect.empty() ? "" : "<p class=\"bad\">Excluded by a defect: " + escaped(defect) + "</p>";
     return warning + warnings_of(document) + dimensions_table(document, units) + range_of_use_text(document, units) +
+           table_of("First, in this order", {"", "value", "unit", "best", "allowed"}, wish_rows(document, units)) +
            table_of("Objective", {"", "value", "unit"}, objective_rows(object_in(document, "objective"), units)) +
            requirements_table(document, units) + in_details("Quantities", quantities_table(document, units)) +
            targets_table(document) + verification_table(document) + search_table(document);

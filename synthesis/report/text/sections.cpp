@@ -101,6 +101,24 @@ std::string design_section(const Problem& problem, const Design& design, bool co
     return text;
 }
 
+std::string wishes_section(const Problem& problem, const Solution& solution, bool colour) {
+    if (problem.wishes.empty()) return {};
+    Table table{{Align::left, Align::left, Align::point, Align::left, Align::point, Align::point},
+                {{"", "", "reached", "", "best", "allowed"}}};
+    for (std::size_t i = 0; i < problem.wishes.size(); ++i) {
+        const ObjectiveTerm& term = problem.wishes[i].term;
+        const Quantity& quantity = problem.mechanism->quantities[term.quantity];
+        const auto outside = [&](double x) { return number_text(in_file_unit(x, quantity.unit, problem.units)); };
+        const std::optional<double> value = quantity_value(problem, term.quantity, solution.design);
+        const bool known = i < solution.wished.size();
+        table.rows.push_back({term.maximize ? "maximize" : "minimize", std::string(quantity.name),
+                              value ? outside(*value) : "not defined", unit_label(quantity.unit, problem.units),
+                              known ? outside(solution.wished[i].best) : "",
+                              known ? outside(solution.wished[i].limit) : ""});
+    }
+    return heading("First, in this order", colour) + to_text(table, 2);
+}
+
 std::string objective_section(const Problem& problem, const Solution& solution, bool colour) {
     if (!problem.objective) return {};
     const Objective& objective = *problem.objective;

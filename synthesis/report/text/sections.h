@@ -19,6 +19,8 @@ std::string title_section(const Problem& problem, bool colour);
 /// The dimensions with their units; which were given and which came to lie at a limit of their range.
 std::string design_section(const Problem& problem, const Design& design, bool colour);
 
+/// What came before the objective.
+std::string wishes_section(const Problem& problem, const Solution& solution, bool colour);
 std::string objective_section(const Problem& problem, const Solution& solution, bool colour);
 
 /// One line per limit: what is required, what is reached, and how far apart they are.

@@ -150,6 +150,9 @@ std::string search_section(const SearchReport& search, bool colour) {
     } else {
         how += '.';
     }
+    if (search.free_numbers > 0)
+        how += fmt::format(" A family of designs with {} does so; of those that were found the most compact is shown.",
+                           counted(static_cast<long>(search.free_numbers), "free number", "free numbers"));
     if (search.discrete) how += discrete_text(*search.discrete);
     if (search.solutions) {
         const SolutionCounts& n = *search.solutions;
@@ -301,8 +304,8 @@ std::string summary(const Problem& problem, const Result& result, bool colour) {
     if (result.best) {
         const Solution& best = *result.best;
         if (!best.feasible) text += obstacle(problem, best);
-        text += design_section(problem, best.design, colour) + objective_section(problem, best, colour) +
-                (problem.use ? motion_line(problem, best.design) : "") +
+        text += design_section(problem, best.design, colour) + wishes_section(problem, best, colour) +
+                objective_section(problem, best, colour) + (problem.use ? motion_line(problem, best.design) : "") +
                 requirement_section(problem, best.design, colour) + path_section(problem, best.design, colour) +
                 error_section(problem, best.design, colour) + warning_section(problem, best.design) +
                 verification_section(result.verification, colour);

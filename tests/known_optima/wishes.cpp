@@ -1,0 +1,94 @@
+// Objectives in order of their rank, against the same said by requirements and closed forms.
+
+#include <numbers>
+
+#include "tests/known_optima/solved.h"
+
+namespace mechwright::testing {
+
+namespace {
+
+constexpr double deg = std::numbers::pi / 180;
+
+/// The shipped problem with something else in place of its wish and what is allowed for it.
+std::string transmission_then_size(const std::string& objectives) {
+    const std::string text = shipped("transmission-then-size.toml");
+    return text.substr(0, text.find("[[objective]]")) + objectives;
+}
+
+TEST(Wishes, TheNextIsMetAmongWhatRemains) {
+    const Solved s = solved(shipped("transmission-then-size.toml"));
+    ASSERT_EQ(s.result.status, Status::solved);
+    ASSERT_EQ(s.result.best->wished.size(), 1u);
+    // The closed form of the best transmission angle for 40 deg of swing and a time ratio of 1.25.
+    const Solved first = solved(transmission_then_size("[objective]\nmaximize = \"transmission-angle-worst\"\n"));
+    EXPECT_NEAR(first.result.best->objective, 42.80781, 1e-5);
+    EXPECT_NEAR(s.result.best->wished[0].best, first.result.best->objective * deg, 1e-9);
+    EXPECT_NEAR(s.result.best->wished[0].limit, s.result.best->wished[0].best - 2 * deg, 1e-12);
+    const Solved required = solved(transmission_then_size(
+        "[[require]]\nquantity = \"transmission-angle-worst\"\nmin = " +
+        std::to_string(first.result.best->objective - 2) + "\n[objective]\nminimize = \"total-length\"\n"));
+    EXPECT_NEAR(s.result.best->objective, required.result.best->objective, 1e-4);
+    EXPECT_NEAR(s.dimension("crank"), 15, 1e-7);
+}
+
+TEST(Wishes, WithoutRoomTheDesignIsAsGoodAsTheBest) {
+    const Solved s =
+        solved(transmission_then_size("[[objective]]\nminimize = \"total-length\"\nrank = 5\n"
+                                      "[[objective]]\nmaximize = \"transmission-angle-worst\"\nrank = 2\n"));
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.value("transmission-angle-worst"), s.result.best->wished[0].best, 2e-6);
+    // The shape is that of the best transmission angle: only its size is left, and the shortest crank is 15.
+    EXPECT_NEAR(s.dimension("crank"), 15, 1e-3);
+}
+
+TEST(Wishes, OfPointsThatCanBeMetTheSmallestLinkageIsFound) {
+    const std::string task =
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = { min = 30, max = 250 }\n"
+        "crank = { min = 20, max = 120 }\ncoupler = { min = 30, max = 250 }\nrocker = { min = 30, max = 250 }\n"
+        "point-along = { min = -250, max = 250 }\npoint-across = { min = -250, max = 250 }\n"
+        "origin-x = { min = -200, max = 300 }\norigin-y = { min = -300, max = -20 }\ntilt = { min = 0, max = 360 }\n"
+        "[path]\npoints = [[0, 0], [0, 40], [30, 70], [120, 70]]\ntiming = \"free\"\n"
+        "[solver]\nstarts = 16\n[[objective]]\nminimize = \"path-max\"\n";
+    const Solved s = solved(task + "[[objective]]\nminimize = \"total-length\"\nrank = 2\n");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_LE(s.value("path-max"), s.result.best->wished[0].limit * (1 + 1e-9) + 1e-12);
+    EXPECT_LT(s.result.best->wished[0].limit, 1e-6);
+    const Solved any = solved(task.substr(0, task.find("[[objective]]")) + "[objective]\nminimize = \"path-max\"\n");
+    EXPECT_LT(s.value("total-length"), any.value("total-length"));
+}
+
+TEST(Wishes, WhatCannotBeMetIsInfeasibleWithoutThem) {
+    const std::string text = transmission_then_size(
+        "[[require]]\nquantity = \"transmission-angle-worst\"\nmin = 60\n[[objective]]\nminimize = \"link-ratio\"\n"
+        "[[objective]]\nminimize = \"total-length\"\nrank = 2\n");
+    const Solved s = solved(text);
+    EXPECT_EQ(s.result.status, Status::infeasible);
+}
+
+TEST(Wishes, OfAGivenDesignAreWhatItHas) {
+    const Solved s = solved(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 100\ncrank = 30\ncoupler = 90\nrocker = 70\n"
+        "[[objective]]\nmaximize = \"transmission-angle-worst\"\n[[objective]]\nminimize = \"total-length\"\nrank = "
+        "2\n");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_EQ(s.result.best->objective, 290);
+    EXPECT_EQ(s.result.best->wished[0].best, s.value("transmission-angle-worst"));
+}
+
+TEST(Wishes, GoWithAllowedValues) {
+    const Solved s = solved(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 100\ncrank = { choices = [20, 30, 40] }\n"
+        "coupler = { min = 60, max = 140, step = 10 }\nrocker = { min = 50, max = 120, step = 10 }\n"
+        "[[require]]\nquantity = \"swing\"\nmin = 45\n"
+        "[[objective]]\nmaximize = \"transmission-angle-worst\"\nwithin = 5\n"
+        "[[objective]]\nminimize = \"total-length\"\nrank = 2\n");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_GE(s.value("transmission-angle-worst"), s.result.best->wished[0].best - 5 * deg - 1e-9);
+    for (const std::size_t i : {1U, 2U, 3U})
+        EXPECT_EQ(std::remainder(s.result.best->design.dimensions[i], 10), 0);
+}
+
+}  // namespace
+
+}  // namespace mechwright::testing
