@@ -149,12 +149,12 @@ TEST(Discrete, AllowedValuesFollowEachOther) {
 TEST(Discrete, AValueThatIsNotAllowedIsNotVerified) {
     const Solved s = solved(shipped("links-from-stock.toml"));
     nlohmann::ordered_json right = document(s.problem, s.result);
-    ASSERT_TRUE(all_passed(verify_document(right)));
+    ASSERT_TRUE(all_passed(verify(right)));
     for (const auto& [name, value] : {std::pair("ground", 101.0), std::pair("crank", 31.0)}) {
         nlohmann::ordered_json wrong = right;
         wrong["design"][name] = value;
         bool noticed = false;
-        for (const Check& check : verify_document(wrong))
+        for (const Check& check : verify(wrong))
             noticed = noticed || (check.name == "dimensions are as given and within their ranges" && !check.passed &&
                                   check.detail.find(name) != std::string::npos);
         EXPECT_TRUE(noticed) << name;

@@ -134,7 +134,7 @@ TEST(Dimensions, AllowedValuesAreChoicesOrSteps) {
 }
 
 TEST(Dimensions, WrongChoicesAndStepsAreErrors) {
-    const auto wrong = [](const char* range, const char* place, const std::vector<std::string>& words) {
+    const auto wrong = [](const char* range, const char* place, std::initializer_list<std::string_view> words) {
         EXPECT_TRUE(only_says(read(with_line(5, std::string("crank = ") + range)), place, words)) << range;
     };
     wrong("{ choices = [] }", "p.toml:5:21", {"'choices'", "'crank'", "is empty"});
