@@ -97,6 +97,8 @@ inline constexpr std::array linkage{Key{"units", Shape::value, "Units of angles 
                                     Key{"placement", Shape::value, "Where the frame is in the drawing."},
                                     Key{"motion", Shape::value, "An input that belongs to the motion."},
                                     Key{"signals", Shape::value, "What is measured along the motion."},
+                                    Key{"room", Shape::value, "Boxes that parts need."},
+                                    Key{"region", Shape::value, "Where parts keep in, or out of."},
                                     Key{"path", Shape::value, "What points are guided along paths."},
                                     Key{"poses", Shape::value, "What bodies are guided through poses."},
                                     Key{"function", Shape::value, "The signal that is a function of the input."},

@@ -98,6 +98,15 @@ std::string explained_parts(std::string_view parts) {
     return {};
 }
 
+constexpr std::array<SignalWord, 4> of_rooms{{
+    {"width", "NAME.width", "of the box that the parts of the [[room]] NAME need over the motion, in its direction"},
+    {"height", "NAME.height", "of this box, across its direction"},
+    {"area", "NAME.area", "of this box: its width times its height"},
+    {"margin", "NAME.margin",
+     "least distance over the motion from the border of the [[region]] NAME, in or out of which parts keep; negative "
+     "where they do not: by how much they are beyond a border, or what overlaps has to be moved at least"},
+}};
+
 }  // namespace
 
 std::span<const SignalWord> kinds_of_signals() { return kinds; }
@@ -115,6 +124,8 @@ std::string explained_signal(std::string_view name) {
                listed(std::span(kinds).first(kinds.size() - 1)) + "\n" + words_of_signals();
     const std::size_t dot = name.find('.');
     if (dot != std::string_view::npos && dot > 0) {
+        if (const SignalWord* word = find_word(of_rooms, name.substr(dot + 1)))
+            return explained_word({name, word->example, word->meaning}, "of a room or region of a linkage");
         const std::string parts = explained_parts(name.substr(dot));
         if (parts.empty()) return {};
         return fmt::format("{}: quantity of a linkage's signal\n\n", name) +

@@ -103,6 +103,27 @@ T value_at(Measured<T, K>& measured, const Asked& asked, const Course& course, c
     return value + T(place.value - number_as<double>(value_of(value)));
 }
 
+/// A signal, with a factor and a constant.
+struct Scaled {
+    std::size_t signal = 0;
+    double factor = 1;
+    double constant = 0;
+};
+
+/// Where two signals say the same, what both say as a function of the dimensions. K must be 2 at least.
+template <class T, std::size_t K>
+T value_where_equal(Measured<T, K>& measured, const Scaled& one, const Scaled& other, const Course& course,
+                    const Extreme& place) {
+    const auto near = course.turns.near(place.at);
+    const WithinPiece in_piece(measured, place.within);
+    using Value = Series<T, K>;
+    const auto scaled = [&](const Scaled& by) {
+        return Value(T(by.constant)) + Value(T(by.factor)) * measured.value(by.signal, place.at, near);
+    };
+    const Value f = scaled(one);
+    return detail::after_shift(f, 0, detail::shift_of_zero(f - scaled(other), 0, measured.rate()));
+}
+
 /// What is asked at a place that keeps its share of the motion where the ends move. K must be `order_for` it.
 template <class T, std::size_t K>
 T value_at_share(Measured<T, K>& measured, const Asked& asked, const Course& course, const Extreme& place,

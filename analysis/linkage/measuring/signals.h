@@ -24,8 +24,10 @@ struct Signal {
         y,                   ///<
         along,               ///< the same in a direction
         radius,              ///< distance of the pin `of` from the drawing's origin
+        from_place,          ///< distance of the pin `of` from `place`
         distance,            ///< of the pins `of` and `to`
         from_line,           ///< distance of the pin `of` to the left of the line from the pin `to` to the pin `end`
+        place_from_line,     ///< distance of `place` to the left of that line
         slide,               ///< displacement of the slide `of`
         speed,               ///< magnitude of the velocity of the pin `of`
         acceleration,        ///< of its acceleration
@@ -45,6 +47,7 @@ struct Signal {
         double factor = 1;
     };
     std::vector<Term> terms{};  ///< of a sum
+    Vector<double> place{};     ///< that stands still, in the drawing's axes
 };
 
 /// How many derivatives of the pose a signal takes itself. Signals may be made of any others but not of themselves.
@@ -157,6 +160,10 @@ public:
                 const Vector<T> at = coordinates(s, pose);
                 return hypotenuse(at.x, at.y);
             }
+            case Kind::from_place: {
+                const Vector<T> apart = coordinates(s, pose) - place_of_signal(s);
+                return hypotenuse(apart.x, apart.y);
+            }
             case Kind::distance: {
                 const Vector<T> apart = pose.pins[s.to] - pose.pins[s.of];
                 return placing_.scale * hypotenuse(apart.x, apart.y);
@@ -165,6 +172,11 @@ public:
                 const Vector<T> line = pose.pins[s.end] - pose.pins[s.to];
                 const T height = cross(line, pose.pins[s.of] - pose.pins[s.to]);
                 return placing_.scale * T(height / hypotenuse(line.x, line.y));
+            }
+            case Kind::place_from_line: {
+                const Vector<T> line = turned(pose.pins[s.end] - pose.pins[s.to], tilt_);
+                const T height = cross(line, place_of_signal(s) - in_drawing(pose.pins[s.to]));
+                return height / hypotenuse(line.x, line.y);
             }
             case Kind::slide: {
                 const Line& line = slides_[s.of];
@@ -214,9 +226,11 @@ private:
         const T turn = detail::unwound(principal, near[s.of] - near[s.to]);
         return whole_turns[signal] == 0 ? turn : T(turn + T(2 * whole_turns[signal]) * pi<T>());
     }
+    Vector<T> in_drawing(const Vector<T>& at) const { return placing_.origin + placing_.scale * turned(at, tilt_); }
+    static Vector<T> place_of_signal(const Signal& s) { return {T(s.place.x), T(s.place.y)}; }
     Vector<T> coordinates(const Signal& s, const Pose<T>& pose) const {
         const Vector<T>& at = pose.pins[s.of];
-        if (s.on == none) return placing_.origin + placing_.scale * turned(at, tilt_);
+        if (s.on == none) return in_drawing(at);
         const LinkPlace<T>& link = pose.links[s.on];
         return placing_.scale * turned(at - link.origin, detail::conjugate(link.along));
     }

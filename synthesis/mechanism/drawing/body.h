@@ -11,7 +11,7 @@
 namespace mechwright {
 
 /// What a line of the drawing is; also the layers of a drawing for CAD.
-enum class Layer { ground, link, block, cam, pitch, base, path, follow };
+enum class Layer { ground, link, block, cam, pitch, base, path, follow, room };
 
 /// Lines and arcs one after the other.
 struct Outline {

@@ -90,6 +90,48 @@ struct Over {
     }
 };
 
+inline bool is_of_room(Kind kind) {
+    return kind == Kind::room_width || kind == Kind::room_height || kind == Kind::room_area;
+}
+
+/// How far all pins of a room are along its width, or its height; of its area all along the one, then along the other.
+inline std::vector<Signal> signals_of_room(const LinkageRoom& room, Kind kind) {
+    std::vector<Signal> signals;
+    for (const bool across : {false, true}) {
+        if (kind == (across ? Kind::room_width : Kind::room_height)) continue;
+        for (const std::size_t pin : room.pins)
+            signals.push_back({.kind = Signal::Kind::along,
+                               .of = pin,
+                               .number = room.direction + (across ? std::numbers::pi / 2 : 0)});
+    }
+    return signals;
+}
+
+/// All pins of the parts of a region, each once.
+inline std::vector<std::size_t> pins_of(const LinkageRegion& region) {
+    std::vector<std::size_t> pins;
+    for (const auto& part : region.parts)
+        pins.insert(pins.end(), part.begin(), part.end());
+    std::sort(pins.begin(), pins.end());
+    pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
+    return pins;
+}
+
+/// Where the margin of a region is that of points: the distance of each from the centre, or along each border's normal.
+inline std::vector<Signal> signals_of_region(const LinkageRegion& region, double unit) {
+    std::vector<Signal> signals;
+    if (!region.is_by_points()) return signals;
+    for (const std::size_t pin : pins_of(region))
+        if (region.shape == LinkageRegion::Shape::circle)
+            signals.push_back(
+                {.kind = Signal::Kind::from_place, .of = pin, .place = (1 / unit) * region.places.front()});
+        else
+            for (const StraightBorder& border : borders_of(region))
+                signals.push_back(
+                    {.kind = Signal::Kind::along, .of = pin, .number = std::atan2(border.inward.y, border.inward.x)});
+    return signals;
+}
+
 /// The signals that a ready-made quantity is of.
 inline std::vector<Signal> own_signals(const LinkageModel& model, const LinkageMeasure& measure) {
     const Kind kind = measure.kind;
@@ -101,6 +143,8 @@ inline std::vector<Signal> own_signals(const LinkageModel& model, const LinkageM
         const auto distance = target.followed == Followed::line ? Signal::Kind::y : Signal::Kind::radius;
         return {{distance, pin}, {Signal::Kind::x, pin}, {Signal::Kind::y, pin}};
     }
+    if (is_of_room(kind)) return signals_of_room(model.rooms[measure.of_room], kind);
+    if (kind == Kind::region_margin) return signals_of_region(model.regions[measure.of_room], model.unit);
     if (kind == Kind::transmission_angle_worst)
         for (std::size_t margin = 0; margin < model.order.margins_of_dyads(); ++margin)
             if (linkage::step_together(model.order, margin) == nullptr)

@@ -71,6 +71,31 @@ double size_of_linkage(Form form, std::span<const double> dimensions) {
     return size > 0 ? size : 1;
 }
 
+/// Calls add(name, unit, meaning, measure) for what rooms and regions are measured by.
+template <class Add>
+void add_rooms(const LinkageModel& model, const Add& add) {
+    using Kind = LinkageMeasure::Kind;
+    constexpr double degree = std::numbers::pi / 180;
+    for (std::size_t i = 0; i < model.rooms.size(); ++i) {
+        const LinkageRoom& room = model.rooms[i];
+        const auto of = [&](std::string_view side, double direction) {
+            return fmt::format("{} of the box that '{}' needs over the motion, at {:.6g} deg to the drawing's x axis",
+                               side, room.name, direction);
+        };
+        const double width = room.direction / degree, height = width + 90;
+        add(room.name + ".width", Unit::length, of("width", width), {.kind = Kind::room_width, .of_room = i});
+        add(room.name + ".height", Unit::length, of("height", height), {.kind = Kind::room_height, .of_room = i});
+        add(room.name + ".area", Unit::area, "area of this box", {.kind = Kind::room_area, .of_room = i});
+    }
+    for (std::size_t i = 0; i < model.regions.size(); ++i) {
+        const LinkageRegion& region = model.regions[i];
+        add(region.name + ".margin", Unit::length,
+            fmt::format("least distance over the motion by which parts keep {} '{}'; negative where they do not",
+                        region.inside ? "in" : "out of", region.name),
+            {.kind = Kind::region_margin, .of_room = i});
+    }
+}
+
 std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimensions,
                                     std::span<const NamedMeasure> asked) {
     using Kind = LinkageMeasure::Kind;
@@ -90,6 +115,7 @@ std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimen
             {Kind::full_turn_margin});
     add("joint-distance-least", Unit::length, "least distance of pins that have no link in common",
         {Kind::joint_distance_least});
+    add_rooms(model, add);
     for (std::size_t i = 0; i < model.signals.size(); ++i)
         for (const auto& [word, kind] :
              {std::pair("least", Kind::least), {"greatest", Kind::greatest}, {"range", Kind::range}}) {
@@ -126,6 +152,7 @@ bool has_own_lengths(const LinkageModel& model) {
         if (model.lengths[i] && model.numbers[i].constant != 0) return true;
     for (const linkage::Drive& drive : model.structure.drives)
         if (drive.of_slide) return true;
+    if (!model.regions.empty()) return true;
     return model.placement[0].constant != 0 || model.placement[1].constant != 0;
 }
 

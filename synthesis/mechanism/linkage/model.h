@@ -22,6 +22,7 @@
 #include "analysis/linkage/structure/structure.h"
 #include "synthesis/mechanism/affine.h"
 #include "synthesis/mechanism/drawing/body.h"
+#include "synthesis/mechanism/linkage/rooms/rooms.h"
 #include "synthesis/mechanism/quantity.h"
 
 namespace mechwright {
@@ -76,9 +77,11 @@ struct LinkageModel {
     std::vector<NamedSignal> signal_names{};       ///< one for each
     std::vector<GuidedPoint> guided{};             ///< those of paths, of poses, of lines and arcs (Form::guided)
     std::vector<LinkageInputTarget> over_input{};  ///< functions, lines, arcs (Form::over_input)
-    std::optional<double> at{};                    ///< an input of the master that belongs to the motion
-    int turns = 1;                                 ///< of the master, after which everything is where it was; 0: never
-    double unit = 1;                               ///< the length by which its lengths are divided (over_unit)
+    std::vector<LinkageRoom> rooms{};
+    std::vector<LinkageRegion> regions{};  ///< lengths of these are not divided (over_unit)
+    std::optional<double> at{};            ///< an input of the master that belongs to the motion
+    int turns = 1;                         ///< of the master, after which everything is where it was; 0: never
+    double unit = 1;                       ///< the length by which its lengths are divided (over_unit)
     /// Of a driven slide the displacement, not divided, that counts as much as a radian does: a power of two, so that
     /// inputs of the analysis are of order one and no digit is lost. 1 where the master turns.
     double input_length = 1;

@@ -7,6 +7,8 @@
 
 #include "analysis/linkage/measuring/means.h"
 #include "synthesis/mechanism/linkage/limit_text.h"
+#include "synthesis/mechanism/linkage/rooms/found_apart.h"
+#include "synthesis/mechanism/linkage/rooms/found_room.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 #include "synthesis/mechanism/linkage/targets/seeded.h"
 
@@ -30,7 +32,10 @@ std::size_t component_count(Kind kind) {
         case Kind::time_ratio: return 2;
         case Kind::range:
         case Kind::deviation:
+        case Kind::room_width:
+        case Kind::room_height:
         case Kind::link_ratio: return most_of_range * most_of_range;
+        case Kind::room_area: return most_of_area * most_of_area * most_of_area * most_of_area;
         default: return most_extremes;
     }
 }
@@ -48,6 +53,9 @@ Reduce reduce_of(Kind kind) {
         case Kind::distance_greatest:
         case Kind::range:
         case Kind::deviation:
+        case Kind::room_width:
+        case Kind::room_height:
+        case Kind::room_area:
         case Kind::time_ratio:
         case Kind::link_ratio: return Reduce::greatest;
         default: return Reduce::least;
@@ -87,6 +95,9 @@ public:
             }
             case Kind::range:
             case Kind::deviation: add_differences(kind == Kind::range ? 1 : 0.5, out); break;
+            case Kind::room_width:
+            case Kind::room_height: add_differences(1, out); break;
+            case Kind::room_area: add_areas(out); break;
             case Kind::time_ratio: add_time_ratios(out); break;
             case Kind::extent: out.push_back(extent()); break;
             case Kind::function_rms: out.push_back(root_mean_square_error()); break;
@@ -136,6 +147,9 @@ private:
     }
     T value(const Term& term) {
         if (found_.samples) return at_sample(term);
+        if (term.also)
+            return linkage::value_where_equal(measured_, {term.asked.signal, term.factor, term.constant}, *term.also,
+                                              course_, term.place);
         const bool of_arc = over_.measure.kind == Kind::distance_greatest;
         return (of_arc ? T(T(-term.factor) * radius()) : T(term.constant)) +
                T(term.factor) * linkage::value_at(measured_, term.asked, course_, term.place, ends_);
@@ -180,6 +194,21 @@ private:
         std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.value > b.value; });
         for (const Pair& pair : pairs)
             out.push_back(T(factor) * (high[pair.high] - low[pair.low]));
+    }
+    /// A product of two differences, each of which is a candidate for a side of the box. The greatest is that of the
+    /// sides: no other difference is as great without its sign.
+    void add_areas(std::vector<T>& out) {
+        std::vector<T> widths, heights;
+        for (const Term& high : found_.plus)
+            for (const Term& low : found_.minus)
+                widths.push_back(value(high) - value(low));
+        for (const Term& high : found_.plus_across)
+            for (const Term& low : found_.minus_across)
+                heights.push_back(value(high) - value(low));
+        for (const T& width : widths)
+            for (const T& height : heights)
+                out.push_back(width * height);
+        std::stable_sort(out.begin(), out.end(), [](const T& a, const T& b) { return value_of(a) > value_of(b); });
     }
     void add_time_ratios(std::vector<T>& out) {
         const Term &high = found_.plus.front(), &low = found_.minus.front();
@@ -229,11 +258,35 @@ bool is_given_stop_of_master(const LinkageModel& model, const linkage::Limit& ma
     return model.numbers[step.reversed ? *stops.max : *stops.min].terms.empty();
 }
 
+/// Whether it is a margin of parts that keep out of a region, and not by their points alone.
+bool keeps_out(const Over& over) {
+    return over.measure.kind == Kind::region_margin && !over.model.regions[over.measure.of_room].is_by_points();
+}
+
+/// Where they come closest to it; absent where the linkage does not close over the motion.
+template <std::size_t K>
+std::optional<FoundApart> closest_apart(const Over& over, std::span<const double> arguments) {
+    const std::span<const double> dimensions = over.dimensions_of(arguments);
+    if (!closes_at_samples(over, dimensions)) return {};
+    auto bare = measured<double, K>(over, arguments, {});
+    const Course course = course_of(over, dimensions, bare, {});
+    if (needs_turns(over, {}) && (course.turns.empty() || course.turns.to() < course.travel.to)) return {};
+    FoundApart found = closest_to_region(over, dimensions, course);
+    return found.found.possible ? std::optional(std::move(found)) : std::nullopt;
+}
+
 template <std::size_t K>
 bool measure_by_series(const Over& over, std::span<const double> arguments, const Measurement& out) {
     const std::span<const double> dimensions = over.dimensions_of(arguments);
     const Kind kind = over.measure.kind;
-    const std::vector<Signal> own = own_signals(over.model, over.measure);
+    std::vector<Signal> own = own_signals(over.model, over.measure);
+    Found apart;
+    if (keeps_out(over)) {
+        auto closest = closest_apart<K>(over, arguments);
+        if (!closest) return false;
+        own = std::move(closest->signals);
+        apart = std::move(closest->found);
+    }
     const std::span<const Signal> signals =
         over.measure.signals.empty() ? std::span<const Signal>(own) : std::span<const Signal>(over.measure.signals);
     auto plain = measured<double, K>(over, arguments, signals);
@@ -273,6 +326,18 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
         } else if (kind == Kind::transmission_angle_worst || kind == Kind::joint_distance_least) {
             plain.keep_poses();
             found = found_of_all(over, plain, course);
+        } else if (is_of_room(kind)) {
+            plain.keep_poses();
+            found = found_of_room(over, plain, course);
+        } else if (keeps_out(over)) {
+            found = std::move(apart);
+            for (Term& term : found.plus)
+                settle(plain, course, term);
+            keep_least(found.plus, most_extremes);
+            found.possible = std::isfinite(found.plus.front().value());
+        } else if (kind == Kind::region_margin) {
+            plain.keep_poses();
+            found = found_of_points(over, plain, course);
         } else {
             const auto asked = kind == Kind::at ? std::optional(std::array{over.measure.input, over.measure.input})
                                                 : over.measure.stretch;

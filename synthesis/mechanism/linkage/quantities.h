@@ -39,7 +39,13 @@ struct LinkageMeasure {
         extent,             ///< how far it follows
         // Of the signal that is to be a function of the input, over an input range; `asked` is its error:
         function_greatest,  ///< the greatest error, without its sign
-        function_rms        ///< the root of the mean of its square
+        function_rms,       ///< the root of the mean of its square
+        // Of a box about parts over the motion:
+        room_width,
+        room_height,
+        room_area,
+        // Of parts over the motion:
+        region_margin  ///< how far they keep inside of a region, or outside; negative where they do not
     };
     Kind kind = Kind::least;
     std::vector<linkage::Signal> signals{};          ///< those that it needs, and those that they need
@@ -47,6 +53,7 @@ struct LinkageMeasure {
     std::optional<std::array<double, 2>> stretch{};  ///< inputs of the master, radians or length; the whole motion
     double input = 0;                                ///< of `at`
     std::size_t over_input = 0;                      ///< of what is asked over an input range: which of the targets
+    std::size_t of_room = 0;                         ///< which room, or which region
 };
 
 struct LinkageModel;

@@ -12,9 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 13> describing{"units",  "dimensions", "links",  "slide", "slot",
-                                                      "gear",   "belt",       "rack",   "drive", "assembly",
-                                                      "sketch", "placement",  "signals"};
+constexpr std::array<std::string_view, 15> describing{"units",  "dimensions", "links",   "slide", "slot",
+                                                      "gear",   "belt",       "rack",    "drive", "assembly",
+                                                      "sketch", "placement",  "signals", "room",  "region"};
 
 Json json_of(const toml::node& node) {
     if (const toml::table* table = node.as_table()) {

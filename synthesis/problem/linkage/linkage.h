@@ -95,6 +95,8 @@ struct Linkage {
     std::optional<double> at;  ///< a crank angle of its motion, radians; a displacement where a slide is driven
     std::vector<GuidedPoint> guided{};             ///< by paths, by poses, by lines, by arcs
     std::vector<LinkageInputTarget> over_input{};  ///< functions, lines, arcs
+    std::vector<LinkageRoom> rooms{};              ///< in radians
+    std::vector<LinkageRegion> regions{};          ///< the same
     linkage::Mobility mobility;
     linkage::Order order;
     std::vector<std::int8_t> sides;  ///< for each choice of the order 1, -1, or 0 for either

@@ -195,6 +195,8 @@ LinkageModel model_of(const Linkage& linkage) {
     }
     model.guided = linkage.guided;
     model.over_input = linkage.over_input;
+    model.rooms = linkage.rooms;
+    model.regions = linkage.regions;
     model.at = linkage.at;
     for (const LinkageSignal& signal : linkage.signals) {
         model.signal_names.push_back({signal.name, signal.unit});
@@ -378,6 +380,13 @@ const toml::node* target_of(const toml::table& table) {
 
 }  // namespace
 
+/// That parts keep in or out as far as asked.
+void require_regions(const Linkage& linkage, Problem& problem) {
+    for (const LinkageRegion& region : linkage.regions)
+        if (const int quantity = find_quantity(*problem.mechanism, region.name + ".margin"); quantity >= 0)
+            problem.requirements.push_back({static_cast<std::size_t>(quantity), {}, region.margin, {}});
+}
+
 bool names_linkage(const toml::table& table) { return table["mechanism"].value_exact<std::string>() == "linkage"; }
 
 void read_linkage_problem(const toml::table& table, Problem& problem, Messages& messages) {
@@ -433,6 +442,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     read_objective(file, problem, messages);
     check_front(file, problem, messages);
     read_requirements(file, problem, messages);
+    require_regions(linkage, problem);
     read_study(file, problem, messages);
 }
 

@@ -86,6 +86,32 @@ std::optional<LinkageMeasure> with_reduction(const Linkage& linkage, LinkageMeas
     return made;
 }
 
+/// What stands behind the name of a room or a region; absent where the name is of neither.
+std::optional<LinkageMeasure> of_room(const Linkage& linkage, Word name, std::string& fault) {
+    using Kind = LinkageMeasure::Kind;
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    const Word owner = name.substr(0, dot), rest = name.substr(std::min(dot + 1, name.size()));
+    constexpr std::array<Word, 3> of_rooms{"width", "height", "area"};
+    constexpr std::array<Kind, 3> kinds{Kind::room_width, Kind::room_height, Kind::room_area};
+    LinkageMeasure made;
+    for (std::size_t i = 0; i < linkage.rooms.size(); ++i) {
+        if (linkage.rooms[i].name != owner) continue;
+        made.of_room = i;
+        if (const auto word = index_in(of_rooms, rest)) return made.kind = kinds[*word], made;
+        return fault = fmt::format("{} is no quantity of a room: '{}' has {}", reading::quoted(name), owner,
+                                   "width, height and area"),
+               std::nullopt;
+    }
+    for (std::size_t i = 0; i < linkage.regions.size(); ++i) {
+        if (linkage.regions[i].name != owner) continue;
+        made.of_room = i;
+        if (rest == "margin") return made.kind = Kind::region_margin, made;
+        return fault = fmt::format("{0} is no quantity of a region: write '{1}.margin'", reading::quoted(name), owner),
+               std::nullopt;
+    }
+    return {};
+}
+
 }  // namespace
 
 std::optional<LinkageMeasure> to_linkage_quantity(const Linkage& linkage, Word name, std::string& fault) {
@@ -94,6 +120,10 @@ std::optional<LinkageMeasure> to_linkage_quantity(const Linkage& linkage, Word n
                                         Kind::full_turn_margin, Kind::joint_distance_least};
     LinkageMeasure made;
     if (const auto ready = index_in(ready_made_quantities, name)) return made.kind = kinds[*ready], made;
+    std::string of_no_room;
+    const auto room = of_room(linkage, name, of_no_room);
+    if (!of_no_room.empty()) fault = of_no_room;
+    if (room || !of_no_room.empty()) return room;
     const Word signal = name.substr(0, name.find('.'));
     std::vector<Word> known;
     for (std::size_t i = 0; i < linkage.signals.size(); ++i) {

@@ -78,6 +78,7 @@ void read_linkage_table(const toml::table& table, Linkage& made, Messages& messa
     read_linkage_motion(reading);
     read_sketch(reading);
     read_placement(reading);
+    read_rooms(reading);
     read_signals(reading);
     read_linkage_targets(reading);
     conclude_dimensions(reading);

@@ -28,7 +28,7 @@ struct LinkageReading {
     std::vector<FilePlace> larger_places{};  ///< where the assemblies of larger groups are said
 
     /// Limits on what one file describes, far above any mechanism: hostile files end at once.
-    static constexpr std::size_t most_links = 100, most_points = 400, most_joints = 100;
+    static constexpr std::size_t most_links = 100, most_points = 400, most_joints = 100, most_corners = 32;
 };
 
 /// Whether a name is one; reports it where it is not.
@@ -90,6 +90,10 @@ void read_sketch(LinkageReading& reading);
 void read_placement(LinkageReading& reading);
 /// Whether a word is a quantity or a number already, so that no signal and no target can have it as its name.
 bool is_reserved_name(std::string_view name);
+/// Rooms and regions; after links and joints.
+void read_rooms(LinkageReading& reading);
+/// Whether one of them has this name.
+bool is_name_of_room(const Linkage& linkage, std::string_view name);
 /// Signals, and the quantities that are required or optimised.
 void read_signals(LinkageReading& reading);
 /// The points that targets name.

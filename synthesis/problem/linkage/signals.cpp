@@ -225,7 +225,7 @@ std::string unknown_owner(const SignalReading& signals, const std::string& name,
         known.push_back(target.name);
     for (const LinkageSignal& signal : signals.signals())
         known.push_back(signal.name);
-    if (is_one_of(known, name)) return {};
+    if (is_one_of(known, name) || is_name_of_room(signals.reading.made, name)) return {};
     return fmt::format("there is no target and no signal {}; {}", reading::quoted(name), remedy(name, known));
 }
 
@@ -274,6 +274,11 @@ void read_signals(LinkageReading& reading) {
             if (is_reserved_name(name)) {
                 add_error(reading.messages, place,
                           fmt::format("'{}' cannot be the name of a signal: it is a quantity already", name));
+                continue;
+            }
+            if (is_name_of_room(reading.made, name)) {
+                add_error(reading.messages, place,
+                          fmt::format("'{}' cannot be the name of a signal: a room or a region has it", name));
                 continue;
             }
             if (!is_name(reading, name, place, "signal")) continue;

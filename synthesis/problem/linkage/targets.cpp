@@ -107,6 +107,7 @@ std::string why_no_name(const Linkage& made, const std::string& name, const std:
         return "is a word of its own in results";
     if (std::any_of(made.signals.begin(), made.signals.end(), [&](const auto& signal) { return signal.name == name; }))
         return "is a signal already";
+    if (is_name_of_room(made, name)) return "is the name of a room or a region already";
     if (std::find(before.begin(), before.end(), name) != before.end()) return "is another target already";
     return {};
 }

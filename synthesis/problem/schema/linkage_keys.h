@@ -94,4 +94,37 @@ inline constexpr std::array placement{
     Key{"tilt", Shape::range, "Direction of the frame's x axis. Preset: 0."},
     Key{"scale", Shape::range, "By which every length is multiplied. Preset: 1.", false, {}, {}, positive}};
 
+inline constexpr Key parts_of_linkage{
+    "of", Shape::value,
+    "What it is about: \"mechanism\", all links and pivots; \"pivots\"; or a list of links and points. Preset: "
+    "mechanism."};
+
+inline constexpr std::array room{
+    Key{"name", Shape::text, "What quantities call it: NAME.width, NAME.height, NAME.area.", true}, parts_of_linkage,
+    Key{"direction", Shape::number, "Angle of the width to the drawing's x axis. Preset: 0."}};
+
+inline constexpr std::array<std::string_view, 2> ways_to_keep{"in", "out"};
+
+inline constexpr std::array region_circle{Key{"centre", Shape::value, "[x, y] in the drawing's axes.", true},
+                                          Key{"radius", Shape::number, "Its radius.", true, {}, {}, positive}};
+
+inline constexpr std::array region_half_plane{
+    Key{"through", Shape::value, "[x, y] of a place on its border, in the drawing's axes.", true},
+    Key{"direction", Shape::number, "Angle of the border, to the left of which it lies.", true}};
+
+inline constexpr std::array region{
+    Key{"name", Shape::text, "What its quantity is called by: NAME.margin.", true},
+    Key{"keep", Shape::word, "Whether parts have to stay in it, or out.", true, ways_to_keep},
+    parts_of_linkage,
+    Key{"polygon", Shape::pairs, "Corners of a convex polygon, [x, y] in the drawing's axes."},
+    Key{"circle", Shape::table, "A disc.", false, {}, region_circle},
+    Key{"half-plane", Shape::table, "All that is to the left of a straight line.", false, {}, region_half_plane},
+    Key{"margin",
+        Shape::number,
+        "Least distance from its border that is asked for. Preset: 0.",
+        false,
+        {},
+        {},
+        not_negative}};
+
 }  // namespace mechwright::keys

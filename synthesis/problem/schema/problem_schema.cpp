@@ -131,8 +131,9 @@ Names foreign_sections(const Mechanism& mechanism) {
 /// Targets of which a linkage can have several.
 constexpr std::array<std::string_view, 5> repeated_targets{"path", "poses", "function", "line", "arc"};
 
-constexpr std::array<std::string_view, 11> sections_of_linkage{
-    "links", "slide", "slot", "gear", "belt", "rack", "drive", "assembly", "sketch", "placement", "signals"};
+constexpr std::array<std::string_view, 13> sections_of_linkage{"links",   "slide", "slot",     "gear",   "belt",
+                                                               "rack",    "drive", "assembly", "sketch", "placement",
+                                                               "signals", "room",  "region"};
 
 /// What files of one mechanism alone can say, and what they have to, where they meet a condition.
 Json of_mechanism(const Mechanism& mechanism, Json condition) {
@@ -341,6 +342,26 @@ Json function_of(const Key& key) {
     return schema;
 }
 
+/// A room or a region: whole mechanisms, or some parts by their names.
+Json with_parts(const Key& key) {
+    Json schema = of(key);
+    schema["items"]["properties"]["of"].update(
+        any_of({Json{{"type", "string"}}, Json{{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 1}}}));
+    return schema;
+}
+
+Json regions(const Key& key) {
+    Json schema = with_parts(key), pair = list_of({{"type", "number"}});
+    pair["minItems"] = pair["maxItems"] = 2;
+    Json& properties = schema["items"]["properties"];
+    properties["polygon"]["minItems"] = 3;
+    properties["circle"]["properties"]["centre"].update(pair);
+    properties["half-plane"]["properties"]["through"].update(pair);
+    schema["items"]["oneOf"] = {
+        {{"required", {"polygon"}}}, {{"required", {"circle"}}}, {{"required", {"half-plane"}}}};
+    return schema;
+}
+
 Json requirements(const Key& key) {
     Json schema = of(key);
     schema["items"]["anyOf"] = {{{"required", {"equal"}}}, {{"required", {"min"}}}, {{"required", {"max"}}}};
@@ -394,6 +415,8 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     properties["segment"] = segments(key("segment"));
     properties["objective"] = objectives(key("objective"));
     properties["require"] = requirements(key("require"));
+    properties["room"] = with_parts(key("room"));
+    properties["region"] = regions(key("region"));
     properties["solver"]["properties"]["method"].update(one_of(methods));
     for (const std::string_view target : repeated_targets)
         properties[std::string(target)] =

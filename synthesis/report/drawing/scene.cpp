@@ -122,6 +122,7 @@ std::string_view name_of(Layer layer) {
         case Layer::base: return "base";
         case Layer::path: return "path";
         case Layer::follow: return "follow";
+        case Layer::room: return "room";
     }
     return "";
 }

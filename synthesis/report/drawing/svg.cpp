@@ -27,6 +27,7 @@ constexpr std::string_view style =
     ".ground{stroke:#555;stroke-width:1.5}"
     ".path{stroke:#b8442c;stroke-width:1.6}"
     ".follow{stroke:#1c7a4a;stroke-width:1.2;stroke-dasharray:2 3}"
+    ".room{stroke:#6b4c9a;stroke-width:1.4;stroke-dasharray:9 4}"
     ".pin{fill:#fff;stroke:#23415f;stroke-width:2}"
     ".point{fill:#b8442c}"
     ".target{fill:none;stroke:#1c7a4a;stroke-width:1.5}"

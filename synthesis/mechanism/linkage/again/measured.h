@@ -89,6 +89,30 @@ struct Extreme {
 /// The greatest value over parts of the motion, of f or, with a negative sign, of its negative.
 Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, double sign);
 
+/// Something that a pose has, along the motion.
+template <class OfPose>
+Measured of_poses(const Scan& scan, const OfPose& of_pose) {
+    const auto at = [of_pose]<class T>(SignalsAgain<T>& s, const T& x) {
+        T value(missing);
+        s.at_pose(x, [&](const LoopPose<T>& pose) { value = of_pose(s, pose); });
+        return value;
+    };
+    return {scan, [at](SignalsAgain<double>& s, double x) { return at(s, x); },
+            [at](SignalsAgain<Digits50>& s, int order, const Digits50& x) -> Digits50 {
+                const Digits50 h = s.difference_step();
+                if (order == 0) return at(s, x);
+                const Digits50 before = at(s, Digits50(x - h)), after = at(s, Digits50(x + h));
+                if (order == 1) return (after - before) / (2 * h);
+                return (after - 2 * at(s, x) + before) / (h * h);
+            }};
+}
+
+/// The least over the motion of something that a pose has.
+template <class OfPose>
+Digits50 least_of_poses(const Scan& scan, const OfPose& of_pose) {
+    return extreme(of_poses(scan, of_pose), {{scan.from(), scan.to()}}, -1).value;
+}
+
 /// The mean over parts of the motion of a power of it, 1 or 2. Not a number where its integral does not settle.
 Digits50 mean_power(const Measured& f, const std::vector<Vector<double>>& parts, int power);
 

@@ -11,6 +11,7 @@
 
 #include "analysis/numbers/golden_section.h"
 #include "synthesis/mechanism/linkage/again/measured.h"
+#include "synthesis/mechanism/linkage/again/rooms_again.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/over_range.h"
 #include "synthesis/target/followed/arc.h"
@@ -20,7 +21,7 @@ namespace mechwright {
 
 namespace {
 
-using again::extreme, again::Measured, again::missing;
+using again::extreme, again::least_of_poses, again::Measured, again::missing, again::of_poses;
 
 /// A quantity's stretch as parts of the motion: one, or two where it runs through the end of a full turn; none where it
 /// is not in the motion.
@@ -93,30 +94,6 @@ Digits50 of_signal(const Scan& scan, const LinkageMeasure& q) {
                                pow(s.rate(), order);
                     }},
                    q);
-}
-
-/// Something that a pose has, along the motion.
-template <class OfPose>
-Measured of_poses(const Scan& scan, const OfPose& of_pose) {
-    const auto at = [of_pose]<class T>(SignalsAgain<T>& s, const T& x) {
-        T value(missing);
-        s.at_pose(x, [&](const LoopPose<T>& pose) { value = of_pose(s, pose); });
-        return value;
-    };
-    return {scan, [at](SignalsAgain<double>& s, double x) { return at(s, x); },
-            [at](SignalsAgain<Digits50>& s, int order, const Digits50& x) -> Digits50 {
-                const Digits50 h = s.difference_step();
-                if (order == 0) return at(s, x);
-                const Digits50 before = at(s, Digits50(x - h)), after = at(s, Digits50(x + h));
-                if (order == 1) return (after - before) / (2 * h);
-                return (after - 2 * at(s, x) + before) / (h * h);
-            }};
-}
-
-/// The least over the motion of something that a pose has.
-template <class OfPose>
-Digits50 least_of_poses(const Scan& scan, const OfPose& of_pose) {
-    return extreme(of_poses(scan, of_pose), {{scan.from(), scan.to()}}, -1).value;
 }
 
 /// The distance of the guided point from what it follows at its greatest, or how far it follows.
@@ -267,6 +244,7 @@ Digits50 measure_linkage_again(const Motion& motion, std::span<const Digits50> d
     if (scan.empty()) return missing;
     if (q.kind == Kind::transmission_angle_worst) return worst_transmission(scan);
     if (q.kind == Kind::joint_distance_least) return least_joint_distance(scan);
+    if (again::is_of_place(q)) return again::of_place(scan, q);
     return of_signal(scan, q);
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "synthesis/mechanism/drawing/moving_design.h"
+#include "synthesis/mechanism/linkage/drawing/drawn_rooms.h"
 
 namespace mechwright {
 
@@ -99,6 +100,7 @@ Body ground(const MovingDesign& design, double symbol) {
         put(label.at);
     for (Guide& guide : body.guides)
         put(guide.from), put(guide.to);
+    add_rooms(design, body);
     return body;
 }
 

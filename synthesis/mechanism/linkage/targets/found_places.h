@@ -30,6 +30,8 @@ struct Term {
     double factor = 1;
     double constant = 0;
     std::size_t sample = 0;  ///< of a function: which of its samples, or of its extremes along the motion
+    /// Another signal that says the same at the place, which is where both do.
+    std::optional<linkage::Scaled> also{};
 
     double value() const { return constant + factor * place.value; }
 };
@@ -37,7 +39,8 @@ struct Term {
 /// What the components of a quantity are of, found for one design.
 struct Found {
     std::vector<Term> plus{};
-    std::vector<Term> minus{};  ///< of a range: those that are taken away
+    std::vector<Term> minus{};                        ///< of a range: those that are taken away
+    std::vector<Term> plus_across{}, minus_across{};  ///< of an area: those of the other range
     std::vector<linkage::MarginPlace> margins{};
     bool possible = true;
     double whole_turns = 0;  ///< by which the output of a function is counted on

@@ -1,0 +1,157 @@
+#include "synthesis/mechanism/linkage/again/rooms_again.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "synthesis/mechanism/linkage/again/measured.h"
+
+namespace mechwright::again {
+
+namespace {
+
+using Kind = LinkageMeasure::Kind;
+
+template <class T>
+Vector<T> as(const Vector<double>& at) {
+    return {T(at.x), T(at.y)};
+}
+
+/// The least over the motion of several functions of a pose, of(k, signals, pose) for k < count: of those that come
+/// near to the least at the samples.
+template <class Of>
+Digits50 least_of_several(const Scan& scan, std::size_t count, const Of& of) {
+    constexpr double near_best = 2e-2, infinity = std::numeric_limits<double>::infinity();
+    const SignalsAgain<double> plain = scan.plain(scan.at.size() / 2);
+    std::vector<double> seen(count, infinity);
+    double best = infinity, worst = -infinity;
+    for (const LoopPose<double>& pose : scan.poses)
+        for (std::size_t k = 0; k < count; ++k) {
+            const double one = of(k, plain, pose);
+            seen[k] = std::min(seen[k], one);
+            best = std::min(best, one);
+            worst = std::max(worst, one);
+        }
+    Digits50 least = infinity;
+    for (std::size_t k = 0; k < count; ++k)
+        if (seen[k] <= best + near_best * (worst - best))
+            least = std::min<Digits50>(
+                least, least_of_poses(scan, [&of, k]<class T>(const SignalsAgain<T>& s, const LoopPose<T>& pose) {
+                    return of(k, s, pose);
+                }));
+    return isfinite(least) ? least : Digits50(missing);
+}
+
+/// How far the farthest pins of a room are apart along its width or its height, all over the motion.
+Digits50 side_of(const Scan& scan, const LinkageRoom& room, bool across) {
+    const auto farthest = [&](int sign) {
+        return least_of_several(
+            scan, room.pins.size(),
+            [&room, across, sign]<class T>(std::size_t k, const SignalsAgain<T>& s, const LoopPose<T>& pose) {
+                using std::cos, std::sin;
+                Vector<T> way{T(cos(T(room.direction))), T(sin(T(room.direction)))};
+                if (across) way = left_of(way);
+                return T(T(sign) * dot(s.in_drawing(room.pins[k], pose), way));
+            });
+    };
+    return -(farthest(1) + farthest(-1));
+}
+
+/// How far a point is inside of a region; negative outside, then by how much it is beyond a border.
+template <class T>
+T inside_by(const Vector<T>& at, const LinkageRegion& region) {
+    using std::cos, std::sin;
+    if (region.shape == LinkageRegion::Shape::circle) {
+        const Vector<T> from = at - as<T>(region.places.front());
+        return T(region.radius) - hypotenuse(from.x, from.y);
+    }
+    if (region.shape == LinkageRegion::Shape::half_plane)
+        return cross(Vector<T>{cos(T(region.direction)), sin(T(region.direction))}, at - as<T>(region.places.front()));
+    T least(0);
+    for (std::size_t i = 0; i < region.places.size(); ++i) {
+        const Vector<T> corner = as<T>(region.places[i]),
+                        side = as<T>(region.places[(i + 1) % region.places.size()]) - corner;
+        const T one = T(cross(side, at - corner) / hypotenuse(side.x, side.y));
+        if (i == 0 || one < least) least = one;
+    }
+    return least;
+}
+
+/// The margin of a region where it is that of points.
+Digits50 margin_of_points(const Scan& scan, const LinkageRegion& region) {
+    std::vector<std::size_t> pins;
+    for (const auto& part : region.parts)
+        pins.insert(pins.end(), part.begin(), part.end());
+    return least_of_several(scan, pins.size(),
+                            [&]<class T>(std::size_t k, const SignalsAgain<T>& s, const LoopPose<T>& pose) {
+                                const T by = inside_by(s.in_drawing(pins[k], pose), region);
+                                return region.inside ? by : T(-by);
+                            });
+}
+
+/// The distance of a point from a segment.
+template <class T>
+T distance_from_segment(const Vector<T>& at, const Vector<T>& a, const Vector<T>& b) {
+    const Vector<T> side = b - a, way = at - a;
+    const T square = dot(side, side), along = dot(side, way);
+    const Vector<T> from = !(along > T(0)) ? way : along < square ? way - T(along / square) * side : at - b;
+    return hypotenuse(from.x, from.y);
+}
+
+/// How far the hulls of two sets of points are apart, by all pairs of points of each: overlapping, by all directions
+/// across these; else the least distance of a point from a segment.
+template <class T>
+T apart(const std::vector<Vector<T>>& first, const std::vector<Vector<T>>& second) {
+    T deepest(-std::numeric_limits<double>::infinity()), nearest(std::numeric_limits<double>::infinity());
+    for (const auto& [one, other] : {std::pair(&first, &second), {&second, &first}})
+        for (const Vector<T>& a : *one)
+            for (const Vector<T>& b : *one) {
+                for (const Vector<T>& at : *other)
+                    nearest = std::min<T>(nearest, distance_from_segment(at, a, b));
+                const Vector<T> side = b - a;
+                const T length = hypotenuse(side.x, side.y);
+                if (!(length > T(0))) continue;
+                T least(std::numeric_limits<double>::infinity()), most = -least;
+                for (const Vector<T>& at : *other)
+                    least = std::min<T>(least, cross(side, at - a) / length);
+                for (const Vector<T>& at : *one)
+                    most = std::max<T>(most, cross(side, at - a) / length);
+                deepest = std::max<T>(deepest, least - most);
+            }
+    return deepest < T(0) && (first.size() > 1 || second.size() > 1) ? deepest : nearest;
+}
+
+/// Where links keep out of a polygon or a circle.
+Digits50 margin_outside(const Scan& scan, const LinkageRegion& region) {
+    return least_of_several(scan, region.parts.size(),
+                            [&region]<class T>(std::size_t k, const SignalsAgain<T>& s, const LoopPose<T>& pose) {
+                                std::vector<Vector<T>> part, outline;
+                                for (const std::size_t pin : region.parts[k])
+                                    part.push_back(s.in_drawing(pin, pose));
+                                for (const Vector<double>& place : region.places)
+                                    outline.push_back(as<T>(place));
+                                return T(apart(part, outline) - T(region.radius));
+                            });
+}
+
+}  // namespace
+
+bool is_of_place(const LinkageMeasure& measure) {
+    return measure.kind == Kind::room_width || measure.kind == Kind::room_height || measure.kind == Kind::room_area ||
+           measure.kind == Kind::region_margin;
+}
+
+Digits50 of_place(const Scan& scan, const LinkageMeasure& measure) {
+    if (measure.kind == Kind::region_margin) {
+        const LinkageRegion& region = scan.model.regions[measure.of_room];
+        return region.is_by_points() ? margin_of_points(scan, region) : margin_outside(scan, region);
+    }
+    const LinkageRoom& room = scan.model.rooms[measure.of_room];
+    if (measure.kind == Kind::room_width) return side_of(scan, room, false);
+    if (measure.kind == Kind::room_height) return side_of(scan, room, true);
+    return side_of(scan, room, false) * side_of(scan, room, true);
+}
+
+}  // namespace mechwright::again

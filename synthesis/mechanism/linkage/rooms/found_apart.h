@@ -1,0 +1,138 @@
+#pragma once
+/// \file
+/// Where parts of a linkage come closest to a region out of which they keep, found for one design, with the signals
+/// that say by how much.
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "analysis/linkage/measuring/closest.h"
+#include "synthesis/mechanism/linkage/targets/found_places.h"
+
+namespace mechwright::measuring {
+
+using linkage::ClosestPlace;
+using linkage::ConvexOutline;
+
+/// A part as the outline of its pins: their convex hull on the first link that has them all.
+inline ConvexOutline outline_of_part(const Over& over, std::span<const double> dimensions,
+                                     const std::vector<std::size_t>& part) {
+    const auto& pins = over.model.structure.pins;
+    for (const linkage::Point& point : pins[part.front()].points) {
+        const auto is_on_it = [&](std::size_t pin) { return linkage::is_on(pins[pin], point.link); };
+        if (!std::all_of(part.begin(), part.end(), is_on_it)) continue;
+        const std::vector<double> numbers = numbers_of(over.model, dimensions);
+        std::vector<Vector<double>> places;
+        for (const std::size_t pin : part)
+            places.push_back(
+                linkage::place_of(linkage::coordinates_on(pins[pin], point.link), std::span<const double>(numbers)));
+        ConvexOutline outline;
+        for (const std::size_t corner : convex_hull(places))
+            outline.pins.push_back(part[corner]);
+        return outline;
+    }
+    return {part, {}};
+}
+
+/// A region as an outline about which there are `radius`.
+inline ConvexOutline outline_of_region(const LinkageRegion& region, double unit) {
+    ConvexOutline outline;
+    for (const Vector<double>& place : region.places)
+        outline.places.push_back((1 / unit) * place);
+    return outline;
+}
+
+/// A separation of a part and a region as a signal, times a factor, plus a constant.
+struct SignalOfSeparation {
+    Signal signal{};
+    double factor = 1;
+    double constant = 0;
+};
+
+inline SignalOfSeparation signal_of(const Separation& by, const ConvexOutline& part, const ConvexOutline& region) {
+    using Of = Separation::Of;
+    const auto& corners = region.places;
+    const auto next = [](const auto& all, std::size_t i) { return all[(i + 1) % all.size()]; };
+    if (by.of == Of::corners)
+        return {{.kind = Signal::Kind::from_place, .of = part.pins[by.first], .place = corners[by.second]}};
+    if (by.of == Of::side_of_first)
+        return {{.kind = Signal::Kind::place_from_line,
+                 .to = part.pins[by.first],
+                 .end = next(part.pins, by.first),
+                 .place = corners[by.second]},
+                -1};
+    const Vector<double> side = next(corners, by.second) - corners[by.second];
+    const Vector<double> outward = (-1 / std::hypot(side.x, side.y)) * left_of(side);
+    return {{.kind = Signal::Kind::along, .of = part.pins[by.first], .number = std::atan2(outward.y, outward.x)},
+            1,
+            -dot(outward, corners[by.second])};
+}
+
+/// Puts the place of a term exactly where it is stationary, or where both of its signals say the same.
+template <std::size_t K>
+void settle(linkage::Measured<double, K>& plain, const Course& course, Term& term) {
+    constexpr int steps = 3;
+    constexpr double farthest = 1e-4;  // it is found to much less
+    const linkage::WithinPiece in_piece(plain, term.place.within);
+    const auto value = [&](std::size_t signal) {
+        return plain.value(signal, term.place.at, course.turns.near(term.place.at), term.place.limit);
+    };
+    if constexpr (K >= 2)
+        for (int i = 0; term.place.stationary && i < steps; ++i) {
+            const auto f = value(term.asked.signal);
+            double step = -f.derivative(1) / f.derivative(2);
+            if (term.also) {
+                const auto other = value(term.also->signal);
+                const double apart =
+                    (term.factor * f.c[0] + term.constant) - (term.also->factor * other.c[0] + term.also->constant);
+                step = -apart / (term.factor * f.derivative(1) - term.also->factor * other.derivative(1));
+            }
+            step *= plain.rate();
+            if (!(std::abs(step) < farthest)) break;
+            term.place.at += step;
+        }
+    term.place.value = value(term.asked.signal).c[0];
+}
+
+/// The places, and their signals.
+struct FoundApart {
+    std::vector<Signal> signals{};
+    Found found{};
+};
+
+/// Where the parts of a region out of which they keep come closest to it.
+inline FoundApart closest_to_region(const Over& over, std::span<const double> dimensions, const Course& course) {
+    const LinkageRegion& region = over.model.regions[over.measure.of_room];
+    const double unit = over.model.unit;
+    const ConvexOutline outline = outline_of_region(region, unit);
+    const linkage::Placing<double> placing = placing_of<double>(over, dimensions, {});
+    const linkage::Driven<double> driven = over.driven(dimensions);
+    FoundApart made;
+    const auto add_signal = [&](const SignalOfSeparation& of) {
+        made.signals.push_back(of.signal);
+        return made.signals.size() - 1;
+    };
+    for (const std::vector<std::size_t>& pins : region.parts) {
+        const ConvexOutline part = outline_of_part(over, dimensions, pins);
+        const auto places = linkage::closest_places(driven, placing, course, part, outline);
+        made.found.possible = made.found.possible && !places.empty();
+        for (const ClosestPlace& one : places) {
+            const SignalOfSeparation by = signal_of(one.by, part, outline);
+            Term term{{add_signal(by), 0}, one.place, by.factor, by.constant - region.radius / unit};
+            term.place.value = (one.place.value - region.radius / unit - term.constant) / term.factor;
+            if (one.and_by) {
+                const SignalOfSeparation other = signal_of(*one.and_by, part, outline);
+                term.also = linkage::Scaled{add_signal(other), other.factor, other.constant - region.radius / unit};
+            }
+            made.found.plus.push_back(std::move(term));
+        }
+    }
+    made.found.possible = made.found.possible && !made.found.plus.empty();
+    keep_least(made.found.plus, most_extremes);
+    return made;
+}
+
+}  // namespace mechwright::measuring
