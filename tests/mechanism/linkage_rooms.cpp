@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -451,6 +453,169 @@ of = ["crank"]
 polygon = [[2, -2.12], [2.4, -2.1], [2.41, -1.9], [2, -1.9]]
 )",
                        {"bay.margin", "disc.margin", "post.margin", "box.margin", "bar.margin", "thin.margin"});
+}
+
+/// The box of the points of a design against a scan, to what steps leave.
+void expect_scanned_box(const AnalysedRoom& found, const std::string& room, const std::vector<std::string>& points,
+                        double direction, double size) {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        all.push_back(i);
+    const Vector<double> box = scanned_box(ScannedRoom(found.design, points, 20000), all, direction);
+    EXPECT_NEAR(value_in(found.document, room + ".width"), box.x, 1e-6 * size);
+    EXPECT_NEAR(value_in(found.document, room + ".height"), box.y, 1e-6 * size);
+    EXPECT_GE(value_in(found.document, room + ".width"), box.x - 1e-12 * size);
+    EXPECT_GE(value_in(found.document, room + ".height"), box.y - 1e-12 * size);
+}
+
+/// A crank that swings between two limits of its dyad.
+TEST(LinkageRooms, OfMotionsThatEndAtLimitsAreThoseOfAScan) {
+    const AnalysedRoom found = analysed_room(testing::head + R"(
+[links]
+frame   = { A = [0, 0], D = [5, -0.1] }
+crank   = { A = [0, 0], B = [3.5, 0] }
+coupler = { B = [0, 0], C = [2.8, 0], P = [-1.7, -0.5] }
+rocker  = { D = [0, 0], C = [2.9, 0] }
+[drive]
+link = "crank"
+[[room]]
+name = "all"
+direction = 50
+[[room]]
+name = "end"
+of = ["C"]
+[[region]]
+name = "stop"
+keep = "out"
+of = ["rocker", "coupler"]
+circle = { centre = [9, 1], radius = 0.5 }
+)");
+    ASSERT_LT(found.design.motion.to - found.design.motion.from, 6);
+    expect_scanned_box(found, "all", {"A", "D", "B", "C", "P"}, 50, 5);
+    // The ends themselves are hardly in the scan: there the pin goes like the root of the way.
+    const Vector<double> end = scanned_box(ScannedRoom(found.design, {"C"}, 20000), {0}, 0);
+    EXPECT_NEAR(value_in(found.document, "end.width"), end.x, 1e-3);
+    EXPECT_NEAR(value_in(found.document, "end.height"), end.y, 1e-3);
+    const double margin = ScannedRoom(found.design, {"B", "C", "P", "D"}, 20000).least([](const PlacesOfRooms& pose) {
+        return std::min(between_outlines({pose[0], pose[1], pose[2]}, {{9, 1}}),
+                        between_outlines({pose[3], pose[1]}, {{9, 1}})) -
+               0.5;
+    });
+    EXPECT_NEAR(value_in(found.document, "stop.margin"), margin, 1e-3);
+    EXPECT_LE(value_in(found.document, "stop.margin"), margin + 1e-12);
+    expect_verified(found.document);
+}
+
+std::string shipped_for_room(const std::string& name) {
+    std::ifstream in(MECHWRIGHT_SOURCE_DIR "/problems/linkage/" + name + ".toml");
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::string with_given(std::string text, const std::string& line, const std::string& given) {
+    const std::size_t at = text.find(line);
+    EXPECT_NE(at, std::string::npos) << line;
+    return text.replace(at, text.find('\n', at) - at, given);
+}
+
+/// Its quill dwells, rises and dwells again: extremes are at breaks, too.
+TEST(LinkageRooms, KnowDrivesThatDwell) {
+    std::string text = shipped_for_room("pick-and-place");
+    text = text.substr(0, text.find("[[require]]"));
+    text = with_given(with_given(text, "crank = {", "crank = 60"), "rod   = {", "rod = 250");
+    const AnalysedRoom found = analysed_room(text + R"(
+[[room]]
+name = "quill"
+of = ["quill"]
+direction = 10
+[[region]]
+name = "fence"
+keep = "out"
+of = ["quill", "rod"]
+polygon = [[200, -90], [260, -90], [260, -72]]
+)");
+    expect_scanned_box(found, "quill", {"Q", "G"}, 10, 300);
+    const PlacesOfRooms fence{{200, -90}, {260, -90}, {260, -72}};
+    const double margin = ScannedRoom(found.design, {"Q", "G", "B", "C"}, 40000).least([&](const PlacesOfRooms& pose) {
+        return std::min(between_outlines({pose[0], pose[1]}, fence), between_outlines({pose[2], pose[3]}, fence));
+    });
+    EXPECT_NEAR(value_in(found.document, "fence.margin"), margin, 1e-4);
+    EXPECT_LE(value_in(found.document, "fence.margin"), margin + 1e-10);
+    expect_verified(found.document);
+}
+
+TEST(LinkageRooms, OfWhatASlideDrivesAreThoseOfAScan) {
+    const AnalysedRoom found = analysed_room(shipped_for_room("scissors-ram") + R"(
+[[room]]
+name = "lift"
+[[region]]
+name = "hall"
+keep = "in"
+half-plane = { through = [0, 1200], direction = 185 }
+)");
+    expect_scanned_box(found, "lift", {"A", "B", "M", "C", "D", "T"}, 0, 1000);
+    expect_verified(found.document);
+    const double margin =
+        ScannedRoom(found.design, {"A", "B", "M", "C", "D", "T"}, 20000).least([](const PlacesOfRooms& pose) {
+            double least = 1e9;
+            for (const Vector<double>& at : pose)
+                least = std::min(least, along_way(at - Vector<double>{0, 1200}, 275));
+            return least;
+        });
+    EXPECT_NEAR(value_in(found.document, "hall.margin"), margin, 1e-3);
+}
+
+/// Over a stretch whose ends are designed; beside it there are quantities over the whole motion.
+TEST(LinkageRooms, HaveExactDerivativesOverARangeOfUse) {
+    const ReadProblem read = testing::read_without_fault(testing::free_four_bar + R"(
+[motion]
+from = "first-target"
+to = "last-target"
+[poses]
+point = "P"
+link = "coupler"
+poses = [[4, 4, 10], [3, 4.5, 20], [2, 4.4, 35]]
+[[room]]
+name = "all"
+direction = 20
+[[room]]
+name = "plate"
+of = ["coupler"]
+[[region]]
+name = "bay"
+keep = "in"
+of = ["coupler", "A", "D"]
+polygon = [[-9, -9], [12, -8], [11, 12], [-8, 13]]
+[[region]]
+name = "post"
+keep = "out"
+of = ["coupler", "crank"]
+circle = { centre = [-4, 8], radius = 0.5 }
+)");
+    ASSERT_TRUE(read.ok());
+    const Mechanism& m = *read.problem.mechanism;
+    EXPECT_GE(find_quantity(m, "post.margin.whole"), 0);
+    EXPECT_GE(find_quantity(m, "all.area.whole"), 0);
+    std::size_t seen = 0;
+    for (const Quantity& quantity : m.input->quantities) {
+        if (!quantity.name.starts_with("all.") && !quantity.name.starts_with("plate.") &&
+            !quantity.name.ends_with(".margin"))
+            continue;
+        if (quantity.name == "full-turn-margin") continue;
+        ++seen;
+        // ground, crank, coupler, rocker, along, across, origin, tilt; start and range
+        std::vector<double> arguments{5, 2, 4.5, 4, 2.5, 3, 1, -2, 0.3};
+        arguments.resize(quantity.reads.size(), 0.1);
+        for (const double range : {1.3, -0.8}) {
+            std::vector<double> all = arguments;
+            all.insert(all.end(), {0.4, range});
+            Motion motion;
+            motion.is_range_of_use = true;
+            testing::expect_slopes(m, quantity, motion, all);
+        }
+    }
+    EXPECT_EQ(seen, 8u);
 }
 
 TEST(LinkageRegions, AreRequirements) {

@@ -80,6 +80,8 @@ public:
         if (!course.turns.empty()) measured_.start_at(course);
         if (over.over_input) ends_ = moving_ends(seeded[seeded_.size()], seeded[seeded_.size() + 1]);
         if (over.is_of_function()) measured_.ask(wanted(seeded, over.motion.function->series));
+        // Several points may be farthest in one pose.
+        if (is_of_room(over.measure.kind) || over.measure.kind == Kind::region_margin) measured_.keep_poses();
         arguments_ = seeded;
     }
 
@@ -198,13 +200,19 @@ private:
     /// A product of two differences, each of which is a candidate for a side of the box. The greatest is that of the
     /// sides: no other difference is as great without its sign.
     void add_areas(std::vector<T>& out) {
-        std::vector<T> widths, heights;
-        for (const Term& high : found_.plus)
-            for (const Term& low : found_.minus)
-                widths.push_back(value(high) - value(low));
-        for (const Term& high : found_.plus_across)
-            for (const Term& low : found_.minus_across)
-                heights.push_back(value(high) - value(low));
+        const auto differences = [&](const std::vector<Term>& plus, const std::vector<Term>& minus) {
+            std::vector<T> low, all;
+            for (const Term& term : minus)
+                low.push_back(value(term));
+            for (const Term& term : plus) {
+                const T high = value(term);
+                for (const T& one : low)
+                    all.push_back(high - one);
+            }
+            return all;
+        };
+        const std::vector<T> widths = differences(found_.plus, found_.minus),
+                             heights = differences(found_.plus_across, found_.minus_across);
         for (const T& width : widths)
             for (const T& height : heights)
                 out.push_back(width * height);
@@ -327,17 +335,13 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
             plain.keep_poses();
             found = found_of_all(over, plain, course);
         } else if (is_of_room(kind)) {
-            plain.keep_poses();
-            found = found_of_room(over, plain, course);
+            found = found_of_room(over, plain, course, dimensions);
         } else if (keeps_out(over)) {
             found = std::move(apart);
-            for (Term& term : found.plus)
-                settle(plain, course, term);
-            keep_least(found.plus, most_extremes);
+            settle_some(plain, course, found.plus, most_extremes, keep_least);
             found.possible = std::isfinite(found.plus.front().value());
         } else if (kind == Kind::region_margin) {
-            plain.keep_poses();
-            found = found_of_points(over, plain, course);
+            found = found_of_points(over, plain, course, dimensions);
         } else {
             const auto asked = kind == Kind::at ? std::optional(std::array{over.measure.input, over.measure.input})
                                                 : over.measure.stretch;

@@ -17,8 +17,7 @@ std::optional<Box> box_of(const Motion& motion, std::span<const double> dimensio
     auto plain = measured<double, 2>(over, dimensions, std::span<const Signal>(signals));
     const Course course = course_of(over, dimensions, plain, signals);
     if (needs_turns(over, signals) && (course.turns.empty() || course.turns.to() < course.travel.to)) return {};
-    plain.keep_poses();
-    const Found found = found_of_room(over, plain, course);
+    const Found found = found_of_room(over, plain, course, dimensions);
     if (!found.possible) return {};
     return Box{{found.minus.front().value(), found.plus.front().value()},
                {found.minus_across.front().value(), found.plus_across.front().value()}};

@@ -9,12 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/linkage/measuring/closest.h"
-#include "synthesis/mechanism/linkage/targets/found_places.h"
+#include "synthesis/mechanism/linkage/rooms/found_room.h"
 
 namespace mechwright::measuring {
 
-using linkage::ClosestPlace;
 using linkage::ConvexOutline;
 
 /// A part as the outline of its pins: their convex hull on the first link that has them all.
@@ -71,32 +69,6 @@ inline SignalOfSeparation signal_of(const Separation& by, const ConvexOutline& p
             -dot(outward, corners[by.second])};
 }
 
-/// Puts the place of a term exactly where it is stationary, or where both of its signals say the same.
-template <std::size_t K>
-void settle(linkage::Measured<double, K>& plain, const Course& course, Term& term) {
-    constexpr int steps = 3;
-    constexpr double farthest = 1e-4;  // it is found to much less
-    const linkage::WithinPiece in_piece(plain, term.place.within);
-    const auto value = [&](std::size_t signal) {
-        return plain.value(signal, term.place.at, course.turns.near(term.place.at), term.place.limit);
-    };
-    if constexpr (K >= 2)
-        for (int i = 0; term.place.stationary && i < steps; ++i) {
-            const auto f = value(term.asked.signal);
-            double step = -f.derivative(1) / f.derivative(2);
-            if (term.also) {
-                const auto other = value(term.also->signal);
-                const double apart =
-                    (term.factor * f.c[0] + term.constant) - (term.also->factor * other.c[0] + term.also->constant);
-                step = -apart / (term.factor * f.derivative(1) - term.also->factor * other.derivative(1));
-            }
-            step *= plain.rate();
-            if (!(std::abs(step) < farthest)) break;
-            term.place.at += step;
-        }
-    term.place.value = value(term.asked.signal).c[0];
-}
-
 /// The places, and their signals.
 struct FoundApart {
     std::vector<Signal> signals{};
@@ -108,8 +80,7 @@ inline FoundApart closest_to_region(const Over& over, std::span<const double> di
     const LinkageRegion& region = over.model.regions[over.measure.of_room];
     const double unit = over.model.unit;
     const ConvexOutline outline = outline_of_region(region, unit);
-    const linkage::Placing<double> placing = placing_of<double>(over, dimensions, {});
-    const linkage::Driven<double> driven = over.driven(dimensions);
+    linkage::PlacedPins placed(over.driven(dimensions), placing_of<double>(over, dimensions, {}), course);
     FoundApart made;
     const auto add_signal = [&](const SignalOfSeparation& of) {
         made.signals.push_back(of.signal);
@@ -117,7 +88,7 @@ inline FoundApart closest_to_region(const Over& over, std::span<const double> di
     };
     for (const std::vector<std::size_t>& pins : region.parts) {
         const ConvexOutline part = outline_of_part(over, dimensions, pins);
-        const auto places = linkage::closest_places(driven, placing, course, part, outline);
+        const auto places = linkage::closest_places(placed, part, outline);
         made.found.possible = made.found.possible && !places.empty();
         for (const ClosestPlace& one : places) {
             const SignalOfSeparation by = signal_of(one.by, part, outline);
@@ -131,7 +102,7 @@ inline FoundApart closest_to_region(const Over& over, std::span<const double> di
         }
     }
     made.found.possible = made.found.possible && !made.found.plus.empty();
-    keep_least(made.found.plus, most_extremes);
+    keep_least(made.found.plus, most_extremes + 2);
     return made;
 }
 
