@@ -1,5 +1,7 @@
 #include "synthesis/study/tolerance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/math/special_functions/erf.hpp>
@@ -14,27 +16,13 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/csv/csv_text.h"
 #include "synthesis/solve/solve.h"
+#include "synthesis/study/iso_tolerances.h"
 #include "synthesis/target/path/rows/nearest_point.h"
 
 namespace mechwright {
 
 namespace {
 
-/// Steps of nominal sizes up to and including so many millimetres, and the tolerances of grades 5 to 13 in micrometres:
-/// ISO 286-1:2010, table 1.
-constexpr std::array<double, 13> size_steps{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
-constexpr int least_grade = 5;
-constexpr std::array<std::array<int, 13>, 9> tolerances{{
-    {4, 5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25, 27},
-    {6, 8, 9, 11, 13, 16, 19, 22, 25, 29, 32, 36, 40},
-    {10, 12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57, 63},
-    {14, 18, 22, 27, 33, 39, 46, 54, 63, 72, 81, 89, 97},
-    {25, 30, 36, 43, 52, 62, 74, 87, 100, 115, 130, 140, 155},
-    {40, 48, 58, 70, 84, 100, 120, 140, 160, 185, 210, 230, 250},
-    {60, 75, 90, 110, 130, 160, 190, 220, 250, 290, 320, 360, 400},
-    {100, 120, 150, 180, 210, 250, 300, 350, 400, 460, 520, 570, 630},
-    {140, 180, 220, 270, 330, 390, 460, 540, 630, 720, 810, 890, 970},
-}};
 /// A zone of tolerance is so many standard deviations wide.
 constexpr double deviations_in_zone = 6;
 
@@ -92,13 +80,6 @@ void count_on(const std::vector<double>& beside, double cycle, std::vector<doubl
 
 }  // namespace
 
-std::optional<double> iso_tolerance(int grade, double size) {
-    const int row = grade - least_grade;
-    if (row < 0 || row >= static_cast<int>(tolerances.size()) || !(size > 0) || size > size_steps.back()) return {};
-    const auto step = std::lower_bound(size_steps.begin(), size_steps.end(), size) - size_steps.begin();
-    return tolerances[static_cast<std::size_t>(row)][static_cast<std::size_t>(step)] * 1e-3;
-}
-
 std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared, const StudyRunOptions& options,
                                                   std::string& why) {
     TolerancedDesign design{prepared.base, {}, {}};
@@ -114,16 +95,19 @@ std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared,
     design.nominal = *result.best;
     for (const Deviation& deviation : prepared.study->deviations) {
         const Dimension& dimension = design.problem.mechanism->dimensions[deviation.dimension];
-        if (deviation.grade == 0) {
+        if (deviation.grade == 0 && deviation.general == 0) {
             design.sizes.push_back(deviation.size);
             continue;
         }
         const double size = design.nominal.design.dimensions[deviation.dimension];
-        const auto zone = iso_tolerance(deviation.grade, size);
+        const auto zone =
+            deviation.grade > 0 ? iso_tolerance(deviation.grade, size) : general_tolerance(deviation.general, size);
         if (!zone) {
-            why = "'" + std::string(dimension.name) +
-                  "' is longer than 500 mm: the grades of ISO 286 end there; write { normal = ... } or "
-                  "{ uniform = ... } for it";
+            why = fmt::format(
+                "'{}' is {} mm, for which {} has no tolerance: write {{ normal = ... }} or {{ uniform = "
+                "... }} for it",
+                dimension.name, size,
+                deviation.grade > 0 ? "ISO 286 (up to 3150 mm)" : "this class of ISO 2768 (0.5 to 4000 mm)");
             return {};
         }
         design.sizes.push_back(*zone / (deviation.uniform ? 2 : deviations_in_zone));

@@ -20,16 +20,13 @@ struct TolerancedDesign {
     std::vector<double> sizes;  ///< one for each deviation of the study: standard deviation, or half the width
 };
 
-/// The tolerance of a grade of ISO 286-1 for a size in millimetres (0 < size <= 500), in millimetres; nothing for
-/// other sizes and grades. Grades 5 to 13.
-std::optional<double> iso_tolerance(int grade, double size);
-
 /// The design that a file gives, or that is found for it. Where there is none, `why` says so.
 std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared, const StudyRunOptions& options,
                                                   std::string& why);
 
-/// A piece: every dimension with its deviation, drawn for this sample alone. A grade's zone lies evenly about the
-/// nominal size and is six standard deviations wide, or the whole width of a uniform distribution.
+/// A piece: every dimension with its deviation, drawn for this sample alone. The zone of a grade or a
+/// class lies evenly about the nominal size and is six standard deviations wide, or the whole width of a uniform
+/// distribution.
 Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_t number);
 
 /// The derivatives of a quantity with respect to the dimensions, in the problem's inner units, from the exact gradients

@@ -117,6 +117,9 @@ TEST(Study, TolerancesAreRead) {
     ASSERT_EQ(s.deviations.size(), 4u);
     EXPECT_EQ(s.deviations[0].grade, 7);
     EXPECT_EQ(s.deviations[1].size, 0.01);
+    const ReadProblem general = read(study("count = 100\n[study.tolerance]\nlengths = \"ISO 2768-c\"\n"));
+    ASSERT_TRUE(accepted(general));
+    EXPECT_EQ(general.problem.study->deviations[3].general, 3);
 }
 
 TEST(Study, WrongTolerancesAreErrors) {
@@ -127,7 +130,8 @@ TEST(Study, WrongTolerancesAreErrors) {
     EXPECT_TRUE(only_says(read(tolerance("cranck = \"IT7\"")), "p.toml:14:1", {"'cranck'", "'crank'"}));
     EXPECT_TRUE(only_says(read(tolerance("crank = { normal = -1 }")), "p.toml:14:20", {"greater than 0"}));
     EXPECT_TRUE(only_says(read(tolerance("crank = { normal = 1, uniform = 1 }")), "p.toml:14:9", {"needs one of"}));
-    EXPECT_TRUE(only_says(read(tolerance("tilt = \"IT7\"")), "p.toml:14:8", {"grades are for lengths"}));
+    EXPECT_TRUE(
+        only_says(read(tolerance("tilt = \"IT7\"")), "p.toml:14:8", {"tolerances of standards are for lengths"}));
     EXPECT_TRUE(says(read(tolerance("crank = \"IT7\"\n[units]\nlength = \"in\"")), "p.toml:14:9", {"millimetres"}));
     EXPECT_TRUE(only_says(read(study("count = 9\n\"dimensions.ground\" = [90]\n[study.tolerance]\ncrank = \"IT7\"\n")),
                           "p.toml:14:1", {"not both"}));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/study/iso_tolerances.h"
 #include "tests/study/studies.h"
 
 namespace mechwright::testing {
@@ -19,23 +20,42 @@ TEST(IsoTolerance, IsThatOfTheTable) {
     EXPECT_EQ(iso_tolerance(8, 3), 0.014);
     EXPECT_EQ(iso_tolerance(11, 100), 0.220);
     EXPECT_EQ(iso_tolerance(5, 500), 0.027);
-    EXPECT_FALSE(iso_tolerance(7, 501));
+    EXPECT_EQ(iso_tolerance(7, 501), 0.070);
+    EXPECT_EQ(iso_tolerance(13, 3150), 3.3);
+    EXPECT_FALSE(iso_tolerance(7, 3151));
     EXPECT_FALSE(iso_tolerance(4, 25));
     EXPECT_FALSE(iso_tolerance(7, 0));
 }
 
-/// From grade 6 on a tolerance is that of the standard's unit i = 0.45 D^(1/3) + 0.001 D (micrometres) times 10, 16,
+/// From grade 6 on a tolerance is that of the standard's unit i = 0.45 D^(1/3) + 0.001 D (micrometres), above 500 mm
+/// I = 0.004 D + 2.1, times 10, 16,
 /// 25, 40, 64, 100, 160, 250, D the geometric mean of the step; rounded to whole micrometres up to grade 11, from then
 /// on ten times the rounded value of five grades below.
 TEST(IsoTolerance, FollowsTheStandardsFormula) {
-    const std::vector<double> ends{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
+    const std::vector<double> ends{3,   6,   10,  18,  30,   50,   80,   120,  180,  250, 315,
+                                   400, 500, 630, 800, 1000, 1250, 1600, 2000, 2500, 3150};
     const std::vector<double> factors{10, 16, 25, 40, 64, 100, 160, 250};
     for (std::size_t grade = 0; grade < factors.size(); ++grade)
         for (std::size_t k = 1; k < ends.size(); ++k) {
             const double d = std::sqrt(ends[k] * ends[k - 1]);
-            const double formula = factors[grade] * (0.45 * std::cbrt(d) + 0.001 * d);
+            const double unit = d < 500 ? 0.45 * std::cbrt(d) + 0.001 * d : 0.004 * d + 2.1;
+            const double formula = factors[grade] * unit;
             EXPECT_NEAR(*iso_tolerance(static_cast<int>(grade) + 6, ends[k]) * 1000, formula, 0.5 + 0.05 * formula);
         }
+}
+
+/// ISO 2768-1, table 1: limit deviations, of which the zone is twice as wide.
+TEST(GeneralTolerance, IsThatOfTheTable) {
+    EXPECT_EQ(general_tolerance(1, 30), 0.2);
+    EXPECT_EQ(general_tolerance(2, 30.1), 0.6);
+    EXPECT_EQ(general_tolerance(2, 400), 1.0);
+    EXPECT_EQ(general_tolerance(3, 1500), 6.0);
+    EXPECT_EQ(general_tolerance(4, 4000), 16.0);
+    EXPECT_FALSE(general_tolerance(1, 2500));  // f ends at 2000 mm
+    EXPECT_FALSE(general_tolerance(4, 2));     // v begins above 3 mm
+    EXPECT_FALSE(general_tolerance(2, 0.4));
+    EXPECT_FALSE(general_tolerance(5, 30));
+    EXPECT_FALSE(general_tolerance(0, 30));
 }
 
 TolerancedDesign design_of(const PreparedStudy& study) {

@@ -34,6 +34,8 @@ inline constexpr Words<4> charts{"map", "contours", "curves", "front"};
 
 /// Grades of ISO 286 that tolerances can have.
 inline constexpr int least_grade = 5, greatest_grade = 13;
+inline constexpr std::array<std::string_view, 4> general_tolerances{"ISO 2768-f", "ISO 2768-m", "ISO 2768-c",
+                                                                    "ISO 2768-v"};
 
 inline constexpr std::array units{
     Key{"angle", Shape::word, "Unit of all angles of the file. Preset: deg.", false, angle_units},
@@ -245,8 +247,8 @@ inline constexpr std::array steps{
 inline constexpr std::array deviation{
     Key{"normal", Shape::number, "Standard deviation.", false, {}, {}, positive},
     Key{"uniform", Shape::number, "Half the width.", false, {}, {}, positive},
-    Key{"grade", Shape::name, "Tolerance of this grade of ISO 286."},
-    Key{"distribution", Shape::word, "Of a grade. Preset: normal.", false, distributions}};
+    Key{"grade", Shape::name, "Tolerance of this grade of ISO 286, or of this class of ISO 2768."},
+    Key{"distribution", Shape::word, "Of a grade or a class. Preset: normal.", false, distributions}};
 
 inline constexpr std::array chart{
     Key{"kind", Shape::word, "What is drawn.", true, charts},
@@ -275,8 +277,8 @@ inline constexpr std::array study{
     Key{"seed", Shape::whole_number, "What random points are drawn from. Preset: 1.", false, {}, {}, {.least = 0}},
     Key{"quantities", Shape::texts, "Quantities that are kept. Preset: all."},
     Key{"tolerance", Shape::value,
-        "By how much dimensions are off from piece to piece: a grade of ISO 286, { normal = ... } or { uniform = ... "
-        "}; "
+        "By how much dimensions are off from piece to piece: a grade of ISO 286 (\"IT7\"), a class of ISO 2768 (\"ISO "
+        "2768-m\"), { normal = ... } or { uniform = ... }; "
         "'lengths' for all lengths that are not named."},
     Key{"case", Shape::value, "A named set of values, by their paths, that change together."},
     Key{"chart", Shape::tables, "A picture of the study's data.", false, {}, chart}};

@@ -66,11 +66,12 @@ Json dimensions_of(const Mechanism& mechanism) {
             {"additionalProperties", false}};
 }
 
-/// A grade of ISO 286, or a table that says a deviation.
+/// A grade of ISO 286, a class of ISO 2768, or a table that says a deviation.
 Json deviation() {
     std::vector<std::string> grades;
     for (int grade = keys::least_grade; grade <= keys::greatest_grade; ++grade)
         grades.push_back(fmt::format("IT{}", grade));
+    grades.insert(grades.end(), keys::general_tolerances.begin(), keys::general_tolerances.end());
     Json table = table_of(keys::deviation);
     table["properties"]["grade"].update(one_of(grades));
     return any_of({one_of(grades), std::move(table)});

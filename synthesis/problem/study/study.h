@@ -55,6 +55,7 @@ struct Deviation {
     bool uniform = false;  ///< else normal
     double size = 0;       ///< half the width, or the standard deviation; in the problem's inner units
     int grade = 0;         ///< of ISO 286, which says the size; 0: none
+    int general = 0;       ///< class of ISO 2768 that says it: 1 to 4 for f, m, c, v; 0: none
 };
 
 enum class ChartKind { map, contours, curves, front };

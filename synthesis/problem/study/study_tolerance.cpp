@@ -16,31 +16,41 @@ namespace {
 /// Every length that is not named by itself.
 constexpr std::string_view all_lengths = "lengths";
 
-/// "IT7": 7.
-std::optional<int> to_grade(const toml::node& node, std::string_view what, const Problem& problem, Messages& messages) {
+/// "IT7": the grade 7 of ISO 286; "ISO 2768-m": the class m of ISO 2768.
+bool read_standard(const toml::node& node, std::string_view what, const Problem& problem, Deviation& deviation,
+                   Messages& messages) {
     const auto word = node.value_exact<std::string_view>();
     if (!word) {
-        report_kind(node, what, "a grade of ISO 286 in quotes, as in \"IT7\"", messages);
-        return {};
+        report_kind(node, what, "a grade of ISO 286 or a class of ISO 2768 in quotes, as in \"IT7\" or \"ISO 2768-m\"",
+                    messages);
+        return false;
     }
     int grade = 0;
     const bool it = word->starts_with("IT");
     const auto [end, error] = std::from_chars(word->data() + (it ? 2 : 0), word->data() + word->size(), grade);
-    if (!it || error != std::errc{} || end != word->data() + word->size() || grade < keys::least_grade ||
-        grade > keys::greatest_grade) {
+    const bool is_grade = it && error == std::errc{} && end == word->data() + word->size() &&
+                          grade >= keys::least_grade && grade <= keys::greatest_grade;
+    const auto general = std::find(keys::general_tolerances.begin(), keys::general_tolerances.end(), *word);
+    if (!is_grade && general == keys::general_tolerances.end()) {
         add_error(messages, place_of(node),
-                  fmt::format("{} must be a grade of ISO 286 from \"IT{}\" to \"IT{}\", not {}", what,
-                              keys::least_grade, keys::greatest_grade, reading::quoted(*word)));
-        return {};
+                  fmt::format("{} must be a grade of ISO 286 from \"IT{}\" to \"IT{}\", or a class of ISO 2768 ({}), "
+                              "not {}",
+                              what, keys::least_grade, keys::greatest_grade, listed(keys::general_tolerances),
+                              reading::quoted(*word)));
+        return false;
     }
     if (problem.units.length != "mm") {
         add_error(messages, place_of(node),
-                  fmt::format("grades of ISO 286 are for millimetres; the lengths of this file are in {}: write "
+                  fmt::format("tolerances of standards are for millimetres; the lengths of this file are in {}: write "
                               "{{ normal = ... }} or {{ uniform = ... }}",
                               reading::quoted(problem.units.length)));
-        return {};
+        return false;
     }
-    return grade;
+    if (is_grade)
+        deviation.grade = grade;
+    else
+        deviation.general = static_cast<int>(general - keys::general_tolerances.begin()) + 1;
+    return true;
 }
 
 std::optional<Deviation> read_table(const toml::node& node, const std::string& what, const Problem& problem,
@@ -60,7 +70,7 @@ std::optional<Deviation> read_table(const toml::node& node, const std::string& w
     }
     if (const toml::node* grade = find(section, "grade")) {
         ++given;
-        deviation.grade = to_grade(*grade, name_of(section, "grade"), problem, messages).value_or(0);
+        read_standard(*grade, name_of(section, "grade"), problem, deviation, messages);
         deviation.uniform = read_choice(section, "distribution", "distribution", messages) == 1u;
     }
     if (given != 1) {
@@ -77,7 +87,7 @@ std::optional<Deviation> to_deviation(const toml::node& node, const std::string&
                                       Messages& messages) {
     if (node.is_table()) return read_table(node, what, problem, messages);
     Deviation deviation;
-    deviation.grade = to_grade(node, what, problem, messages).value_or(0);
+    read_standard(node, what, problem, deviation, messages);
     return deviation;
 }
 
@@ -100,9 +110,10 @@ void read_tolerance(Section& study_section, Study& study, const Problem& problem
         std::optional<Deviation> deviation;
         if (const toml::node* node = find(*section, dimension.name)) {
             deviation = to_deviation(*node, name_of(*section, dimension.name), problem, messages);
-            if (deviation && deviation->grade > 0 && dimension.kind != DimensionKind::length)
+            if (deviation && (deviation->grade > 0 || deviation->general > 0) &&
+                dimension.kind != DimensionKind::length)
                 add_error(messages, place_of(*node),
-                          "grades are for lengths: write { normal = ... } or { uniform = ... }");
+                          "tolerances of standards are for lengths: write { normal = ... } or { uniform = ... }");
             if (deviation && angle) deviation->size = to_radians(problem.units, deviation->size);
         } else if (dimension.kind == DimensionKind::length) {
             deviation = of_lengths;
