@@ -236,6 +236,44 @@ void read_half_plane(LinkageReading& reading, Section& section, LinkageRegion& r
     report_unknown_keys(*plane, reading.messages);
 }
 
+/// Another link, with whose points no part has one in common: they always would touch there.
+void read_moving(LinkageReading& reading, Section& section, LinkageRegion& region) {
+    region.shape = Shape::link;
+    if (region.inside)
+        add_error(
+            reading.messages, place_of(section, "keep"),
+            fmt::format("{} has a 'link', which parts can keep out of only: write keep = \"out\"", section.title));
+    std::optional<Section> moving = read_section(section, "link", reading.messages);
+    if (!moving) return;
+    const double width = read_number(*moving, "width", reading.messages).value_or(0);
+    region.radius = 0.5 * width;
+    if (width < 0)
+        add_error(reading.messages, place_of(*moving, "width"),
+                  fmt::format("{} must be 0 or more", name_of(*moving, "width")));
+    const linkage::Structure& s = reading.made.structure;
+    const auto link = read_link(reading, *moving, "name", true);
+    report_unknown_keys(*moving, reading.messages);
+    if (!link) return;
+    const FilePlace place = place_of(*moving, "name");
+    const std::string &name = reading.made.links[*link], what = name_of(*moving, "name");
+    if (*link == 0 || is_circular(s, *link))
+        return add_error(
+            reading.messages, place,
+            fmt::format("{}: '{}' has no outline: say its edge as a polygon, a circle or a half-plane", what, name));
+    region.pins = pins_on(s, *link);
+    if (region.pins.empty())
+        return add_error(reading.messages, place,
+                         fmt::format("{}: the link '{}' has no points: give it some where it reaches to", what, name));
+    for (const auto& part : region.parts)
+        for (const std::size_t pin : part)
+            if (linkage::is_on(s.pins[pin], *link))
+                return add_error(
+                    reading.messages, place,
+                    fmt::format("{}: '{}' has the point '{}' in common with what is to keep out of it: name others in "
+                                "'of'",
+                                what, name, reading.made.pins[pin]));
+}
+
 void read_region(LinkageReading& reading, Section& section) {
     LinkageRegion region;
     const auto name = read_own_name(reading, section, "NAME.margin");
@@ -249,7 +287,7 @@ void read_region(LinkageReading& reading, Section& section) {
     if (region.margin < 0)
         add_error(reading.messages, place_of(section, "margin"),
                   fmt::format("{} must be 0 or more", name_of(section, "margin")));
-    constexpr std::array<std::string_view, 3> shapes{"polygon", "circle", "half-plane"};
+    constexpr std::array<std::string_view, 4> shapes{"polygon", "circle", "half-plane", "link"};
     const auto count = std::count_if(shapes.begin(), shapes.end(),
                                      [&](std::string_view key) { return find(section, key) != nullptr; });
     if (count != 1)
@@ -257,8 +295,12 @@ void read_region(LinkageReading& reading, Section& section) {
                   fmt::format("{} needs exactly one of {}", section.title, listed(shapes)));
     else if (has(section, "polygon"))
         read_polygon(reading, section, region);
+    else if (has(section, "circle"))
+        read_circular(reading, section, region);
+    else if (has(section, "half-plane"))
+        read_half_plane(reading, section, region);
     else
-        has(section, "circle") ? read_circular(reading, section, region) : read_half_plane(reading, section, region);
+        read_moving(reading, section, region);
     report_unknown_keys(section, reading.messages);
     if (!name) return;
     region.name = *name;

@@ -112,6 +112,15 @@ inline constexpr std::array region_half_plane{
     Key{"through", Shape::value, "[x, y] of a place on its border, in the drawing's axes.", true},
     Key{"direction", Shape::number, "Angle of the border, to the left of which it lies.", true}};
 
+inline constexpr std::array region_link{Key{"name", Shape::text, "The link.", true},
+                                        Key{"width",
+                                            Shape::number,
+                                            "How wide it is about the outline of its points. Preset: 0.",
+                                            false,
+                                            {},
+                                            {},
+                                            not_negative}};
+
 inline constexpr std::array region{
     Key{"name", Shape::text, "What its quantity is called by: NAME.margin.", true},
     Key{"keep", Shape::word, "Whether parts have to stay in it, or out.", true, ways_to_keep},
@@ -119,6 +128,7 @@ inline constexpr std::array region{
     Key{"polygon", Shape::pairs, "Corners of a convex polygon, [x, y] in the drawing's axes."},
     Key{"circle", Shape::table, "A disc.", false, {}, region_circle},
     Key{"half-plane", Shape::table, "All that is to the left of a straight line.", false, {}, region_half_plane},
+    Key{"link", Shape::table, "Another link, which moves.", false, {}, region_link},
     Key{"margin",
         Shape::number,
         "Least distance from its border that is asked for. Preset: 0.",

@@ -358,8 +358,10 @@ Json regions(const Key& key) {
     properties["polygon"]["minItems"] = 3;
     properties["circle"]["properties"]["centre"].update(pair);
     properties["half-plane"]["properties"]["through"].update(pair);
-    schema["items"]["oneOf"] = {
-        {{"required", {"polygon"}}}, {{"required", {"circle"}}}, {{"required", {"half-plane"}}}};
+    Json shapes = Json::array();
+    for (const char* shape : {"polygon", "circle", "half-plane", "link"})
+        shapes.push_back({{"required", {shape}}});
+    schema["items"]["oneOf"] = std::move(shapes);
     return schema;
 }
 

@@ -123,7 +123,7 @@ T apart(const std::vector<Vector<T>>& first, const std::vector<Vector<T>>& secon
     return deepest < T(0) && (first.size() > 1 || second.size() > 1) ? deepest : nearest;
 }
 
-/// Where links keep out of a polygon or a circle.
+/// Where links keep out of a polygon, a circle or another link.
 Digits50 margin_outside(const Scan& scan, const LinkageRegion& region) {
     return least_of_several(scan, region.parts.size(),
                             [&region]<class T>(std::size_t k, const SignalsAgain<T>& s, const LoopPose<T>& pose) {
@@ -132,6 +132,8 @@ Digits50 margin_outside(const Scan& scan, const LinkageRegion& region) {
                                     part.push_back(s.in_drawing(pin, pose));
                                 for (const Vector<double>& place : region.places)
                                     outline.push_back(as<T>(place));
+                                for (const std::size_t pin : region.pins)
+                                    outline.push_back(s.in_drawing(pin, pose));
                                 return T(apart(part, outline) - T(region.radius));
                             });
 }

@@ -37,9 +37,10 @@ std::optional<Outline> outline_of(const MovingDesign& design, const LinkageRegio
     switch (region.shape) {
         case LinkageRegion::Shape::half_plane: return border_of(design, region);
         case LinkageRegion::Shape::circle: return outlines::circle(region.places.front(), region.radius, Layer::room);
-        case LinkageRegion::Shape::polygon: break;
+        case LinkageRegion::Shape::polygon: return polygon_of(region.places);
+        case LinkageRegion::Shape::link: break;  // is drawn as the link that it is
     }
-    return polygon_of(region.places);
+    return {};
 }
 
 std::optional<Outline> outline_of(const MovingDesign& design, const LinkageRoom& room) {

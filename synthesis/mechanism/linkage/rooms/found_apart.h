@@ -35,11 +35,13 @@ inline ConvexOutline outline_of_part(const Over& over, std::span<const double> d
     return {part, {}};
 }
 
-/// A region as an outline about which there are `radius`.
-inline ConvexOutline outline_of_region(const LinkageRegion& region, double unit) {
+/// A region as an outline about which there is `radius`.
+inline ConvexOutline outline_of_region(const Over& over, std::span<const double> dimensions,
+                                       const LinkageRegion& region) {
+    if (!region.pins.empty()) return outline_of_part(over, dimensions, region.pins);
     ConvexOutline outline;
     for (const Vector<double>& place : region.places)
-        outline.places.push_back((1 / unit) * place);
+        outline.places.push_back((1 / over.model.unit) * place);
     return outline;
 }
 
@@ -53,14 +55,32 @@ struct SignalOfSeparation {
 inline SignalOfSeparation signal_of(const Separation& by, const ConvexOutline& part, const ConvexOutline& region) {
     using Of = Separation::Of;
     const auto& corners = region.places;
+    const bool moves = corners.empty();
     const auto next = [](const auto& all, std::size_t i) { return all[(i + 1) % all.size()]; };
-    if (by.of == Of::corners)
-        return {{.kind = Signal::Kind::from_place, .of = part.pins[by.first], .place = corners[by.second]}};
-    if (by.of == Of::side_of_first)
-        return {{.kind = Signal::Kind::place_from_line,
-                 .to = part.pins[by.first],
-                 .end = next(part.pins, by.first),
-                 .place = corners[by.second]},
+    Signal signal;
+    if (by.of == Of::corners) {
+        signal = {.kind = moves ? Signal::Kind::distance : Signal::Kind::from_place, .of = part.pins[by.first]};
+        if (moves)
+            signal.to = region.pins[by.second];
+        else
+            signal.place = corners[by.second];
+        return {signal};
+    }
+    if (by.of == Of::side_of_first) {
+        signal = {.kind = moves ? Signal::Kind::from_line : Signal::Kind::place_from_line,
+                  .to = part.pins[by.first],
+                  .end = next(part.pins, by.first)};
+        if (moves)
+            signal.of = region.pins[by.second];
+        else
+            signal.place = corners[by.second];
+        return {signal, -1};
+    }
+    if (moves)
+        return {{.kind = Signal::Kind::from_line,
+                 .of = part.pins[by.first],
+                 .to = region.pins[by.second],
+                 .end = next(region.pins, by.second)},
                 -1};
     const Vector<double> side = next(corners, by.second) - corners[by.second];
     const Vector<double> outward = (-1 / std::hypot(side.x, side.y)) * left_of(side);
@@ -79,7 +99,7 @@ struct FoundApart {
 inline FoundApart closest_to_region(const Over& over, std::span<const double> dimensions, const Course& course) {
     const LinkageRegion& region = over.model.regions[over.measure.of_room];
     const double unit = over.model.unit;
-    const ConvexOutline outline = outline_of_region(region, unit);
+    const ConvexOutline outline = outline_of_region(over, dimensions, region);
     linkage::PlacedPins placed(over.driven(dimensions), placing_of<double>(over, dimensions, {}), course);
     FoundApart made;
     const auto add_signal = [&](const SignalOfSeparation& of) {

@@ -19,15 +19,16 @@ struct LinkageRoom {
     double direction = 0;  ///< of its width, radians; its height is across
 };
 
-/// A region that parts of a linkage keep in or out of.
+/// A region that parts of a linkage keep in or out of. One that is a link moves with it.
 struct LinkageRegion {
-    enum class Shape { half_plane, polygon, circle };
+    enum class Shape { half_plane, polygon, circle, link };
     std::string name;
     Shape shape = Shape::polygon;
     bool inside = true;                             ///< they keep in
     std::vector<Vector<double>> places{};           ///< corners against the clock; the centre; a place on the border
     double direction = 0;                           ///< of a half-plane's border, to the left of which it lies
-    double radius = 0;                              ///< of a circle
+    std::vector<std::size_t> pins{};                ///< of a link
+    double radius = 0;                              ///< of a circle; of a link half of its width
     double margin = 0;                              ///< the least that is asked for
     std::vector<std::vector<std::size_t>> parts{};  ///< of each the pins: a point has one
 
