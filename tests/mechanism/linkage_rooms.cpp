@@ -183,11 +183,24 @@ circle = { centre = [9, 1], radius = 0.5 }
     expect_verified(found.document);
 }
 
-std::string shipped_for_room(const std::string& name) {
-    std::ifstream in(MECHWRIGHT_SOURCE_DIR "/problems/linkage/" + name + ".toml");
+std::string text_of_source(const std::string& file) {
+    std::ifstream in(MECHWRIGHT_SOURCE_DIR "/" + file);
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
+}
+
+std::string shipped_for_room(const std::string& name) { return text_of_source("problems/linkage/" + name + ".toml"); }
+
+/// What the manual shows, of a linkage that has the links that it names.
+TEST(LinkageRooms, AreReadAsTheManualSaysThem) {
+    const std::string manual = text_of_source("problems/README.md"), fence = "```";
+    const std::size_t from = manual.find("[[room]]\nname      = \"envelope\"");
+    ASSERT_NE(from, std::string::npos);
+    const AnalysedRoom found = analysed_room(rocking_room + manual.substr(from, manual.find(fence, from) - from));
+    for (const char* quantity : {"envelope.width", "envelope.height", "envelope.area", "bay.margin", "strut.margin"})
+        EXPECT_TRUE(std::isfinite(value_in(found.document, quantity))) << quantity;
+    EXPECT_EQ(found.document["requirements"].size(), 2u);
 }
 
 std::string with_given(std::string text, const std::string& line, const std::string& given) {
@@ -241,6 +254,33 @@ half-plane = { through = [0, 1200], direction = 185 }
             return least;
         });
     EXPECT_NEAR(value_in(found.document, "hall.margin"), margin, 1e-3);
+}
+
+/// With slots, gears, racks and several loops: in fifty digits boxes and margins are the same.
+TEST(LinkageRooms, OfShippedLinkagesAreVerified) {
+    for (const char* name : {"jansen-leg", "klann-leg", "scotch-yoke", "cardan-gear", "crank-and-rack", "arc-slot"}) {
+        const Json document = analysed_room(shipped_for_room(name) + R"(
+[[room]]
+name = "all-of-it"
+direction = 17
+[[region]]
+name = "disc-beside"
+keep = "out"
+circle = { centre = [3000, 2500], radius = 1 }
+[[region]]
+name = "box-beside"
+keep = "out"
+polygon = [[-2000, -2100], [-1900, -2500], [-2200, -2300]]
+[[region]]
+name = "ground"
+keep = "in"
+half-plane = { through = [0, -9000], direction = 3 }
+)")
+                                  .document;
+        EXPECT_GT(value_in(document, "all-of-it.area"), 0) << name;
+        EXPECT_GT(value_in(document, "box-beside.margin"), 0) << name;
+        expect_verified(document);
+    }
 }
 
 /// Over a stretch whose ends are designed; beside it there are quantities over the whole motion.
