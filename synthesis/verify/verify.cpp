@@ -224,7 +224,8 @@ std::string stated_defect(std::size_t quantity, const std::optional<double>& sta
     const std::string_view name = quantity_of(claim, quantity).name;
     const Unit unit = quantity_of(claim, quantity).unit;
     const auto& again = measurements.of(quantity);
-    if (!again) return fmt::format("{} has no value for this design", name);
+    // What is infinite or no number is not stated.
+    if (!again) return stated ? fmt::format("{} is stated as {}, and has no value for this design", name, *stated) : "";
     const std::string measured = value_text(again->value, unit, claim.units);
     if (!stated) return fmt::format("{} is not stated, measured again {}", name, measured);
     const Digits50 value = from_document(*stated, unit, claim.units);
@@ -305,13 +306,13 @@ Check check_objective(const ClaimedObjective& objective, Measurements& measureme
         for (const ClaimedTerm& term : objective.terms)
             defects.push_back(stated_defect(term.quantity, term.value, measurements));
     const auto again = objective_again(objective, measurements);
-    if (!again)
-        defects.emplace_back("it has no value for this design");
-    else if (!objective.value)
-        defects.emplace_back("it is not stated");
-    else if (!(abs(*objective.value - again->value) <= again->slack))
+    if (!again || !objective.value) {
+        if (again) defects.emplace_back("it is not stated");
+        if (objective.value) defects.emplace_back("it is stated, and has no value for this design");
+    } else if (!(abs(*objective.value - again->value) <= again->slack)) {
         defects.push_back(fmt::format("it is stated as {:.15g}, measured again {:.15g}", *objective.value,
                                       again->value.convert_to<double>()));
+    }
     return stated_check("the objective is as stated", std::move(defects));
 }
 

@@ -16,6 +16,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/solve/solve.h"
+#include "synthesis/verify/motion_again.h"
 #include "synthesis/verify/verify.h"
 #include "tests/mechanism/linkage_known.h"
 #include "tests/mechanism/linkage_texts.h"
@@ -276,6 +277,95 @@ TEST(DriveMotions, TheShippedUnitIsDesigned) {
     EXPECT_NEAR(result.best->objective, best, 1e-4 * best);
     for (const Check& check : verify(document(problem, result)))
         EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
+}
+
+/// What verification measures of a linkage of given dimensions over its own motion, radians and lengths.
+Digits50 again(const std::string& text, const std::string& name) {
+    std::string asked = text;
+    asked += "[[require]]\nquantity = \"" + name + "\"\nmax = 1e9\n";
+    const Problem problem = testing::read_without_fault(asked).problem;
+    std::vector<Digits50> dimensions;
+    for (const DimensionRange& range : problem.dimensions)
+        dimensions.emplace_back(range.min);
+    const Mechanism& mechanism = *problem.mechanism;
+    for (const Quantity& quantity : mechanism.quantities)
+        if (quantity.name == name)
+            return measure_again(quantity, motion_again(mechanism, problem.assemblies[0], dimensions, std::nullopt),
+                                 dimensions);
+    ADD_FAILURE() << name;
+    return 0;
+}
+
+/// One whose cranks are so far apart that its motion has limits.
+std::string far_five_bar() {
+    return replaced(five_bar("law = \"cycloidal\"", "law = \"cycloidal\"", 5.05), "phase = 100", "phase = 20");
+}
+
+// The second crank rests while the first comes to the limit, where the two other links are in line: by the law of
+// cosines.
+TEST(DriveMotions, AnAngleAtTheLimitOfTwoDrivesIsMeasuredAgain) {
+    const std::string text = replaced(far_five_bar(), "second = { angle = \"second\" }", "left = { angle = \"left\" }");
+    const Vector<double> D{5.05 + 1.2 * std::cos(20 * motion_degree), 1.2 * std::sin(20 * motion_degree)};
+    const double far = std::hypot(D.x, D.y), from_line = std::acos((1 + far * far - 5.3 * 5.3) / (2 * far));
+    const double crank = std::atan2(D.y, D.x) + from_line;  // in the first dwell
+    ASSERT_GT(crank, 0);
+    ASSERT_LT(crank, 50 * motion_degree);
+    const double left = std::atan2(D.y - std::sin(crank), D.x - std::cos(crank));
+    const Digits50 found = again(text, "left.least");
+    EXPECT_NEAR(found.convert_to<double>(), left, 1e-14);
+}
+
+// The pin of a rocker rests where crank and coupler are in line, and its speed has a corner there: its slopes on either
+// side are the accelerations r1 (1 +- r1 / r2) / sin(mu) of the dead centres.
+TEST(DriveMotions, SpeedsArePassedWhereAPointRests) {
+    const std::string four_bar = R"(
+schema = 1
+mechanism = "linkage"
+[dimensions]
+ground = 4
+crank = 1
+coupler = 3.5
+rocker = 2.5
+[links]
+frame = { A = [0, 0], D = ["ground", 0] }
+crank = { A = [0, 0], B = ["crank", 0] }
+coupler = { B = [0, 0], C = ["coupler", 0] }
+rocker = { D = [0, 0], C = ["rocker", 0] }
+[drive]
+link = "crank"
+[assembly]
+C = "left"
+[signals]
+v = { speed-of = "C" }
+)";
+    const auto slope = [](double sense) {
+        const double reach = 3.5 + sense, cosine = (reach * reach + 2.5 * 2.5 - 16) / (2 * reach * 2.5);
+        return (1 + sense / 3.5) / std::sqrt(1 - cosine * cosine);
+    };
+    EXPECT_NEAR(again(four_bar, "v.speed.greatest").convert_to<double>(), slope(1), 1e-13);
+    EXPECT_NEAR(again(four_bar, "v.speed.greatest(100, 250)").convert_to<double>(), slope(-1), 1e-13);
+    const Problem problem =
+        testing::read_without_fault(four_bar + "[[require]]\nquantity = \"v.speed.greatest\"\nmax = 2\n").problem;
+    for (const Check& check : verify(analysis_document(problem, evaluate_given(problem))))
+        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
+}
+
+// Where a motion ends at a limit its speed is infinite: no value, none that is stated, and nothing wrong with that.
+TEST(DriveMotions, WhatHasNoValueIsNotStated) {
+    const Problem problem =
+        testing::read_without_fault(far_five_bar() + "[[require]]\nquantity = \"height.speed.range\"\nmax = 1e9\n")
+            .problem;
+    auto document = analysis_document(problem, evaluate_given(problem));
+    const auto as_stated = [&] {
+        bool all = true;
+        for (const Check& check : verify(document))
+            if (check.name.ends_with("as stated")) all = all && check.passed;
+        return all;
+    };
+    EXPECT_FALSE(document["requirements"][0].contains("value"));
+    EXPECT_TRUE(as_stated());
+    document["requirements"][0]["value"] = 7.0;
+    EXPECT_FALSE(as_stated());
 }
 
 TEST(DriveMotions, WrongOnesAreToldWhereAndWhy) {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <type_traits>
+#include <utility>
 
 #include "analysis/linkage/measuring/moving_extremes.h"
 #include "analysis/numbers/resolved.h"
@@ -62,6 +64,38 @@ T mean_of_part(Measured<T, K>& measured, Measured<double, L>& plain, const Asked
     return sum;
 }
 
+/// By how much what is asked grows over neighbouring parts of a stretch, from its first end to its last, but for jumps
+/// between them. What the rounding of a break's input makes where nothing jumps is none.
+template <class T, std::size_t K>
+T growth_over(Measured<T, K>& measured, const Asked& asked, const Course& course, std::span<const MotionPart> parts,
+              const Extreme& first, const Extreme& last, const MovingEnds<T>& ends) {
+    constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
+    // A derivative is the same again after a cycle, exactly so and not but for the rounding of its length.
+    const bool comes_back =
+        course.travel.whole && asked.derivative > 0 && first.at == course.travel.from && last.at == course.travel.to;
+    T growth(0);
+    if (!comes_back)
+        growth = value_at(measured, asked, course, last, ends) - value_at(measured, asked, course, first, ends);
+    const auto beside = [&](double at, double within) {
+        const WithinPiece in_piece(measured, within);
+        const auto f = measured.value(asked.signal, at, course.turns.near(at));
+        return std::pair(f.derivative(asked.derivative),
+                         std::abs(number_as<double>(value_of(f.derivative(asked.derivative + 1)))));
+    };
+    const auto add_jump = [&](double at, const MotionPart& before, double again, const MotionPart& after) {
+        const auto [one, slope] = beside(at, before.within);
+        const auto [other, other_slope] = beside(again, after.within);
+        const T jump = other - one;
+        const double way = (1 + std::abs(at)) / measured.rate();
+        const double rounding = roundings * (std::abs(number_as<double>(value_of(one))) + way * (slope + other_slope));
+        if (std::abs(number_as<double>(value_of(jump))) > rounding) growth = growth - jump;
+    };
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i)
+        add_jump(parts[i].stretch.to, parts[i], parts[i].stretch.to, parts[i + 1]);
+    if (comes_back && parts.size() > 1) add_jump(last.at, parts.back(), first.at, parts.front());
+    return growth;
+}
+
 }  // namespace detail
 
 /// The mean of what is asked over [from, to], or of its square, as a function of the dimensions; ends that are limits
@@ -89,6 +123,9 @@ T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& ask
     }
     T sum(0), way(0);
     const auto parts = parts_of(plain.driven().laws, stretch);
+    // The integral of a derivative is known.
+    const bool known = asked.derivative > 0 && !squared;
+    const Asked integral{asked.signal, known ? asked.derivative - 1 : 0};
     for (const MotionPart& part : parts) {
         const Extreme first = end(part.stretch.from, part.within), last = end(part.stretch.to, part.within);
         const auto shift = [&](const Extreme& place) {
@@ -97,23 +134,18 @@ T mean_of(Measured<T, K>& measured, Measured<double, L>& plain, const Asked& ask
         const detail::Shifts<T> shifts{shift(first), shift(last)};
         const T length =
             (T(last.at) + shifts.to * T(measured.rate())) - (T(first.at) + shifts.from * T(measured.rate()));
-        T mean;
-        if (asked.derivative > 0 && !squared) {
-            // The integral of a derivative is known.
-            const Asked integral{asked.signal, asked.derivative - 1};
-            mean =
-                T(measured.rate()) *
-                (value_at(measured, integral, course, last, ends) - value_at(measured, integral, course, first, ends)) /
-                length;
-        } else {
-            const WithinPiece in_part(measured, part.within);
-            const WithinPiece in_plain(plain, part.within);
-            mean = detail::mean_of_part(measured, plain, asked, course, part.stretch, squared, shifts);
-        }
+        way = way + length;
+        if (known) continue;
+        const WithinPiece in_part(measured, part.within);
+        const WithinPiece in_plain(plain, part.within);
+        const T mean = detail::mean_of_part(measured, plain, asked, course, part.stretch, squared, shifts);
         if (parts.size() == 1) return mean;
         sum = sum + length * mean;
-        way = way + length;
     }
+    if (known)
+        sum = T(measured.rate()) * detail::growth_over(measured, integral, course, std::span(parts),
+                                                       end(from, parts.front().within), end(to, parts.back().within),
+                                                       ends);
     return sum / way;
 }
 

@@ -153,14 +153,16 @@ T motion_at(const DriveMotion<cam::Constant<T>>& motion, const T& master, const 
 }  // namespace detail
 
 /// Where a derivative may jump, in [0, 2 pi), rising.
-inline std::vector<double> breaks_of(const DriveMotion<double>& motion) {
-    constexpr double turn = 2 * std::numbers::pi;
-    std::vector<double> breaks;
+template <class R>
+std::vector<R> breaks_of(const DriveMotion<R>& motion) {
+    using std::floor;
+    const R turn = R(2) * pi<R>();
+    std::vector<R> breaks;
     for (std::size_t i = 0; i < motion.segments.size(); ++i) {
-        const cam::Segment<double>& segment = motion.segments[i];
+        const cam::Segment<R>& segment = motion.segments[i];
         for (std::size_t piece = 0; piece < cam::pieces(segment); ++piece) {
-            const double at = motion.begin[i] + segment.angle * cam::break_before(segment, piece);
-            breaks.push_back(at - turn * std::floor(at / turn));
+            const R at = motion.begin[i] + segment.angle * R(cam::break_before(segment, piece));
+            breaks.push_back(at - turn * floor(R(at / turn)));
         }
     }
     std::sort(breaks.begin(), breaks.end());

@@ -1,4 +1,4 @@
-// Extremes of what is measured: a look at all samples in doubles, then Newton's method on differences of fifty digits.
+// Extremes of what is measured: found in doubles by its series at many inputs, then measured in fifty digits.
 
 #include <algorithm>
 #include <cmath>
@@ -12,97 +12,179 @@ namespace mechwright::again {
 
 namespace {
 
-/// Where the greatest value of f, or of its negative, lies between two inputs: golden section. At a cusp, where a point
-/// comes to rest or pins meet, there is no derivative.
-Extreme by_golden_section(const Measured& f, SignalsAgain<Digits50>& signals, const Vector<Digits50>& between,
-                          double sign) {
-    constexpr int steps = 80;
-    const Digits50 golden = (3 - sqrt(Digits50(5))) / 2;
-    Digits50 from = between.x, to = between.y, a = from + golden * (to - from), b = to - golden * (to - from);
-    Digits50 at_a = f.measure(signals, 0, a), at_b = f.measure(signals, 0, b);
-    for (int i = 0; i < steps; ++i)
-        if (sign * at_a > sign * at_b) {
-            to = std::exchange(b, a);
-            at_b = at_a;
-            a = from + golden * (to - from);
-            at_a = f.measure(signals, 0, a);
-        } else {
-            from = std::exchange(a, b);
-            at_a = at_b;
-            b = to - golden * (to - from);
-            at_b = f.measure(signals, 0, b);
-        }
-    return sign * at_a > sign * at_b ? Extreme{a, at_a} : Extreme{b, at_b};
+/// What is measured at an input, its sign turned where the least is sought.
+struct Seen {
+    double at = 0;
+    double value = missing;
+    double slope = 0;      ///< by the input
+    double curvature = 0;  ///< half of the second derivative
+
+    bool exists() const { return std::isfinite(value) && std::isfinite(slope); }
+};
+
+Seen seen_at(const Measured& f, double input, double sign) {
+    const InputSeries s = f.seen(input);
+    return {input, sign * s.c[0], sign * s.c[1], sign * s.c[2]};
 }
 
-/// From a sample at which it is extreme among its neighbours to where its derivative vanishes, or to a cusp.
-Extreme polished(const Measured& f, double left, double middle, double right, double sign) {
-    constexpr double settled = 1e-16, varies = 1e-6;
-    SignalsAgain<Digits50> signals = f.precise(middle);
-    Digits50 x = middle;
-    bool found = false;
-    for (int i = 0; i < 8 && !found; ++i) {
-        const Digits50 step = f.measure(signals, 1, x) / f.measure(signals, 2, x);
-        if (!isfinite(step) || x - step < left || x - step > right) break;
-        x -= step;
-        found = abs(step) < settled * signals.follower.unit();
+/// What is measured on a piece at inputs so close together that cubics through them show all that is near the best.
+class Looks {
+public:
+    Looks(const Measured& f, const Vector<double>& piece, double sign) : f_(f), sign_(sign) {
+        for (const double at : inputs_in(piece)) {
+            const Seen next = seen_at(f, at, sign);
+            if (!next.exists()) continue;
+            if (!all.empty()) look_between(Seen(all.back()), next, deepest);
+            add(next);
+        }
     }
-    const Extreme smooth{x, f.measure(signals, 0, x)};
-    const double low = f.seen(left), high = f.seen(right);
-    if (found || !(std::abs(low - f.seen(middle)) > varies * std::abs(low)) ||
-        !(std::abs(high - f.seen(middle)) > varies * std::abs(high)))
-        return smooth;
-    return by_golden_section(f, signals, {left, right}, sign);
-}
+    std::vector<Seen> all{};
+    double best = -std::numeric_limits<double>::infinity(), worst = -best;
 
-/// At an end of a part of the motion, or between it and its neighbour among the samples where that is better.
-Extreme polished_end(const Measured& f, double end, double neighbour, double sign) {
-    const Extreme at_end{end, f.at(end)};
-    // On a short piece differences of doubles need all their digits, and have none beside its ends.
-    const auto seen_at = [&](double at) {
-        return sign * (f.is_on_piece() ? f.at(at).convert_to<double>() : f.seen(at));
-    };
-    const double seen_at_end = seen_at(end);
-    double best = end, most = seen_at_end;
-    for (const double share : {0x1p-12, 0x1p-6, 0.25})
-        if (const double at = end + share * (neighbour - end), seen = seen_at(at); seen > most) {
-            best = at;
-            most = seen;
+private:
+    static constexpr int deepest = 12;
+
+    /// The samples in it, so many at least, and some close to its ends, beside which there may be a limit or a corner.
+    std::vector<double> inputs_in(const Vector<double>& piece) const {
+        constexpr int fewest = 16;
+        const auto [from, to] = piece;
+        std::vector<double> x;
+        for (const double at : f_.scan.at)
+            if (at > from && at < to) x.push_back(at);
+        if (x.size() < fewest) {
+            x.clear();
+            for (int i = 1; i < fewest; ++i)
+                x.push_back(from + (to - from) * i / fewest);
         }
-    if (best == end) return at_end;
-    const Extreme inside = polished(f, std::min(end, neighbour), best, std::max(end, neighbour), sign);
-    return sign * inside.value > sign * at_end.value || isnan(at_end.value) ? inside : at_end;
-}
+        const double first = x.front() - from, last = to - x.back();
+        const double least = f_.may_have_corner_at(from) ? 0x1p-8 : 0x1p-20,
+                     least_at_end = f_.may_have_corner_at(to) ? 0x1p-8 : 0x1p-20;
+        for (const double share : {0x1p-4, 0x1p-8, 0x1p-12, 0x1p-16, 0x1p-20}) {
+            if (share >= least) x.push_back(from + share * first);
+            if (share >= least_at_end) x.push_back(to - share * last);
+        }
+        // So close to the end of a motion that is no cycle differences have no digits: the end itself tells what is
+        // there.
+        const double close = f_.scan.full_turn() ? 0 : 1e-6 * (f_.scan.model.driven_by_slide() ? to - from : 1);
+        std::erase_if(x, [&](double at) {
+            return (from == f_.scan.from() && at - from < close) || (to == f_.scan.to() && to - at < close);
+        });
+        std::sort(x.begin(), x.end());
+        return x;
+    }
+    void add(const Seen& seen) {
+        best = std::max(best, seen.value);
+        worst = std::min(worst, seen.value);
+        all.push_back(seen);
+    }
+    /// Looks in the middle, and on both sides of it where it is not as the neighbours say and near the best.
+    void look_between(const Seen& left, const Seen& right, int depth) {
+        constexpr double as_said = 1e-9;
+        const double way = right.at - left.at;
+        const Seen middle = seen_at(f_, left.at + 0.5 * way, sign_);
+        if (!middle.exists()) return;
+        const double said = 0.5 * (left.value + right.value) + 0.125 * way * (left.slope - right.slope);
+        const double missed = std::abs(middle.value - said);
+        const double most = std::max({left.value, middle.value, right.value});
+        const bool deeper = depth > 0 && missed > as_said * (1 + std::abs(most)) && most + 8 * missed > best;
+        best = std::max(best, most);
+        if (deeper) look_between(left, middle, depth - 1);
+        add(middle);
+        if (deeper) look_between(middle, right, depth - 1);
+    }
 
-}  // namespace
+    const Measured& f_;
+    double sign_;
+};
 
-namespace {
+/// A place at which it may be greatest.
+struct Candidate {
+    const Measured* f;
+    Seen left, right;       ///< between which it is stationary; alike at an end of a piece
+    double most = missing;  ///< no more is expected there
+};
 
-/// Inputs of a piece at which it is looked at: the samples in it, and its ends; some more between `breaks`, where there
-/// may be few.
-std::vector<double> inputs_to_look_at(const Scan& scan, const Vector<double>& piece, bool breaks) {
-    constexpr int fewest = 16;
-    const auto [from, to] = piece;
-    std::vector<double> x{from};
-    for (const double at : scan.at)
-        if (at > from && at < to) x.push_back(at);
-    if (to > from) x.push_back(to);
-    if (!breaks || x.size() >= fewest) return x;
-    x = {from};
-    for (int i = 1; i < fewest; ++i)
-        x.push_back(from + (to - from) * i / fewest);
-    x.push_back(to);
+/// Where it is stationary between two inputs, as doubles say: Newton's method with halving.
+double stationary_between(const Measured& f, const Seen& left, const Seen& right, double sign) {
+    constexpr int most_steps = 60;
+    double from = left.at, to = right.at, x = from + 0.5 * (to - from);
+    for (int i = 0; i < most_steps; ++i) {
+        const Seen here = seen_at(f, x, sign);
+        if (!here.exists() || here.slope == 0) break;
+        (here.slope > 0 ? from : to) = x;
+        const double newton = x - here.slope / (2 * here.curvature);
+        const double next = newton > from && newton < to ? newton : from + 0.5 * (to - from);
+        const bool settled = std::abs(next - x) <= 4 * std::numeric_limits<double>::epsilon() * (1 + std::abs(x));
+        x = next;
+        if (settled) break;
+    }
     return x;
 }
 
-/// Of a piece that is constant to the rounding of differences of doubles every so manieth is looked at: no law has an
-/// acceleration, or a jerk, that is nearly constant and not quite. 1 of any other.
-std::size_t thinned(const std::vector<double>& seen, bool breaks) {
-    constexpr double rounding = 1e-7;
-    constexpr std::size_t some = 4;
-    const auto [least, greatest] = std::minmax_element(seen.begin(), seen.end());
-    const bool flat = breaks && *greatest - *least <= rounding * (1 + std::abs(*greatest));
-    return flat && seen.size() > some ? seen.size() / some : 1;
+/// There in fifty digits, one step of Newton's method nearer to where it is stationary.
+Extreme measured_at(const Measured& f, const Seen& left, const Seen& right, double sign) {
+    const double near = stationary_between(f, left, right, sign);
+    SignalsAgain<Digits50> signals = f.precise(near);
+    const Digits50 x = near, step = f.measure(signals, 1, x) / f.measure(signals, 2, x);
+    const Extreme here{x, f.measure(signals, 0, x)};
+    if (!isfinite(step) || !(x - step > left.at && x - step < right.at)) return here;
+    const Extreme nearer{x - step, f.measure(signals, 0, x - step)};
+    return sign * nearer.value < sign * here.value ? here : nearer;
+}
+
+/// Those of a piece but for its ends. What is constant to rounding is stationary everywhere: one of these is enough.
+void add_stationary(const Measured& f, const Looks& looks, std::vector<Candidate>& candidates) {
+    constexpr double rounding = 1e-12;
+    const std::vector<Seen>& seen = looks.all;
+    if (looks.best - looks.worst <= rounding * (1 + std::abs(looks.best))) {
+        if (!seen.empty()) candidates.push_back({&f, seen[seen.size() / 2], seen[seen.size() / 2], looks.best});
+        return;
+    }
+    for (std::size_t i = 0; i + 1 < seen.size(); ++i) {
+        const Seen &left = seen[i], &right = seen[i + 1];
+        if (!(left.slope >= 0) || !(right.slope <= 0)) continue;
+        const double way = right.at - left.at;
+        candidates.push_back(
+            {&f, left, right, std::max(left.value, right.value) + way * std::min(left.slope, -right.slope)});
+    }
+}
+
+/// Where the derivative of a pin's place, which is not constant, vanishes.
+void add_corners(const Scan& scan, const PinMotion& motion, const Vector<double>& piece, bool whole,
+                 std::vector<double>& corners) {
+    constexpr double vanishes = 1e-9, moves = 1e-6;  // of the greatest
+    const double within = whole ? linkage::by_itself : 0.5 * (piece.x + piece.y);
+    struct Motion {
+        double at, growth, size, slope, step;
+    };
+    // The square of the size is least where growth, half its derivative, vanishes.
+    const auto at = [&](double input) -> Motion {
+        const SeriesSignals* signals = scan.look(input, within);
+        if (signals == nullptr) return {input, missing, missing, missing, missing};
+        const Vector<InputSeries> v = signals->pin_by_time(motion.pin, motion.order);
+        const Vector<double> value{v.x.c[0], v.y.c[0]}, slope{v.x.c[1], v.y.c[1]};
+        const double growth = dot(value, slope), square = dot(slope, slope);
+        return {input, growth, std::hypot(value.x, value.y), std::sqrt(square), growth / square};
+    };
+    std::vector<Motion> seen;
+    double size = 0, slope = 0;
+    for (const double input : scan.at)
+        if (input > piece.x && input < piece.y) {
+            seen.push_back(at(input));
+            if (std::isfinite(seen.back().size)) size = std::max(size, seen.back().size);
+            if (std::isfinite(seen.back().slope)) slope = std::max(slope, seen.back().slope);
+        }
+    for (std::size_t i = 0; i + 1 < seen.size(); ++i) {
+        if (!(seen[i].growth <= 0) || !(seen[i + 1].growth >= 0)) continue;
+        constexpr int most_steps = 20;
+        Motion here = seen[i].size < seen[i + 1].size ? seen[i] : seen[i + 1];
+        for (int k = 0; k < most_steps && std::isfinite(here.step); ++k) {
+            const double last = here.at;
+            here = at(std::clamp(here.at - here.step, seen[i].at, seen[i + 1].at));
+            if (here.at == last) break;
+        }
+        if (here.size <= vanishes * size && here.slope > moves * slope) corners.push_back(here.at);
+    }
 }
 
 }  // namespace
@@ -116,61 +198,70 @@ std::vector<Vector<double>> between_breaks(const Scan& scan, const std::vector<V
     return pieces;
 }
 
+std::vector<Vector<double>> between_corners(const Measured& f, const std::vector<Vector<double>>& parts) {
+    std::vector<Vector<double>> pieces;
+    const std::vector<Vector<double>> smooth = between_breaks(f.scan, parts);
+    for (const Vector<double>& piece : smooth) {
+        std::vector<double> ends{piece.x, piece.y};
+        for (const PinMotion& motion : f.sizes)
+            add_corners(f.scan, motion, piece, smooth.size() == parts.size(), ends);
+        std::sort(ends.begin(), ends.end());
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+            if (ends[i] < ends[i + 1]) pieces.push_back({ends[i], ends[i + 1]});
+    }
+    return pieces;
+}
+
 std::vector<Measured> on_each(const Measured& f, const std::vector<Vector<double>>& parts,
                               const std::vector<Vector<double>>& pieces) {
+    // A break may be the end of a part.
+    const auto& drives = f.scan.model.drives;
+    const bool any = pieces.size() > parts.size() || std::any_of(drives.begin(), drives.end(), [](const auto& drive) {
+                         return drive.motion != nullptr;
+                     });
     std::vector<Measured> all;
     for (const Vector<double>& piece : pieces)
-        all.push_back(pieces.size() > parts.size() ? f.on(piece) : f);
+        all.push_back(any && piece.x < piece.y ? f.on(piece) : f);
     return all;
 }
 
-Extreme extreme(const Measured& of_all, const std::vector<Vector<double>>& parts, double sign) {
-    struct Candidate {
-        double left, at, right, seen;
-        const Measured* f;
-    };
-    const std::vector<Vector<double>> pieces = between_breaks(of_all.scan, parts);
-    const std::vector<Measured> on_pieces = on_each(of_all, parts, pieces);
+Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, double sign) {
+    const std::vector<Vector<double>> pieces = between_corners(f, parts);
+    const std::vector<Measured> on_pieces = on_each(f, parts, pieces);
     std::vector<Candidate> candidates;
-    double best = -std::numeric_limits<double>::infinity(), worst = -best;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-        const Measured& f = on_pieces[k];
-        std::vector<double> x = inputs_to_look_at(f.scan, pieces[k], pieces.size() > parts.size());
-        const bool breaks = pieces.size() > parts.size();
-        std::vector<double> seen;
-        for (const double at : x) {
-            const bool end = at == x.front() || at == x.back();
-            seen.push_back(sign * (breaks && end ? f.at(at).convert_to<double>() : f.seen(at)));
+        const Measured& on = on_pieces[k];
+        if (!(pieces[k].x < pieces[k].y)) {
+            candidates.push_back({&on, {pieces[k].x}, {pieces[k].x}, std::numeric_limits<double>::infinity()});
+            continue;
         }
-        const std::size_t every_of_piece = thinned(seen, breaks);
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            const bool first = i == 0, last = i + 1 == x.size();
-            if (std::isfinite(seen[i])) {
-                best = std::max(best, seen[i]);
-                worst = std::min(worst, seen[i]);
+        const Looks looks(on, pieces[k], sign);
+        add_stationary(on, looks, candidates);
+        // Doubles see nothing at an end itself, and next to a limit little.
+        const auto& seen = looks.all;
+        for (const bool last : {false, true}) {
+            const double end = last ? pieces[k].y : pieces[k].x;
+            const bool of_motion = end == f.scan.from() || end == f.scan.to() || seen.empty();
+            double most = std::numeric_limits<double>::infinity();
+            if (!of_motion) {
+                const Seen& beside = last ? seen.back() : seen.front();
+                const double way = std::abs(end - beside.at);
+                most = beside.value + 2 * way * std::abs(beside.slope) + 1e-9 * (1 + std::abs(beside.value));
             }
-            if (!first && !last && i % every_of_piece != 0) continue;
-            // At the very ends of a motion doubles may see nothing.
-            if (first || last || (!(seen[i] < seen[i - 1]) && !(seen[i] < seen[i + 1])))
-                candidates.push_back({first ? x[i] : x[i - 1], x[i], last ? x[i] : x[i + 1], seen[i], &f});
+            candidates.push_back({&on, {end}, {end}, most});
         }
     }
-    // What is constant to rounding has an extreme at every sample: some of them tell what there is to be told.
-    constexpr std::size_t some = 24;
-    const bool flat = best - worst <= 1e-11 * (1 + std::abs(best));
-    const std::size_t every = flat && candidates.size() > some ? candidates.size() / some : 1;
+    // The most promising first, until the rest promise no more than was found. What is constant to rounding is
+    // stationary everywhere: some of these places tell what there is to be told.
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.most > b.most; });
+    constexpr std::size_t most_tries = 64;
     Extreme found;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        constexpr double near_best = 1e-2;
         const Candidate& c = candidates[i];
-        const bool end = c.left == c.at || c.right == c.at;
-        const bool of_motion = c.at == c.f->scan.from() || c.at == c.f->scan.to();
-        // Next to a limit doubles see little of what is at an end.
-        if (!(end && (of_motion || pieces.size() == parts.size())) &&
-            (c.seen < best - near_best * (best - worst) - 1e-12 || i % every != 0))
-            continue;
-        const Extreme one = end ? polished_end(*c.f, c.at, c.left == c.at ? c.right : c.left, sign)
-                                : polished(*c.f, c.left, c.at, c.right, sign);
+        if (!isnan(found.value) && (i >= most_tries || c.most < sign * found.value)) break;
+        const bool end = c.left.at == c.right.at;
+        const Extreme one = end ? Extreme{c.left.at, c.f->at(c.left.at)} : measured_at(*c.f, c.left, c.right, sign);
         if (!isnan(one.value) && (isnan(found.value) || sign * one.value > sign * found.value)) found = one;
     }
     return found;

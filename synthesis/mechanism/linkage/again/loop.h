@@ -149,7 +149,7 @@ public:
             const T moved = move(pose, b);
             if (!(moved < far)) return 0;
             // As near as rounding lets it come: the steps become no shorter.
-            constexpr double settled = 1e-9;
+            constexpr double settled = plain_doubles<T> ? 1e-9 : 1e-27;
             if (moved <= close || (moved < T(settled) && !(moved < last))) return sign;
             last = moved;
         }
@@ -201,19 +201,55 @@ public:
         return true;
     }
 
-    /// Factors the equations' derivatives in a pose, by turns times the size; false where they are singular or so
-    /// nearly that the other branch of a dyad is within the noise of doubles.
-    bool factor(const LoopPose<double>& pose, linkage::Factors& factors) const requires plain_doubles<T> {
-        constexpr double regular = 1e-4;  // what a row has of its own, of 1
+    /// Factors the equations' derivatives in a pose, by turns times the size; false where they are singular, or where a
+    /// row has less of its own, of 1: so little as the first that the other branch of a dyad may be within the noise of
+    /// doubles.
+    static constexpr double regular = 1e-4;
+    bool factor(const LoopPose<double>& pose, linkage::Factors& factors,
+                double least = regular) const requires plain_doubles<T> {
         const linkage::VelocityEquations<double> rows = linkage::velocity_equations(s_, instant(DirectedPose<T>(pose)));
         if (rows.equations.size() != rows.unknowns) return false;
         factors = linkage::Factors(rows.unknowns);
         for (std::size_t i = 0; i < rows.unknowns; ++i)
             for (std::size_t j = 0; j < rows.unknowns; ++j)
                 factors.at(i, j) = rows.rows[i * rows.unknowns + j] / (j % 3 == 2 ? size() : 1);
-        return factors.factor() != 0 && factors.least_pivot() > regular;
+        return factors.factor() != 0 && factors.least_pivot() > least;
     }
 
+    /// By how much each equation is missed, in the order of the velocity equations.
+    std::vector<T> residuals(std::span<const T> inputs, const DirectedPose<T>& pose) const {
+        std::vector<T> missed;
+        for (const linkage::Pin& pin : s_.pins)
+            for (std::size_t k = 1; k < pin.points.size(); ++k) {
+                const Vector<T> apart = pose.at(pin.points[0].link, place(pin.points[0].at)) -
+                                        pose.at(pin.points[k].link, place(pin.points[k].at));
+                missed.push_back(apart.x);
+                missed.push_back(apart.y);
+            }
+        for (const linkage::Slide& slide : s_.slides) {
+            missed.push_back(folded(pose.turns[slide.link] - pose.turns[slide.line.on] - numbers_[slide.angle]));
+            const Vector<T> from_line = pose.origins[slide.link] - pose.at(slide.line.on, place(slide.line.through));
+            missed.push_back(dot(left_of(direction(slide.line, pose)), from_line) - numbers_[slide.offset]);
+        }
+        for (const linkage::Slot& slot : s_.slots)
+            missed.push_back(dot(left_of(direction(slot.line, pose)),
+                                 pin(slot.pin, pose) - pose.at(slot.line.on, place(slot.line.through))));
+        for (const linkage::Gear& gear : s_.gears) {
+            const T& carrier = pose.turns[gear.carrier];
+            missed.push_back(pose.turns[gear.second] - carrier -
+                             numbers_[gear.ratio] * (pose.turns[gear.first] - carrier) - numbers_[gear.phase]);
+        }
+        for (const linkage::Rack& rack : s_.racks)
+            missed.push_back(displacement(rack.slide, pose) -
+                             numbers_[rack.radius] * (pose.turns[rack.wheel] - pose.turns[rack.carrier]) -
+                             numbers_[rack.phase]);
+        for (std::size_t i = 0; i < s_.drives.size(); ++i) {
+            const linkage::Drive& drive = s_.drives[i];
+            missed.push_back(drive.of_slide ? T(displacement(drive.slide, pose) - inputs[i])
+                                            : folded(pose.turns[drive.link] - pose.turns[drive.on] - inputs[i]));
+        }
+        return missed;
+    }
     /// A point of a link by its place there.
     Vector<T> place(const linkage::Coordinates& at) const { return linkage::place_of<T>(at, numbers_); }
     template <class Pose>
@@ -263,43 +299,8 @@ private:
     }
     /// An angle without its whole turns, of which directions know nothing.
     static T folded(const T& angle) {
-        using std::floor;
         const T turn = T(2) * pi<T>();
-        return angle - turn * floor(T(angle / turn + T(0.5)));
-    }
-    /// By how much each equation is missed, in the order of the velocity equations.
-    std::vector<T> residuals(std::span<const T> inputs, const DirectedPose<T>& pose) const {
-        std::vector<T> missed;
-        for (const linkage::Pin& pin : s_.pins)
-            for (std::size_t k = 1; k < pin.points.size(); ++k) {
-                const Vector<T> apart = pose.at(pin.points[0].link, place(pin.points[0].at)) -
-                                        pose.at(pin.points[k].link, place(pin.points[k].at));
-                missed.push_back(apart.x);
-                missed.push_back(apart.y);
-            }
-        for (const linkage::Slide& slide : s_.slides) {
-            missed.push_back(folded(pose.turns[slide.link] - pose.turns[slide.line.on] - numbers_[slide.angle]));
-            const Vector<T> from_line = pose.origins[slide.link] - pose.at(slide.line.on, place(slide.line.through));
-            missed.push_back(dot(left_of(direction(slide.line, pose)), from_line) - numbers_[slide.offset]);
-        }
-        for (const linkage::Slot& slot : s_.slots)
-            missed.push_back(dot(left_of(direction(slot.line, pose)),
-                                 pin(slot.pin, pose) - pose.at(slot.line.on, place(slot.line.through))));
-        for (const linkage::Gear& gear : s_.gears) {
-            const T& carrier = pose.turns[gear.carrier];
-            missed.push_back(pose.turns[gear.second] - carrier -
-                             numbers_[gear.ratio] * (pose.turns[gear.first] - carrier) - numbers_[gear.phase]);
-        }
-        for (const linkage::Rack& rack : s_.racks)
-            missed.push_back(displacement(rack.slide, pose) -
-                             numbers_[rack.radius] * (pose.turns[rack.wheel] - pose.turns[rack.carrier]) -
-                             numbers_[rack.phase]);
-        for (std::size_t i = 0; i < s_.drives.size(); ++i) {
-            const linkage::Drive& drive = s_.drives[i];
-            missed.push_back(drive.of_slide ? T(displacement(drive.slide, pose) - inputs[i])
-                                            : folded(pose.turns[drive.link] - pose.turns[drive.on] - inputs[i]));
-        }
-        return missed;
+        return angle - turn * T(std::floor(number_as<double>(T(angle / turn)) + 0.5));
     }
     /// Subtracts a step; how far it moves the farthest place, over the size, or turns.
     T move(LoopPose<T>& pose, const std::vector<T>& step) const {

@@ -46,18 +46,25 @@ struct Term {
     Vector<double> part;
     std::array<Digits50, 2> ends;  ///< of the motion
     int power;
-    bool pieces;  ///< whether the part lies between breaks
 
     double operator()(double u) const {
         const double way = part.y - part.x, rest = 1 - u, passed = way * u * u * (3 - 2 * u),
                      left = way * rest * rest * (1 + 2 * u);
-        const Digits50 from = part.x == f.scan.from() ? ends[0] : Digits50(part.x),
-                       to = part.y == f.scan.to() ? ends[1] : Digits50(part.y);
-        // Beside an end differences of doubles have no digits left.
-        const double beside = pieces ? way : 1e-3 * (f.scan.model.driven_by_slide() ? way : 1);
-        const double value = std::min(passed, left) < beside
-                                 ? f.between(ends, passed < left ? from + passed : to - left).convert_to<double>()
-                                 : f.seen(part.x + passed, true);
+        // Beside a limit the rounding of doubles is much of the way from it, and what is left of a size beside a
+        // corner.
+        const double unit = f.scan.model.driven_by_slide() ? way : 1;
+        const auto beside = [&](double end) {
+            const bool of_motion = !f.scan.full_turn() && (end == f.scan.from() || end == f.scan.to());
+            return unit * (of_motion ? 1e-3 : f.is_on_piece() && f.may_have_corner_at(end) ? 0.05 : 0);
+        };
+        double value;
+        if (passed < beside(part.x))
+            value =
+                f.between(ends, (part.x == f.scan.from() ? ends[0] : Digits50(part.x)) + passed).convert_to<double>();
+        else if (left < beside(part.y))
+            value = f.between(ends, (part.y == f.scan.to() ? ends[1] : Digits50(part.y)) - left).convert_to<double>();
+        else
+            value = f.seen(part.x + passed).c[0];
         return (power == 2 ? value * value : value) * 6 * u * rest * way;
     }
 };
@@ -75,7 +82,7 @@ Digits50 mean_power(const Measured& f, const std::vector<Vector<double>>& parts,
     constexpr int deepest = 16;
     constexpr double within = 1e-10, settled = 1e-9;
     const std::array<Digits50, 2> ends{f.scan.exact_end(false), f.scan.exact_end(true)};
-    const std::vector<Vector<double>> pieces = between_breaks(f.scan, parts);
+    const std::vector<Vector<double>> pieces = between_corners(f, parts);
     const std::vector<Measured> on_pieces = on_each(f, parts, pieces);
     Digits50 length = 0;
     for (const Vector<double>& piece : pieces)
@@ -86,7 +93,7 @@ Digits50 mean_power(const Measured& f, const std::vector<Vector<double>>& parts,
         const double way = pieces[i].y - pieces[i].x;
         const double turns = f.scan.model.driven_by_slide() ? 1 : std::ceil(way / (2 * std::numbers::pi));
         for (double turn = 0; turn < turns; ++turn) {
-            Chunk chunk{{on_pieces[i], pieces[i], ends, power, pieces.size() > parts.size()},
+            Chunk chunk{{on_pieces[i], pieces[i], ends, power},
                         turn / turns,
                         (turn + 1) / turns,
                         way / turns / length.convert_to<double>()};
@@ -106,13 +113,38 @@ Digits50 mean_power(const Measured& f, const std::vector<Vector<double>>& parts,
     return sum.missed <= settled * sum.of_sizes ? Digits50(sum.value) / length : Digits50(missing);
 }
 
+namespace {
+
+/// The break of a drive's motion in fifty digits that is this input in doubles; an input that is none as it is.
+Digits50 exact_break(const LinkageModel& model, double input) {
+    constexpr double rounding = 1e-12;
+    const Digits50 turn = 2 * pi<Digits50>(), turns = floor(Digits50(input / turn + rounding));
+    for (const linkage::DriveLawIn<Digits50>& law : laws_in<Digits50>(model.drives)) {
+        if (!law.motion) continue;
+        for (const Digits50& in_turn : linkage::breaks_of(*law.motion))
+            if (const Digits50 at = turns * turn + in_turn; abs(at - input) < rounding) return at;
+    }
+    return input;
+}
+
+}  // namespace
+
 Digits50 mean_of_derivative(const Measured& f, const std::vector<Vector<double>>& parts) {
     const std::vector<Vector<double>> pieces = between_breaks(f.scan, parts);
     const std::vector<Measured> on_pieces = on_each(f, parts, pieces);
     Digits50 grown = 0, length = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const auto& [from, to] = pieces[i];
-        grown += on_pieces[i].at(to, -1) - on_pieces[i].at(from, -1);
+        // At the very breaks, and after the very cycle, so that what does not jump grows by nothing.
+        const auto integral = [&](double at) {
+            const bool whole = f.scan.full_turn();
+            if (!whole && (at == f.scan.from() || at == f.scan.to())) return on_pieces[i].at(at, -1);
+            const Digits50 exact = whole && at == f.scan.to()
+                                       ? Digits50(f.scan.from() + 2 * pi<Digits50>() * f.scan.model.turns)
+                                       : exact_break(f.scan.model, at);
+            return on_pieces[i].between({f.scan.from(), f.scan.to()}, exact, -1);
+        };
+        grown += integral(to) - integral(from);
         length += to - from;
     }
     return grown / length;

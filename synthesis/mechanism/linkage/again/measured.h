@@ -15,14 +15,22 @@ namespace mechwright::again {
 
 inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
+/// A derivative of the place of a pin.
+struct PinMotion {
+    std::size_t pin = 0;
+    int order = 1;
+};
+
 /// One function of the input, looked at in doubles and measured in fifty digits.
 struct Measured {
     const Scan& scan;
-    std::function<double(SignalsAgain<double>&, double)> look;
+    /// It is a series of the input.
+    std::function<InputSeries(const SeriesSignals&)> look;
     /// Its derivative of some order by the input; -1: its integral, where it is a derivative itself.
     std::function<Digits50(SignalsAgain<Digits50>&, int, const Digits50&)> measure;
-    static constexpr double rounding_of_input = 1e-12;
-    /// Inputs between which drives are on one piece of their motions each: differences look no farther.
+    /// By the sizes of which it goes: where one vanishes it has a corner.
+    std::vector<PinMotion> sizes{};
+    /// Inputs between which it is analytic, where the motion has such pieces: differences look no farther.
     Vector<double> piece{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
     /// The same on one piece.
@@ -31,12 +39,15 @@ struct Measured {
         made.piece = part;
         return made;
     }
+    /// Whether an end of a piece may be such a corner, beside which doubles have few digits of derivatives.
+    bool may_have_corner_at(double input) const {
+        return !sizes.empty() && (scan.full_turn() || (input != scan.from() && input != scan.to()));
+    }
     bool is_on_piece() const { return std::isfinite(piece.x); }
-    double seen(double input, bool finely = false) const {
-        SignalsAgain<double> signals = scan.plain(scan.nearest(input));
-        keep_on_piece(signals);
-        signals.finely = finely || is_on_piece();
-        return look(signals, input);
+    /// As doubles see it; not a number where they see nothing.
+    InputSeries seen(double input) const {
+        const SeriesSignals* signals = scan.look(input, is_on_piece() ? 0.5 * (piece.x + piece.y) : linkage::by_itself);
+        return signals == nullptr ? InputSeries(missing) : look(*signals);
     }
     SignalsAgain<Digits50> precise(double input) const {
         SignalsAgain<Digits50> signals = scan.precise(scan.nearest(input));
@@ -44,9 +55,6 @@ struct Measured {
         return signals;
     }
     Digits50 at(double input, int order = 0) const {
-        // What is at an end of the piece but for rounding is looked at from inside.
-        for (const double end : {piece.x, piece.y})
-            if (std::abs(input - end) < rounding_of_input) input = end;
         if (input == scan.from() || input == scan.to()) {
             SignalsAgain<Digits50> end = scan.at_end(input == scan.to());
             keep_on_piece(end);
@@ -56,26 +64,35 @@ struct Measured {
         return measure(signals, order, input);
     }
     /// Between the exact ends of the motion, so close to one of them as it may be.
-    Digits50 between(const std::array<Digits50, 2>& ends, const Digits50& input) const {
+    Digits50 between(const std::array<Digits50, 2>& ends, const Digits50& input, int order = 0) const {
         SignalsAgain<Digits50> signals = scan.precise(scan.nearest(input.convert_to<double>()));
         if (!scan.full_turn()) {
             signals.first_input = ends[0];
             signals.last_input = ends[1];
         }
         keep_on_piece(signals);
-        return measure(signals, 0, input);
+        return measure(signals, order, input);
     }
 
 private:
-    template <class T>
-    void keep_on_piece(SignalsAgain<T>& signals) const {
-        if (T(piece.x) > signals.first_input) signals.first_input = T(piece.x);
-        if (T(piece.y) < signals.last_input) signals.last_input = T(piece.y);
+    void keep_on_piece(SignalsAgain<Digits50>& signals) const {
+        if (!is_on_piece()) return;
+        const bool whole = scan.full_turn();
+        if (whole || piece.x != scan.from()) {
+            signals.first_input = piece.x;
+            signals.first_regular = true;
+        }
+        if (whole || piece.y != scan.to()) {
+            signals.last_input = piece.y;
+            signals.last_regular = true;
+        }
     }
 };
 
 /// Parts of the motion as those between the breaks of drives' motions.
 std::vector<Vector<double>> between_breaks(const Scan& scan, const std::vector<Vector<double>>& parts);
+/// The same, and between the corners of what is measured.
+std::vector<Vector<double>> between_corners(const Measured& f, const std::vector<Vector<double>>& parts);
 /// What is measured on each of the pieces of these parts; where no part has several, as it is.
 std::vector<Measured> on_each(const Measured& f, const std::vector<Vector<double>>& parts,
                               const std::vector<Vector<double>>& pieces);
@@ -92,19 +109,9 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
 /// Something that a pose has, along the motion.
 template <class OfPose>
 Measured of_poses(const Scan& scan, const OfPose& of_pose) {
-    const auto at = [of_pose]<class T>(SignalsAgain<T>& s, const T& x) {
-        T value(missing);
-        s.at_pose(x, [&](const LoopPose<T>& pose) { value = of_pose(s, pose); });
-        return value;
-    };
-    return {scan, [at](SignalsAgain<double>& s, double x) { return at(s, x); },
-            [at](SignalsAgain<Digits50>& s, int order, const Digits50& x) -> Digits50 {
-                const Digits50 h = s.difference_step();
-                if (order == 0) return at(s, x);
-                const Digits50 before = at(s, Digits50(x - h)), after = at(s, Digits50(x + h));
-                if (order == 1) return (after - before) / (2 * h);
-                return (after - 2 * at(s, x) + before) / (h * h);
-            }};
+    return {
+        scan, [of_pose](const SeriesSignals& s) { return of_pose(s.in_pose()); },
+        [of_pose](SignalsAgain<Digits50>& s, int order, const Digits50& x) { return s.of_pose(of_pose, order, x); }};
 }
 
 /// The least over the motion of something that a pose has.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 #include "analysis/numbers/golden_section.h"
@@ -56,9 +57,10 @@ Digits50 reduced(const Measured& f, const LinkageMeasure& q) {
         // Where drives come to another piece of their motions it is the one after.
         const std::vector<Vector<double>> whole{{f.scan.from(), f.scan.to()}};
         const std::vector<Vector<double>> pieces = again::between_breaks(f.scan, whole);
+        constexpr double rounding_of_input = 1e-12;
         for (const Vector<double>& piece : pieces)
-            if (pieces.size() > 1 && parts[0].x >= piece.x - Measured::rounding_of_input &&
-                (parts[0].x < piece.y - Measured::rounding_of_input || piece.y == whole[0].y))
+            if (pieces.size() > 1 && parts[0].x >= piece.x - rounding_of_input &&
+                (parts[0].x < piece.y - rounding_of_input || piece.y == whole[0].y))
                 return f.on(piece).at(parts[0].x);
         return f.at(parts[0].x);
     }
@@ -84,16 +86,27 @@ Digits50 reduced(const Measured& f, const LinkageMeasure& q) {
     return missing;
 }
 
+/// The sizes of which a signal goes.
+void add_sizes(const std::vector<linkage::Signal>& signals, std::size_t signal, std::vector<again::PinMotion>& sizes) {
+    using Kind = linkage::Signal::Kind;
+    const linkage::Signal& s = signals[signal];
+    if (s.kind == Kind::speed || s.kind == Kind::acceleration) sizes.push_back({s.of, s.kind == Kind::speed ? 1 : 2});
+    if (s.kind == Kind::ratio)
+        for (const std::size_t of : {s.of, s.to})
+            add_sizes(signals, of, sizes);
+    for (const linkage::Signal::Term& term : s.terms)
+        add_sizes(signals, term.signal, sizes);
+}
+
 Digits50 of_signal(const Scan& scan, const LinkageMeasure& q) {
-    return reduced({scan,
-                    [&](SignalsAgain<double>& s, double x) {
-                        return s.by_input(q.asked.signal, static_cast<int>(q.asked.derivative), x);
-                    },
-                    [&](SignalsAgain<Digits50>& s, int order, const Digits50& x) {
-                        return s.by_input(q.asked.signal, static_cast<int>(q.asked.derivative) + order, x) /
-                               pow(s.rate(), order);
-                    }},
-                   q);
+    const std::size_t signal = q.asked.signal;
+    const int derivative = static_cast<int>(q.asked.derivative);
+    Measured f{scan, [signal, derivative](const SeriesSignals& s) { return s.by_time(signal, derivative); },
+               [signal, derivative](SignalsAgain<Digits50>& s, int order, const Digits50& x) {
+                   return Digits50(s.by_input(signal, derivative + order, x) / pow(s.rate(), order));
+               }};
+    add_sizes(scan.model.signals, signal, f.sizes);
+    return reduced(f, q);
 }
 
 /// The distance of the guided point from what it follows at its greatest, or how far it follows.
@@ -110,8 +123,8 @@ Digits50 of_followed(const Motion& motion, std::span<const Digits50> arguments) 
         const auto at_end = [&](bool last) {
             const auto coordinate = [&](auto part) {
                 return of_poses(scan,
-                                [pin, part]<class T>(const SignalsAgain<T>& s, const LoopPose<T>& pose) {
-                                    return s.in_drawing(pin, pose).*part.template operator()<T>();
+                                [pin, part]<class T>(const PoseSignals<T>& p) {
+                                    return p.in_drawing(pin).*part.template operator()<T>();
                                 })
                     .at(last ? scan.to() : scan.from());
             };
@@ -120,11 +133,15 @@ Digits50 of_followed(const Motion& motion, std::span<const Digits50> arguments) 
         };
         return Shape::extent(shape, at_end(false), at_end(true));
     }
-    const Measured distance = of_poses(scan, [pin, shape]<class T>(const SignalsAgain<T>& s, const LoopPose<T>& pose) {
+    const Measured distance = of_poses(scan, [pin, shape]<class T>(const PoseSignals<T>& p) {
         std::array<T, Shape::parameters> own;
-        std::transform(shape.begin(), shape.end(), own.begin(),
-                       [](const Digits50& number) { return number_as<T>(number); });
-        return Shape::distance(own, s.in_drawing(pin, pose));
+        std::transform(shape.begin(), shape.end(), own.begin(), [](const Digits50& number) -> T {
+            if constexpr (std::is_same_v<T, Digits50>)
+                return number;
+            else
+                return T(number.convert_to<double>());
+        });
+        return Shape::distance(own, p.in_drawing(pin));
     });
     const std::vector<Vector<double>> whole{{scan.from(), scan.to()}};
     return std::max<Digits50>(abs(extreme(distance, whole, 1).value), abs(extreme(distance, whole, -1).value));
@@ -135,8 +152,8 @@ Digits50 worst_transmission(const Scan& scan) {
     for (const linkage::Group& group : scan.model.order.groups) {
         if (linkage::margin_of(scan.model.order, group) == linkage::none) continue;
         for (const bool folded : {false, true}) {
-            const Digits50 least = least_of_poses(scan, [&]<class T>(SignalsAgain<T>& s, const LoopPose<T>& pose) {
-                const T angle = s.transmission_angle(group, pose);
+            const Digits50 least = least_of_poses(scan, [&]<class T>(const PoseSignals<T>& p) {
+                const T angle = p.transmission_angle(group);
                 return folded ? T(pi<T>() - angle) : angle;
             });
             worst = std::min(worst, least);
@@ -153,9 +170,8 @@ Digits50 least_joint_distance(const Scan& scan) {
             if (!linkage::is_joint(scan.model.structure, a) || !linkage::is_joint(scan.model.structure, b) ||
                 linkage::share_link(pins[a], pins[b]))
                 continue;
-            least = std::min(least, least_of_poses(scan, [&]<class T>(SignalsAgain<T>& s, const LoopPose<T>& pose) {
-                                 return s.distance(a, b, pose);
-                             }));
+            least = std::min(least,
+                             least_of_poses(scan, [&]<class T>(const PoseSignals<T>& p) { return p.distance(a, b); }));
         }
     return isfinite(least) ? least : Digits50(missing);
 }

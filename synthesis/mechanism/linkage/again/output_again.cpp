@@ -29,8 +29,9 @@ LinkageOutputAgain::LinkageOutputAgain(const Motion& motion, std::span<const Dig
 double LinkageOutputAgain::error(double input, double asked) const {
     if (scan_.empty()) return missing;
     const double inside = std::clamp(input, scan_.at.front(), scan_.at.back());
-    SignalsAgain<double> signals = scan_.plain(scan_.nearest(inside));
-    return signals.value(output_, inside) + 2 * std::numbers::pi * whole_turns_ - asked;
+    const SeriesSignals* signals = scan_.look(inside);
+    if (signals == nullptr) return missing;
+    return signals->by_time(output_, 0).c[0] + 2 * std::numbers::pi * whole_turns_ - asked;
 }
 
 Digits50 LinkageOutputAgain::error(const Digits50& input, const Digits50& asked) const {

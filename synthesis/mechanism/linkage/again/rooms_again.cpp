@@ -19,42 +19,40 @@ Vector<T> as(const Vector<double>& at) {
     return {T(at.x), T(at.y)};
 }
 
-/// The least over the motion of several functions of a pose, of(k, signals, pose) for k < count: of those that come
-/// near to the least at the samples.
+/// The least over the motion of several functions of a pose, of(k, pose) for k < count: of those that come near to the
+/// least at the samples.
 template <class Of>
 Digits50 least_of_several(const Scan& scan, std::size_t count, const Of& of) {
     constexpr double near_best = 2e-2, infinity = std::numeric_limits<double>::infinity();
-    const SignalsAgain<double> plain = scan.plain(scan.at.size() / 2);
     std::vector<double> seen(count, infinity);
     double best = infinity, worst = -infinity;
-    for (const LoopPose<double>& pose : scan.poses)
-        for (std::size_t k = 0; k < count; ++k) {
-            const double one = of(k, plain, pose);
+    for (const double input : scan.at) {
+        const SeriesSignals* sample = scan.look(input);
+        for (std::size_t k = 0; sample && k < count; ++k) {
+            const double one = of(k, sample->in_pose()).c[0];
             seen[k] = std::min(seen[k], one);
             best = std::min(best, one);
             worst = std::max(worst, one);
         }
+    }
     Digits50 least = infinity;
     for (std::size_t k = 0; k < count; ++k)
         if (seen[k] <= best + near_best * (worst - best))
             least = std::min<Digits50>(
-                least, least_of_poses(scan, [&of, k]<class T>(const SignalsAgain<T>& s, const LoopPose<T>& pose) {
-                    return of(k, s, pose);
-                }));
+                least, least_of_poses(scan, [&of, k]<class T>(const PoseSignals<T>& pose) { return of(k, pose); }));
     return isfinite(least) ? least : Digits50(missing);
 }
 
 /// How far the farthest pins of a room are apart along its width or its height, all over the motion.
 Digits50 side_of(const Scan& scan, const LinkageRoom& room, bool across) {
     const auto farthest = [&](int sign) {
-        return least_of_several(
-            scan, room.pins.size(),
-            [&room, across, sign]<class T>(std::size_t k, const SignalsAgain<T>& s, const LoopPose<T>& pose) {
-                using std::cos, std::sin;
-                Vector<T> way{T(cos(T(room.direction))), T(sin(T(room.direction)))};
-                if (across) way = left_of(way);
-                return T(T(sign) * dot(s.in_drawing(room.pins[k], pose), way));
-            });
+        return least_of_several(scan, room.pins.size(),
+                                [&room, across, sign]<class T>(std::size_t k, const PoseSignals<T>& pose) {
+                                    using std::cos, std::sin;
+                                    Vector<T> way{T(cos(T(room.direction))), T(sin(T(room.direction)))};
+                                    if (across) way = left_of(way);
+                                    return T(T(sign) * dot(pose.in_drawing(room.pins[k]), way));
+                                });
     };
     return -(farthest(1) + farthest(-1));
 }
@@ -84,11 +82,10 @@ Digits50 margin_of_points(const Scan& scan, const LinkageRegion& region) {
     std::vector<std::size_t> pins;
     for (const auto& part : region.parts)
         pins.insert(pins.end(), part.begin(), part.end());
-    return least_of_several(scan, pins.size(),
-                            [&]<class T>(std::size_t k, const SignalsAgain<T>& s, const LoopPose<T>& pose) {
-                                const T by = inside_by(s.in_drawing(pins[k], pose), region);
-                                return region.inside ? by : T(-by);
-                            });
+    return least_of_several(scan, pins.size(), [&]<class T>(std::size_t k, const PoseSignals<T>& pose) {
+        const T by = inside_by(pose.in_drawing(pins[k]), region);
+        return region.inside ? by : T(-by);
+    });
 }
 
 /// The distance of a point from a segment.
@@ -125,17 +122,16 @@ T apart(const std::vector<Vector<T>>& first, const std::vector<Vector<T>>& secon
 
 /// Where links keep out of a polygon, a circle or another link.
 Digits50 margin_outside(const Scan& scan, const LinkageRegion& region) {
-    return least_of_several(scan, region.parts.size(),
-                            [&region]<class T>(std::size_t k, const SignalsAgain<T>& s, const LoopPose<T>& pose) {
-                                std::vector<Vector<T>> part, outline;
-                                for (const std::size_t pin : region.parts[k])
-                                    part.push_back(s.in_drawing(pin, pose));
-                                for (const Vector<double>& place : region.places)
-                                    outline.push_back(as<T>(place));
-                                for (const std::size_t pin : region.pins)
-                                    outline.push_back(s.in_drawing(pin, pose));
-                                return T(apart(part, outline) - T(region.radius));
-                            });
+    return least_of_several(scan, region.parts.size(), [&region]<class T>(std::size_t k, const PoseSignals<T>& pose) {
+        std::vector<Vector<T>> part, outline;
+        for (const std::size_t pin : region.parts[k])
+            part.push_back(pose.in_drawing(pin));
+        for (const Vector<double>& place : region.places)
+            outline.push_back(as<T>(place));
+        for (const std::size_t pin : region.pins)
+            outline.push_back(pose.in_drawing(pin));
+        return T(apart(part, outline) - T(region.radius));
+    });
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "synthesis/mechanism/linkage/again/series_signals.h"
 #include "synthesis/mechanism/linkage/again/signals_again.h"
 
 namespace mechwright {
@@ -25,8 +26,35 @@ public:
     }
 
     bool empty() const { return at.empty(); }
-    SignalsAgain<double> plain(std::size_t sample) const { return begun<double>(rounded_, sample); }
-    SignalsAgain<Digits50> precise(std::size_t sample) const { return begun<Digits50>(dimensions_, sample); }
+    /// The linkage near an input, in doubles; null where it has no pose there or is singular. Drives follow by the
+    /// pieces of their motions in which an input `within` lies, or where that is not a number by the input's own.
+    const SeriesSignals* look(double input, double within = linkage::by_itself) const {
+        if (!follower_) {
+            follower_.emplace(model, numbers_of(model, std::span<const double>(rounded_)));
+            follower_->heeds_stops = false;
+            series_.emplace(model, std::span<const double>(rounded_), poses.front().turns);
+        }
+        const std::size_t sample = nearest(input);
+        if (at[sample] == input) return series_->develop(input, poses[sample], within) ? &*series_ : nullptr;
+        constexpr double least = 1e-9;
+        const auto pass = [](const auto&) {};
+        const bool there = follower_->start(at[sample], poses[sample]) &&
+                           (follower_->step(input) || follower_->follow(input, least, pass));
+        return there && series_->develop(input, follower_->pose, within) ? &*series_ : nullptr;
+    }
+    /// In fifty digits, from a sample; where that is a limit and no pose is there within rounding, from the next one
+    /// from which it goes on.
+    SignalsAgain<Digits50> precise(std::size_t sample) const {
+        SignalsAgain<Digits50> signals(model, std::span<const Digits50>(dimensions_), poses.front().turns);
+        if (!full_turn()) {
+            signals.first_input = from();
+            signals.last_input = to();
+        }
+        const std::size_t middle = at.size() / 2;
+        for (std::size_t i = sample; !signals.follower.start(at[i], pose_as<Digits50>(poses[i])) && i != middle;)
+            i < middle ? ++i : --i;
+        return signals;
+    }
     /// The sample from which an input is reached: at a limit itself velocities lead anywhere.
     std::size_t nearest(double input) const {
         const auto next = static_cast<std::size_t>(std::lower_bound(at.begin(), at.end(), input) - at.begin());
@@ -70,8 +98,7 @@ private:
     /// Goes to an end of the motion from its last sample.
     void reach_end(bool last, Follower<Digits50>& follower) const {
         const Digits50 end = last ? motion_.to : motion_.from;
-        Follower<Digits50> there = follower;
-        if (follower.at == end || (there.step(end) && follower.step(end) && goes_on(last, there))) return;
+        if ((follower.at == end || follower.step(end)) && goes_on(last, follower)) return;
         creep(last, follower, little * follower.unit() + abs(end - follower.at));
     }
     static bool goes_on(bool last, Follower<Digits50> beyond) {
@@ -81,19 +108,6 @@ private:
     static void creep(bool last, Follower<Digits50>& follower, const Digits50& far) {
         for (Digits50 step = far + little * follower.unit(); step > 1e-42 * follower.unit(); step /= 2)
             follower.step(follower.at + (last ? 1 : -1) * step);
-    }
-    /// At a sample; where it is a limit and no pose is there within rounding, at the next one from which it goes on.
-    template <class T>
-    SignalsAgain<T> begun(const std::vector<T>& dimensions, std::size_t sample) const {
-        SignalsAgain<T> signals(model, std::span<const T>(dimensions), poses.front().turns);
-        if (!full_turn()) {
-            signals.first_input = T(from());
-            signals.last_input = T(to());
-        }
-        const std::size_t middle = at.size() / 2;
-        for (std::size_t i = sample; !signals.follower.start(at[i], pose_as<T>(poses[i])) && i != middle;)
-            i < middle ? ++i : --i;
-        return signals;
     }
     /// From some input in both senses to the ends of the motion, as far as doubles come.
     void follow() {
@@ -123,7 +137,10 @@ private:
     Motion motion_;
     std::vector<Digits50> dimensions_;
     std::vector<double> rounded_;
-    mutable std::array<std::optional<SignalsAgain<Digits50>>, 2> ends_{};  ///< once they have been asked for
+    /// Once they have been asked for.
+    mutable std::array<std::optional<SignalsAgain<Digits50>>, 2> ends_{};
+    mutable std::optional<Follower<double>> follower_{};
+    mutable std::optional<SeriesSignals> series_{};
 };
 
 }  // namespace mechwright

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Signals of a linkage from poses by the equations of its joints (loop.h): plain values, and derivatives by
-/// differences. In doubles for a first look, in fifty digits to measure with.
+/// differences, in fifty digits.
 
 #include <cmath>
 #include <cstddef>
@@ -13,7 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/series.h"
 #include "synthesis/mechanism/linkage/again/follow.h"
+#include "synthesis/mechanism/linkage/again/pose_signals.h"
 
 namespace mechwright {
 
@@ -24,11 +26,8 @@ public:
     /// `start_turns`: those of all links at the start of motion.
     SignalsAgain(const LinkageModel& model, std::span<const T> dimensions, std::vector<double> start_turns)
         : model_(model),
-          start_turns_(std::move(start_turns)),
           follower(model, numbers_of(model, dimensions)),
-          origin_{model.placement[0].at(dimensions), model.placement[1].at(dimensions)},
-          tilt_(linkage::detail::unit_at(model.placement[2].at(dimensions))),
-          scale_(model.scale.at(dimensions)),
+          standing_(model, dimensions, std::move(start_turns)),
           rate_(model.drives.front().speed ? *model.drives.front().speed * std::numbers::pi / 30 : 1) {}
 
     /// At the pose of an input near that where the follower stands, which it leaves as it was.
@@ -37,99 +36,96 @@ public:
     /// The derivative of some order by the time, in which the input grows by its speed.
     T by_input(std::size_t signal, int order, const T& input) {
         const linkage::Signal& s = model_.signals[signal];
-        if (s.kind == linkage::Signal::Kind::sum) {
-            T sum(0);
+        T by(0);
+        if (order == 0 || !is_limit(input)) {
+            by = series(s, order, input).derivative(static_cast<std::size_t>(order));
+        } else if (s.kind == linkage::Signal::Kind::sum) {
             for (const linkage::Signal::Term& term : s.terms)
-                sum += T(term.factor) * by_input(term.signal, order, input);
-            return sum;
+                by += T(term.factor) * by_input(term.signal, order, input);
+            return by;
+        } else {
+            by = difference([&](const T& at) { return series(s, 0, at).c[0]; }, order, input);
         }
-        T by = difference([&](const T& at) { return plain_value(s, at); }, order, input);
         for (int i = 0; i < order; ++i)
             by *= rate_;
         return by;
     }
 
-    /// A pin in the drawing.
-    Vector<T> in_drawing(std::size_t pin, const LoopPose<T>& pose) const {
-        return origin_ + scale_ * turned(follower.loop.pin(pin, pose), tilt_);
-    }
-
-    /// The angle at which a dyad passes its force on, in [0, pi].
-    T transmission_angle(const linkage::Group& group, const LoopPose<T>& pose) const {
-        using std::abs, std::acos, std::atan2;
-        using Kind = linkage::Group::Kind;
-        const Loop<T>& loop = follower.loop;
-        if (group.pin == linkage::none || group.outer[0] == linkage::none) {
-            const auto [a, b] = two_lines(group, pose);
-            return atan2(T(abs(cross(a, b))), dot(a, b));
-        }
-        const Vector<T> inner = loop.pin(group.pin, pose), first = inner - loop.pin(group.outer[0], pose);
-        Vector<T> other;
-        if (group.kind == Kind::rrr) {
-            other = inner - loop.pin(group.outer[1], pose);
-        } else {
-            const linkage::Structure& s = model_.structure;
-            other =
-                left_of(loop.direction(group.by_slide ? s.slides[group.joint].line : s.slots[group.joint].line, pose));
-        }
-        return atan2(T(abs(cross(first, other))), dot(first, other));
-    }
-
-    /// Calls use(at, pose) with the pose at an input near that of the follower; false where there is none.
-    template <class Use>
-    bool at_pose(const T& input, const Use& use) {
-        const Follower<T>& here = from_inside_ && inside ? *inside : follower;
-        Follower<T> there = here;
-        there.heeds_stops = false;
-        if (there.pose.turns.empty()) return false;
-        constexpr double least = 1e-9;
-        if (!(there.at == input) && !there.step(input) && !there.follow(input, least, [](const auto&) {})) return false;
-        use(there.pose);
-        return true;
+    /// The derivative of some order by the input of something that a pose has, a number or a vector.
+    template <class OfPose>
+    auto of_pose(const OfPose& of, int order, const T& input) {
+        return difference([&](const T& x) { return at_pose(x, of); }, order, input);
     }
 
     const T& rate() const { return rate_; }
-    /// How far apart the inputs of a difference stand: in doubles for a first look, in fifty digits for all of them.
-    T difference_step() const { return T(std::is_same_v<T, double> ? 1e-2 : 1e-9) * follower.unit(); }
-    T distance(std::size_t a, std::size_t b, const LoopPose<T>& pose) const {
-        const Vector<T> apart = follower.loop.pin(a, pose) - follower.loop.pin(b, pose);
-        return scale_ * hypotenuse(apart.x, apart.y);
-    }
-    const T& scale() const { return scale_; }
 
 private:
-    /// The derivative of some order from values at a few inputs about one, so close together as the nearest end of the
-    /// motion lets them be; at an end, beyond which there is no pose, from inside.
+    /// Something that the pose at an input near that of the follower has; not a number where there is no pose.
+    template <class OfPose>
+    auto at_pose(const T& input, const OfPose& of) {
+        const Follower<T>& here = from_inside_ && inside ? *inside : follower;
+        Follower<T> there = here;
+        there.heeds_stops = false;
+        constexpr double least = 1e-9;
+        const bool found = !there.pose.turns.empty() &&
+                           (there.at == input || there.step(input) || there.follow(input, least, [](const auto&) {}));
+        using Found = decltype(of(PoseSignals<T>{model_, there.loop, standing_, there.pose}));
+        if (found) return Found(of(PoseSignals<T>{model_, there.loop, standing_, there.pose}));
+        const T missing(std::numeric_limits<double>::quiet_NaN());
+        if constexpr (std::is_same_v<Found, Vector<T>>)
+            return Found{missing, missing};
+        else
+            return Found(missing);
+    }
+
+    /// Whether an input is one at which the motion ends, with no more known beyond.
+    bool is_limit(const T& input) const {
+        return (!first_regular && !(input > first_input)) || (!last_regular && !(input < last_input));
+    }
+
+    /// The derivative of some order: from values about an input, at a limit from inside.
     template <class Function>
     auto difference(const Function& f, int order, const T& at) {
         if (order == 0) return f(at);
-        constexpr bool doubles = std::is_same_v<T, double>;
-        const T before = at - first_input, after = last_input - at, nearest = before < after ? before : after;
-        const int count = order + (finely ? 7 : 1);
-        const T farthest = (!doubles ? T(1e-5) : finely ? T(0.25) / T(count) : T(1) / T(count)) * nearest;
-        if (doubles && !finely ? nearest < T(count) * difference_step() : !(nearest > T(0))) {
-            from_inside_ = true;
-            auto slope = from_inside(f, order, at, before < after ? follower.unit() : T(-follower.unit()));
-            from_inside_ = false;
-            return slope;
-        }
-        const T h = farthest < difference_step() ? farthest : difference_step();
-        return slope_of_polynomial(f, order, at, h, count, 0.5 * (count - 1));
+        auto by = is_limit(at) ? from_inside(f, order, at) : taylor(f, order, at).back();
+        for (int k = 2; k <= order; ++k)
+            by = T(k) * by;
+        return by;
     }
 
-    /// The same at an end, with a `way` towards the motion of the size of inputs. Infinite where shorter steps make it
-    /// much steeper, as what goes like the root of the distance.
+    /// Taylor coefficients up to some order, from values at a few inputs about one: so close together as the nearest
+    /// limit of the motion lets them be, and inside other ends, beyond which the formulas are others.
     template <class Function>
-    static auto from_inside(const Function& f, int order, const T& at, const T& way) {
-        // Differences of doubles are for a first look.
-        if constexpr (std::is_same_v<T, double>) {
-            return slope_of_polynomial(f, order, at, way * 1e-3, order + 1, -1);
-        } else {
-            // Short beside the distance of a limit beyond the end; each order takes as many digits as the step has.
-            const T step = way * T(order == 1 ? 1e-10 : 1e-7);
-            return unless_it_grows(slope_of_polynomial(f, order, at, step, order + 5, -1),
-                                   slope_of_polynomial(f, order, at, T(step / T(10)), order + 5, -1));
-        }
+    auto taylor(const Function& f, int order, const T& at) {
+        if (order == 0) return std::vector<decltype(f(at))>{f(at)};
+        constexpr double longest = 1e-7, of_way = 1e-5;
+        const T before = at - first_input, after = last_input - at;
+        const int count = order + 3;
+        T h = T(longest) * follower.unit();
+        const auto shorten = [&h](const T& to) {
+            if (to < h) h = to;
+        };
+        if (!first_regular) shorten(T(of_way) * before);
+        if (!last_regular) shorten(T(of_way) * after);
+        shorten(T(before + after) / T(count + 2));
+        T shift = T(0.5 * (count - 1));
+        if (const T most = before / h - T(1); first_regular && most < shift) shift = most;
+        if (const T least = T(count) - after / h; last_regular && least > shift) shift = least;
+        return taylor_of_polynomial(f, order, at, h, count, shift);
+    }
+
+    /// The last of these at a limit. Infinite where shorter steps make it much steeper, as what goes like the root of
+    /// the distance.
+    template <class Function>
+    auto from_inside(const Function& f, int order, const T& at) {
+        from_inside_ = true;
+        const bool first = at - first_input < last_input - at;
+        // Short beside the distance of a limit beyond the end; each order takes as many digits as the step has.
+        const T step = T(first ? 1 : -1) * T(order == 1 ? 1e-10 : 1e-7) * follower.unit();
+        auto by = unless_it_grows(taylor_of_polynomial(f, order, at, step, order + 5, T(-1)).back(),
+                                  taylor_of_polynomial(f, order, at, T(step / T(10)), order + 5, T(-1)).back());
+        from_inside_ = false;
+        return by;
     }
     static T unless_it_grows(const T& longer, const T& shorter) {
         using std::abs;
@@ -141,118 +137,101 @@ private:
         return {unless_it_grows(longer.x, shorter.x), unless_it_grows(longer.y, shorter.y)};
     }
 
-    /// The derivative of the polynomial through the values at some inputs that are h apart, of which the first lies
-    /// `shift` steps before `at`: by Newton's forward differences.
+    /// Those of the polynomial through the values at some inputs that are h apart, of which the first lies `shift`
+    /// steps before `at`: by Newton's forward differences.
     template <class Function>
-    static auto slope_of_polynomial(const Function& f, int order, const T& at, const T& h, int count, double shift) {
+    static auto taylor_of_polynomial(const Function& f, int order, const T& at, const T& h, int count, const T& shift) {
         std::vector<decltype(f(at))> differences;
         for (int i = 0; i < count; ++i)
-            differences.push_back(f(T(at + T(i - shift) * h)));
+            differences.push_back(f(T(at + (T(i) - shift) * h)));
         for (int level = 1; level < count; ++level)
             for (int i = count - 1; i >= level; --i)
                 differences[i] = differences[i] - differences[i - 1];
         // Coefficients by powers of s of (s + shift) (s + shift - 1) ... (s + shift - j + 1) / j!.
         std::vector<T> power(count + 1, T(0));
         power[0] = T(1);
-        auto sum = T(0) * differences[0];
+        std::vector<decltype(f(at))> sums(order + 1, T(0) * differences[0]);
         for (int j = 0; j < count; ++j) {
-            sum = sum + power[order] * differences[j];
+            for (int k = 0; k <= order; ++k)
+                sums[k] = sums[k] + power[k] * differences[j];
             for (int k = j + 1; k >= 0; --k)
-                power[k] = ((k > 0 ? power[k - 1] : T(0)) + T(shift - j) * power[k]) / T(j + 1);
+                power[k] = ((k > 0 ? power[k - 1] : T(0)) + (shift - T(j)) * power[k]) / T(j + 1);
         }
-        for (int k = 1; k <= order; ++k)
-            sum = T(T(k) / h) * sum;
-        return sum;
-    }
-
-    Vector<T> pin_at(std::size_t pin, const T& input) {
-        Vector<T> at{T(std::numeric_limits<double>::quiet_NaN()), T(0)};
-        at_pose(input, [&](const LoopPose<T>& pose) { at = follower.loop.pin(pin, pose); });
-        return at;
-    }
-    T magnitude(std::size_t pin, int order, const T& input) {
-        const Vector<T> by = difference([&](const T& x) { return pin_at(pin, x); }, order, input);
-        return scale_ * hypotenuse(by.x, by.y);
-    }
-
-    T plain_value(const linkage::Signal& s, const T& input) {
-        using Kind = linkage::Signal::Kind;
-        if (s.kind == Kind::speed) return rate_ * magnitude(s.of, 1, input);
-        if (s.kind == Kind::acceleration) return rate_ * rate_ * magnitude(s.of, 2, input);
-        if (s.kind == Kind::ratio) return value(s.of, input) / value(s.to, input);
-        T found(std::numeric_limits<double>::quiet_NaN());
-        at_pose(input, [&](const LoopPose<T>& pose) { found = of_pose(s, pose); });
-        return found;
-    }
-
-    Vector<T> coordinates(const linkage::Signal& s, const LoopPose<T>& pose) const {
-        using std::cos, std::sin;
-        const Vector<T> at = follower.loop.pin(s.of, pose);
-        if (s.on == linkage::none) return origin_ + scale_ * turned(at, tilt_);
-        const T back = -pose.turns[s.on];
-        return scale_ * turned(at - pose.origins[s.on], Vector<T>{cos(back), sin(back)});
-    }
-
-    T of_pose(const linkage::Signal& s, const LoopPose<T>& pose) const {
-        using std::cos, std::sin;
-        using Kind = linkage::Signal::Kind;
-        const Loop<T>& loop = follower.loop;
-        switch (s.kind) {
-            case Kind::angle: return pose.turns[s.of] - pose.turns[s.to] + T(2) * pi<T>() * T(whole_turns_of(s));
-            case Kind::x: return coordinates(s, pose).x;
-            case Kind::y: return coordinates(s, pose).y;
-            case Kind::along: return dot(coordinates(s, pose), Vector<T>{cos(T(s.number)), sin(T(s.number))});
-            case Kind::distance: return distance(s.of, s.to, pose);
-            case Kind::from_line: {
-                const Vector<T> start = loop.pin(s.to, pose), line = loop.pin(s.end, pose) - start;
-                return scale_ * cross(line, loop.pin(s.of, pose) - start) / hypotenuse(line.x, line.y);
-            }
-            case Kind::slide: return scale_ * loop.displacement(s.of, pose);
-            case Kind::transmission_angle:
-                for (const linkage::Group& group : model_.order.groups)
-                    if (linkage::margin_of(model_.order, group) == s.of) return transmission_angle(group, pose);
-                break;
-            default: break;
+        T per_step(1);
+        for (int k = 1; k <= order; ++k) {
+            per_step /= h;
+            sums[k] = per_step * sums[k];
         }
-        return T(std::numeric_limits<double>::quiet_NaN());
+        return sums;
     }
 
-    std::pair<Vector<T>, Vector<T>> two_lines(const linkage::Group& group, const LoopPose<T>& pose) const {
-        const std::size_t margin = linkage::margin_of(model_.order, group);
-        const linkage::Structure& s = model_.structure;
-        const auto line = [&](const linkage::Locus& locus) {
-            const bool slide =
-                locus.kind != linkage::Locus::Kind::slot &&
-                (locus.tie.kind == linkage::Tie::Kind::slides || locus.tie.kind == linkage::Tie::Kind::carries);
-            return follower.loop.direction(slide ? s.slides[locus.tie.joint].line : s.slots[locus.tie.joint].line,
-                                           pose);
+    /// A signal as a series of the input about one, whose coefficients are known up to some order.
+    Series<T, powers_of_input> series(const linkage::Signal& s, int order, const T& input) {
+        using Kind = linkage::Signal::Kind;
+        using Value = Series<T, powers_of_input>;
+        if (s.kind == Kind::ratio)
+            return series(model_.signals[s.of], order, input) / series(model_.signals[s.to], order, input);
+        if (s.kind == Kind::sum) {
+            Value sum(T(0));
+            for (const linkage::Signal::Term& term : s.terms)
+                sum += T(term.factor) * series(model_.signals[term.signal], order, input);
+            return sum;
+        }
+        if (s.kind != Kind::speed && s.kind != Kind::acceleration) {
+            const std::vector<T> c =
+                taylor([&](const T& x) { return at_pose(x, [&](const auto& p) { return p.value(s); }); }, order, input);
+            return Value::by_powers([&](std::size_t k) { return k < c.size() ? c[k] : T(0); });
+        }
+        const int own = s.kind == Kind::speed ? 1 : 2;
+        const std::vector<Vector<T>> c = pin_by_input(s.of, own + order, input);
+        Value x = Value::by_powers([&](std::size_t k) { return k < c.size() ? c[k].x : T(0); }),
+              y = Value::by_powers([&](std::size_t k) { return k < c.size() ? c[k].y : T(0); });
+        for (int i = 0; i < own; ++i) {
+            x = rate_ * slope_of(x);
+            y = rate_ * slope_of(y);
+        }
+        const bool first = first_regular && !(input > first_input), last = last_regular && !(input < last_input);
+        return first || last ? size_beside(x, y, first) : hypotenuse(x, y);
+    }
+    /// The size of a vector beside an end at which it may vanish: after it, else before it. Then it is that of what the
+    /// vector is over the way from there, times the way.
+    Series<T, powers_of_input> size_beside(const Series<T, powers_of_input>& x, const Series<T, powers_of_input>& y,
+                                           bool after) const {
+        using Value = Series<T, powers_of_input>;
+        const T vanishes = T(1e-9) * follower.unit();
+        if (!(hypotenuse(x.c[0], y.c[0]) < vanishes * hypotenuse(x.c[1], y.c[1]))) return hypotenuse(x, y);
+        const auto over_way = [](const Value& v) {
+            return Value::by_powers([&](std::size_t k) { return k < powers_of_input ? v.c[k + 1] : T(0); });
         };
-        for (const linkage::Step& step : model_.order.steps)
-            if (step.margin == margin) return {line(step.first), line(step.second)};
-        return {};
+        const Value size = hypotenuse(over_way(x), over_way(y));
+        return Value::by_powers([&](std::size_t k) {
+            return k == 0 ? T(0) : after ? size.c[k - 1] : T(-size.c[k - 1]);
+        });
     }
-
-    /// Angles are counted so that at the start of motion each is in (near - pi, near + pi].
-    double whole_turns_of(const linkage::Signal& s) const {
-        if (start_turns_.empty()) return 0;
-        const double angle = start_turns_[s.of] - start_turns_[s.to];
-        return -std::ceil((angle - s.number) / (2 * std::numbers::pi) - 0.5);
+    /// Taylor coefficients of a pin's place; at a limit the last alone.
+    std::vector<Vector<T>> pin_by_input(std::size_t pin, int order, const T& input) {
+        const auto place = [&](const T& x) { return at_pose(x, [pin](const auto& p) { return p.in_drawing(pin); }); };
+        if (!is_limit(input)) return taylor(place, order, input);
+        std::vector<Vector<T>> c(order + 1, Vector<T>{T(0), T(0)});
+        c.back() = difference(place, order, input);
+        for (int k = 2; k <= order; ++k)
+            c.back() = T(T(1) / T(k)) * c.back();
+        return c;
     }
 
     const LinkageModel& model_;
-    std::vector<double> start_turns_;
 
 public:
     Follower<T> follower;
     /// Between these inputs there are poses, as far as that is known.
     T first_input{-std::numeric_limits<double>::infinity()}, last_input{std::numeric_limits<double>::infinity()};
-    bool finely = false;  ///< whether derivatives in doubles are to have as many digits as there can be
+    /// Whether what is measured goes on beyond them by the same formulas, so that they are no limits.
+    bool first_regular = false, last_regular = false;
     /// Where the follower stands at an end: one that stands before it.
     std::optional<Follower<T>> inside{};
 
 private:
-    Vector<T> origin_, tilt_;
-    T scale_;
+    Standing<T> standing_;
     T rate_;  ///< of the input, by time
     bool from_inside_ = false;
 };
