@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -87,6 +88,32 @@ TEST(CyclesOfSeveralTurns, EachPointCountsByTheNearestOfTheWholeCurve) {
     ASSERT_TRUE(result.best);
     EXPECT_LT(result.best->objective, 1e-7);
     for (const Check& check : verify(document(read.problem, result)))
+        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
+}
+
+// A line is followed in the second turn, where the linkage is elsewhere than in the first: the greatest distance from
+// it by a scan.
+TEST(CyclesOfSeveralTurns, LinesAreFollowedInTheSecondTurn) {
+    const std::string text = known_linkages::shipped_text("two-drives") + R"(
+[line]
+point = "P"
+start = 500
+range = 60
+[objective]
+minimize = "line-deviation"
+)";
+    const Problem problem = testing::read_without_fault(text).problem;
+    const Result result = solve(problem, {});
+    ASSERT_TRUE(result.best);
+    const double direction = *value_named(problem, result.best->design, "line-angle"),
+                 offset = *value_named(problem, result.best->design, "line-offset");
+    double greatest = 0;
+    for (int i = 0; i <= 60000; ++i) {
+        const Vector<double> p = point_of_two_drives(500 + i * 1e-3);
+        greatest = std::max(greatest, std::abs(std::cos(direction) * p.y - std::sin(direction) * p.x - offset));
+    }
+    EXPECT_NEAR(result.best->objective, greatest, 1e-9);
+    for (const Check& check : verify(document(problem, result)))
         EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
 }
 
