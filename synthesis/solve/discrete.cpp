@@ -8,6 +8,7 @@
 
 #include "synthesis/problem/allowed_values.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/program/zero_objective.h"
 #include "synthesis/solve/methods.h"
 
 namespace mechwright {
@@ -194,6 +195,8 @@ struct BranchAndBound {
             split(pop());
         }
         std::make_heap(open.begin(), open.end(), comes_later);
+        if (!found.candidates.empty() && is_at_zero(problem, found.candidates.front()))
+            found.report.proof = proof_by_zero(problem);
         found.stopped = end.reached();
         if (found.stopped && !open.empty() && least < unlimited_cost)
             report.gap = std::max(0.0, least - open.front().cost);

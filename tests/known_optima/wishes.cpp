@@ -66,6 +66,15 @@ TEST(Wishes, OfPointsThatCanBeMetTheSmallestLinkageIsFound) {
     EXPECT_NEAR(family.value("total-length"), required.value("total-length"), 1e-4 * s.value("total-length"));
 }
 
+TEST(Wishes, OfSixPointsTheSmallestLinkageIsTheShippedOne) {
+    const Solved s = solved(shipped("six-points-compact.toml", "path"));
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_EQ(s.result.search.free_numbers, 3u);
+    EXPECT_LT(s.value("path-max"), 1e-10);
+    EXPECT_NEAR(s.value("total-length"), 356.83013, 1e-4);
+    EXPECT_TRUE(s.result.search.complete());
+}
+
 TEST(Wishes, WhatCannotBeMetIsInfeasibleWithoutThem) {
     const std::string text = transmission_then_size(
         "[[require]]\nquantity = \"transmission-angle-worst\"\nmin = 60\n[[objective]]\nminimize = \"link-ratio\"\n"
@@ -82,6 +91,28 @@ TEST(Wishes, OfAGivenDesignAreWhatItHas) {
     ASSERT_EQ(s.result.status, Status::solved);
     EXPECT_EQ(s.result.best->objective, 290);
     EXPECT_EQ(s.result.best->wished[0].best, s.value("transmission-angle-worst"));
+}
+
+TEST(Wishes, OfALinkageAreThoseOfTheKindThatItIs) {
+    const std::string rest =
+        "[[objective]]\nmaximize = \"transmission-angle-worst\"\nwithin = 5\n"
+        "[[objective]]\nminimize = \"total-length\"\nrank = 2\n";
+    const std::string dimensions =
+        "[dimensions]\nground = 100\ncrank = { choices = [20, 25, 30] }\n"
+        "coupler = { min = 60, max = 140, step = 10 }\nrocker = { min = 50, max = 120, step = 10 }\n";
+    const Solved linkage = solved("schema = 1\nmechanism = \"linkage\"\n" + dimensions +
+                                  "[links]\nframe = { A = [0, 0], D = [\"ground\", 0] }\n"
+                                  "crank = { A = [0, 0], B = [\"crank\", 0] }\n"
+                                  "coupler = { B = [0, 0], C = [\"coupler\", 0] }\n"
+                                  "rocker = { D = [0, 0], C = [\"rocker\", 0] }\n[drive]\nlink = \"crank\"\n[signals]\n"
+                                  "turn = { angle = \"rocker\" }\n[[require]]\nquantity = \"turn.range\"\nmin = 45\n"
+                                  "[[require]]\nquantity = \"full-turn-margin\"\nmin = 0.001\n" +
+                                  rest);
+    const Solved four_bar = solved("schema = 1\nmechanism = \"four-bar\"\n" + dimensions +
+                                   "[[require]]\nquantity = \"swing\"\nmin = 45\n" + rest);
+    ASSERT_EQ(linkage.result.status, Status::solved);
+    EXPECT_NEAR(linkage.result.best->wished[0].best, four_bar.result.best->wished[0].best, 1e-9);
+    EXPECT_EQ(linkage.result.best->objective, four_bar.result.best->objective);
 }
 
 TEST(Wishes, GoWithAllowedValues) {

@@ -18,7 +18,8 @@ QUICKLY = ("--json", "--quiet", "--time-limit", "0.05")
 WHOLE = ["exact/five-poses", "exact/five-timed-points", "exact/reciprocal-three-points",
          "exact/velocities-of-an-instant", "cam/not-possible", "cam/eccentric", "cam/flat-harmonic", "cam/knife-table",
          "function/tangent", "function/samples", "line/lambda-120", "four-bar/crank-rocker-compact",
-         "quick-return/slider-crank-not-reachable"]
+         "quick-return/slider-crank-not-reachable", "path/six-points-compact", "four-bar/links-from-stock",
+         "four-bar/transmission-then-size"]
 
 # What no problem that comes with mechwright has, as designs that are given.
 LINKAGE = """schema = 1

@@ -21,7 +21,7 @@ TEST(IsoTolerance, IsThatOfTheTable) {
     EXPECT_EQ(iso_tolerance(11, 100), 0.220);
     EXPECT_EQ(iso_tolerance(5, 500), 0.027);
     EXPECT_EQ(iso_tolerance(7, 501), 0.070);
-    EXPECT_EQ(iso_tolerance(13, 3150), 3.3);
+    EXPECT_DOUBLE_EQ(*iso_tolerance(13, 3150), 3.3);
     EXPECT_FALSE(iso_tolerance(7, 3151));
     EXPECT_FALSE(iso_tolerance(4, 25));
     EXPECT_FALSE(iso_tolerance(7, 0));

@@ -351,6 +351,8 @@ void read_signals(LinkageReading& reading) {
             if (const toml::node* node = find(section, key)) check_quantities(signals, *node, name_of(section, key));
         read_number(section, "weight", reading.messages);
         read_choice(section, "reduce", "reduction", reading.messages);
+        for (const char* key : {"rank", "within"})  // which are read once the quantities are known
+            find(section, key);
         if (has(section, "minimize") == has(section, "maximize"))
             add_error(reading.messages, section.place, "[objective] needs either 'minimize' or 'maximize'");
         report_unknown_keys(section, reading.messages);
