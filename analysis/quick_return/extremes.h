@@ -101,12 +101,15 @@ inline FastPlaces fast_places(const CrankShaper<double>& m) {
 
 namespace detail {
 
+/// The steps of the grid are finer the more often a derivative changes its sign near a fast place.
 template <class Drive, class Function>
-RamExtremes zeros_of_ram(const Drive& m, const CrankRange<double>& range, const Function& g) {
+RamExtremes zeros_of_ram(const Drive& m, const CrankRange<double>& range, const Function& g,
+                         double graded = GradedGrid::Steps{}.graded) {
     const FastPlaces fast = fast_places(m);
     // A limited motion can end at a dead position, where the ram is infinitely fast: finer steps there.
     return zeros_of_motion<RamExtremes::capacity>(
-        g, fast.all(), range, {.widest = std::numbers::pi / 48, .end_part = range.full_turn ? 1.0 : 1.0 / 32});
+        g, fast.all(), range,
+        {.graded = graded, .widest = std::numbers::pi / 48, .end_part = range.full_turn ? 1.0 : 1.0 / 32});
 }
 
 }  // namespace detail
@@ -126,7 +129,9 @@ RamExtremes ram_velocity_extremes(const Drive& m, const CrankRange<double>& rang
 /// Where its acceleration is stationary.
 template <class Drive>
 RamExtremes ram_acceleration_extremes(const Drive& m, const CrankRange<double>& range) {
-    return detail::zeros_of_ram(m, range, [&](double x) { return ram_jerk(m, x); });
+    constexpr double graded = 0.3;
+    return detail::zeros_of_ram(
+        m, range, [&](double x) { return ram_jerk(m, x); }, graded);
 }
 
 /// Where the rod's slope is stationary.

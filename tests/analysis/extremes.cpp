@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "analysis/quick_return.h"
+#include "analysis/quick_return/extremes.h"
 #include "tests/analysis/precise.h"
 
 namespace mechwright::test {
@@ -139,6 +141,29 @@ TEST(StationaryValue, OfWhatDoesNotChangeAlongTheMotionIsThatOfAnyPlace) {
         EXPECT_NEAR(value.value, 0.343, 1e-15);
         EXPECT_NEAR(value.first[0], 1.47, 1e-15);
         EXPECT_NEAR(value.mixed(0, 0), 4.2, 1e-14);
+    }
+}
+
+/// Four extremes of its ram's acceleration are within 0.3 of the place where its slotted arm is fast and 0.1 from where
+/// its rod stands nearly square to the arm; two of them between signs of the jerk that a coarse grid saw alike.
+/// Whatever is found, no fewer can there be than changes of sign of the jerk on a fine scan.
+TEST(RamExtremes, CloseToTwoFastPlacesAreAllFound) {
+    const Whitworth<double> m{1.0000000000000006e-05, 1.1337905825838847e-05, 1.0000000000000006e-05,
+                              1.0101106493644107e-05, 0.33192437008862319};
+    const double turn = 2 * std::numbers::pi;
+    std::vector<double> scanned;
+    bool before = ram_jerk(m, 0.0) > 0;
+    for (int i = 1; i <= 4000; ++i) {
+        const bool now = ram_jerk(m, turn * i / 4000) > 0;
+        if (now != before) scanned.push_back(turn * i / 4000);
+        before = now;
+    }
+    ASSERT_EQ(scanned.size(), 8u);
+    const RamExtremes found = ram_acceleration_extremes(m, {true, 0, turn});
+    ASSERT_EQ(found.count, 8u);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_LT(found.at[i], scanned[i]);
+        EXPECT_GT(found.at[i], scanned[i] - turn / 4000);
     }
 }
 
