@@ -10,6 +10,7 @@
 #include "synthesis/mechanism/input.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/target/path/read_parts.h"
+#include "synthesis/target/path/rows/stretch.h"
 
 namespace mechwright {
 
