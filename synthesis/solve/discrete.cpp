@@ -10,6 +10,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/solve/methods.h"
+#include "synthesis/solve/parts.h"
 
 namespace mechwright {
 
@@ -51,20 +52,14 @@ struct BranchAndBound {
         part.solver.pareto = 0;
         for (std::size_t k = 0; k < discrete.size(); ++k)
             part.dimensions[discrete[k]] = continuous(ranges[k]);
-        if (near) part.solver.starts = std::min(part.solver.starts, starts_of_part);
-        if (near)
-            for (std::size_t i = 0; i < part.dimensions.size(); ++i)
-                if (DimensionRange& range = part.dimensions[i]; !range.fixed() && !range.tied())
-                    range.start = std::clamp(near->dimensions[i], range.min, range.max);
-        RunOptions quiet = options;
-        quiet.progress = nullptr;
-        quiet.bounding = nullptr;
-        quiet.neighbour = nullptr;
-        Found result = find_designs(part, quiet, end);
-        SearchReport& sum = found.report;
-        sum.starts += result.report.starts;
-        sum.screened += result.report.screened;
-        sum.evaluations += result.report.evaluations;
+        if (near) {
+            part.solver.starts = std::min(part.solver.starts, starts_of_part);
+            begin_at(part, *near);
+        }
+        RunOptions of_part = quiet(options);
+        of_part.neighbour = nullptr;
+        Found result = find_designs(part, of_part, end);
+        add_work(found.report, result.report);
         ++report.problems;
         if (options.progress)
             options.progress(static_cast<int>(report.problems),
@@ -101,20 +96,21 @@ struct BranchAndBound {
     }
 
     /// Solves a part. What is no better than a design that was found is left out, and what has no choice left is kept.
+    /// What could not be solved to its end promises what it is a part of does.
     void examine(std::vector<DimensionRange> ranges, const Design* near, double of_whole) {
-        if (end.reached()) {  // it promises what it is a part of does
-            open.push_back({std::move(ranges), *near, of_whole});
-            return;
-        }
+        if (end.reached()) return push({std::move(ranges), *near, of_whole});
         const bool chosen = std::none_of(ranges.begin(), ranges.end(), [](const auto& r) { return r.discrete(); });
         if (chosen) {
             std::vector<double> values;
             for (const DimensionRange& range : ranges)
                 values.push_back(range.min);
-            if (settled.insert(std::move(values)).second) keep_all(solved(ranges, near));
+            if (!settled.insert(std::move(values)).second) return;
+            keep_all(solved(ranges, near));
+            if (end.reached()) push({std::move(ranges), *near, of_whole});
             return;
         }
         const Found result = solved(ranges, near);
+        if (end.reached()) return push({std::move(ranges), *near, of_whole});
         if (result.candidates.empty() || !result.candidates.front().feasible) return;
         const double promised = cost(result.candidates.front().objective);
         if (is_behind(promised)) return;
@@ -194,7 +190,6 @@ struct BranchAndBound {
             if (!problem.objective && least < unlimited_cost) break;  // any design will do
             split(pop());
         }
-        std::make_heap(open.begin(), open.end(), comes_later);
         if (!found.candidates.empty() && is_at_zero(problem, found.candidates.front()))
             found.report.proof = proof_by_zero(problem);
         found.stopped = end.reached();

@@ -9,6 +9,7 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/search/nearby.h"
 #include "synthesis/solve/choose.h"
+#include "synthesis/solve/parts.h"
 #include "synthesis/solve/solve.h"
 
 namespace mechwright {
@@ -72,10 +73,7 @@ struct Front {
     std::optional<Design> searched(Problem sub) {
         if (stopped()) return std::nullopt;
         sub.solver.time_limit = std::chrono::duration<double>(deadline - Clock::now()).count();
-        RunOptions quiet = options;
-        quiet.progress = nullptr;
-        quiet.bounding = nullptr;
-        const Result result = solve(sub, quiet);
+        const Result result = solve(sub, quiet(options));
         ++done;
         if (options.progress) options.progress(done, searches(), own_best);
         if (!result.best || !result.best->feasible) return std::nullopt;

@@ -19,6 +19,7 @@
 #include "synthesis/search/path_objective.h"
 #include "synthesis/search/path_search.h"
 #include "synthesis/solve/discrete.h"
+#include "synthesis/solve/parts.h"
 #include "synthesis/solve/ranked.h"
 #include "synthesis/solve/solve.h"
 
@@ -266,10 +267,9 @@ void choose_compact(const Problem& problem, Found& found, const Method& method, 
     auto along = along_family(problem, found.candidates.front().design);
     if (free == 0 || !along) return;
     along->solver.starts = std::min(along->solver.starts, starts);
-    RunOptions quiet = options;
-    quiet.progress = nullptr;
-    quiet.trace = nullptr;
-    const Found compact = method.run(*along, quiet, end.deadline);
+    RunOptions of_family = quiet(options);
+    of_family.trace = nullptr;
+    const Found compact = method.run(*along, of_family, end.deadline);
     if (compact.stopped) return;
     found.report.evaluations += compact.report.evaluations;
     LocalLimits limits;

@@ -7,6 +7,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/solve/methods.h"
+#include "synthesis/solve/parts.h"
 
 namespace mechwright {
 
@@ -37,19 +38,6 @@ const Solution* first_verified(const Problem& problem, const Found& found, const
     return nullptr;
 }
 
-/// Searches begin at a design, too.
-void begin_at(Problem& problem, const Design& design) {
-    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
-        if (DimensionRange& range = problem.dimensions[i]; !range.fixed() && !range.tied())
-            range.start = std::clamp(design.dimensions[i], range.min, range.max);
-}
-
-void add(SearchReport& sum, const SearchReport& one) {
-    sum.starts += one.starts;
-    sum.screened += one.screened;
-    sum.evaluations += one.evaluations;
-}
-
 }  // namespace
 
 Found ranked_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
@@ -67,10 +55,10 @@ Found ranked_designs(const Problem& problem, const RunOptions& options, const Ru
             for (Solution& candidate : found.candidates)
                 candidate = assess(problem, std::move(candidate.design));
             if (!found.infeasible) found.report.proof = nullptr;
-            add(found.report, before);
+            add_work(found.report, before);
             return found;
         }
-        add(before, found.report);
+        add_work(before, found.report);
         best = first->design;
         wished.push_back(met(stage, wish, *best));
         Requirement limit{wish.term.quantity, {}, {}, {}};
@@ -83,7 +71,7 @@ Found ranked_designs(const Problem& problem, const RunOptions& options, const Ru
     found.report.proof = nullptr;  // it is of the limits that were found
     found.infeasible = false;
     found.checks_of_first.clear();
-    add(found.report, before);
+    add_work(found.report, before);
     found.candidates.push_back(assess(stage, *best));
     std::stable_sort(found.candidates.begin(), found.candidates.end(),
                      [&](const Solution& a, const Solution& b) { return preferred(stage, a, b); });

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "synthesis/document/document.h"
-#include "synthesis/program/assess.h"
 #include "synthesis/program/proof.h"
 #include "synthesis/program/search_trace.h"
 #include "synthesis/solve/choose.h"

@@ -1,5 +1,6 @@
 // Dimensions with a few allowed values, against all their combinations counted out.
 
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -58,6 +59,24 @@ TEST(Discrete, LinksFromStockAreTheBestOfAllCombinations) {
             const double value = other.solution.design.dimensions[i];
             EXPECT_EQ(value, nearest_allowed(s.problem.dimensions[i], value));
         }
+}
+
+TEST(Discrete, TheGapOfARunThatIsStoppedHoldsWhatWasNotLookedAt) {
+    constexpr double best = 47.45933118469001;  // of all combinations, see above
+    ReadProblem read = parse_problem(shipped("links-from-stock.toml"), "links-from-stock.toml");
+    int with_design = 0;
+    for (const int problems : {3, 6, 12, 20, 30, 40}) {
+        std::atomic<bool> stop = false;
+        RunOptions options;
+        options.stop = &stop;
+        options.progress = [&](int done, int, double) { stop = stop || done >= problems; };
+        const Result result = solve(read.problem, options);
+        EXPECT_EQ(result.status, Status::interrupted);
+        if (!result.best || !result.best->feasible) continue;  // none was found so soon
+        ++with_design;
+        EXPECT_GE(result.best->objective + result.search.discrete->gap, best - 1e-9) << problems;
+    }
+    EXPECT_GE(with_design, 3);
 }
 
 TEST(Discrete, TheRestIsDesignedForEachChoice) {
