@@ -4,6 +4,7 @@
 /// of the extreme value with respect to the design, by the envelope theorem.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -82,34 +83,121 @@ void zeros_in_dip(const Function& g, double left, double middle, double right, d
     }
 }
 
+namespace detail {
+
+/// Zeros found near the samples at hand, in increasing order.
+struct NearZeros {
+    static constexpr std::size_t most = 12;
+    std::array<double, most> at{};
+    std::size_t count = 0, reported = 0;
+
+    template <class Found>
+    void add(double x, const Found& found) {
+        if (count == most) report_until(at[most - 1], found), forget_before(x);
+        if (count == most) return;
+        const auto place = std::upper_bound(at.begin() + reported, at.begin() + count, x);
+        std::copy_backward(place, at.begin() + count, at.begin() + count + 1);
+        *place = x;
+        ++count;
+    }
+    template <class Found>
+    void report_until(double x, const Found& found) {
+        for (; reported < count && at[reported] <= x; ++reported)
+            found(at[reported]);
+    }
+    void forget_before(double x) {
+        const auto kept = std::lower_bound(at.begin(), at.begin() + reported, x);
+        const auto gone = static_cast<std::size_t>(kept - at.begin());
+        std::copy(kept, at.begin() + count, at.begin());
+        count -= gone;
+        reported -= gone;
+    }
+};
+
+}  // namespace detail
+
 /// Reports to `found(x)` the zeros of `g` between neighbouring grid points, in increasing order: every change of sign,
-/// and pairs of zeros between points where |g| dips without changing sign. Points where g is not finite bracket
-/// nothing.
+/// and pairs of zeros between points where |g| dips without changing sign. Beside zeros that are known already, it is g
+/// over its distances from them that dips. Points where g is not finite bracket nothing. Grid points are asked for in
+/// their order, each once.
 template <class Function, class Found>
 void zeros_on_grid(const Function& g, std::span<const double> grid, const Found& found) {
     struct Sample {
         double x, g;
     };
-    const auto sample = [&](double x) { return Sample{x, g(x)}; };
-    const auto one_sign = [](const Sample& a, const Sample& b) {
-        return std::isfinite(a.g) && std::isfinite(b.g) && a.g != 0 && b.g != 0 && (a.g > 0) == (b.g > 0);
+    std::array<double, 5> values{};  // of the last points
+    detail::NearZeros zeros;
+    const auto value = [&](std::size_t i) -> double& { return values[i % values.size()]; };
+
+    // More zeros than this within three steps of a point are those of rounding.
+    constexpr std::size_t most_beside = 8;
+    // Nearer than this part of the steps to a zero, g over the distance from it is rounding.
+    constexpr double beside = 1e-6;
+    std::size_t looked_at = 0;
+    const auto look_for_dip = [&](std::size_t middle) {
+        const double near = beside * (grid[middle + 1] - grid[middle - 1]);
+        if (middle == looked_at || zeros.count > most_beside) return;
+        const auto moved = [&](double x) {
+            for (std::size_t k = 0; k < zeros.count; ++k)
+                if (std::abs(x - zeros.at[k]) < near) return zeros.at[k] + (x < zeros.at[k] ? -near : near);
+            return x;
+        };
+        const auto over_distances = [&](double x, double gx) {
+            for (std::size_t k = 0; k < zeros.count; ++k)
+                gx /= x - zeros.at[k];
+            return gx;
+        };
+        const auto at_point = [&](std::size_t i) {
+            const double x = moved(grid[i]);
+            return Sample{x, over_distances(x, x == grid[i] ? value(i) : g(x))};
+        };
+        const auto one_sign = [](const Sample& a, const Sample& b) {
+            return std::isfinite(a.g) && std::isfinite(b.g) && a.g != 0 && b.g != 0 && (a.g > 0) == (b.g > 0);
+        };
+        const Sample a = at_point(middle - 1), b = at_point(middle), c = at_point(middle + 1);
+        if (!one_sign(a, b) || !one_sign(b, c) || std::abs(b.g) > std::abs(a.g) || std::abs(b.g) > std::abs(c.g))
+            return;
+        looked_at = middle;
+        const auto smooth = [&](double x) {
+            const double off = moved(x);
+            return over_distances(off, g(off));
+        };
+        std::array<double, 2> pair;
+        std::size_t count = 0;
+        zeros_in_dip(smooth, a.x, b.x, c.x, a.g, b.g, c.g, [&](double x) {
+            if (moved(x) == x) pair[count++] = x;
+        });
+        for (std::size_t k = 0; k < count; ++k)
+            zeros.add(pair[k], found);
     };
-    if (grid.empty()) return;
-    Sample before{}, last = sample(grid[0]);
-    if (last.g == 0) found(last.x);
-    for (std::size_t i = 1; i < grid.size(); ++i) {
-        const Sample next = sample(grid[i]);
-        if (next.g == 0) {
-            found(next.x);
-        } else if (std::isfinite(last.g) && std::isfinite(next.g) && last.g != 0 && (last.g > 0) != (next.g > 0)) {
-            found(zero_between<double>(g, last.x, next.x, last.g, next.g));
-        } else if (i >= 2 && one_sign(before, last) && one_sign(last, next) && std::abs(last.g) <= std::abs(before.g) &&
-                   std::abs(last.g) <= std::abs(next.g)) {
-            zeros_in_dip(g, before.x, last.x, next.x, before.g, last.g, next.g, found);
+
+    // Where g is zero at a point itself, its sign within the step beside it is asked for.
+    const auto look_for_change = [&](std::size_t i) {
+        const double step = beside * (grid[i + 1] - grid[i]);
+        const auto within = [&](std::size_t point, double inwards) {
+            return value(point) != 0 ? Sample{grid[point], value(point)}
+                                     : Sample{grid[point] + inwards, g(grid[point] + inwards)};
+        };
+        const Sample left = within(i, step), right = within(i + 1, -step);
+        if (std::isfinite(left.g) && std::isfinite(right.g) && left.g != 0 && right.g != 0 &&
+            (left.g > 0) != (right.g > 0))
+            zeros.add(zero_between<double>(g, left.x, right.x, left.g, right.g), found);
+    };
+
+    for (std::size_t i = 0; i < grid.size() + 2; ++i) {
+        if (i < grid.size()) {
+            value(i) = g(grid[i]);
+            if (i > 0) look_for_change(i - 1);
+            if (value(i) == 0) zeros.add(grid[i], found);
         }
-        before = last;
-        last = next;
+        if (i < 4) continue;
+        // Of both ends of a step, beside the same zeros: else a pair within it could make neither of them the least.
+        look_for_dip(i - 3);
+        if (i - 1 < grid.size()) look_for_dip(i - 2);
+        zeros.report_until(grid[i - 3], found);
+        zeros.forget_before(grid[i - 4 - (i > 4)]);
     }
+    if (!grid.empty()) zeros.report_until(grid.back(), found);
 }
 
 /// The value of a measure at a point where it is stationary in the last of N + 1 variables, as a function of the first

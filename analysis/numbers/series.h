@@ -175,10 +175,24 @@ Series<T, K> sqrt(const Series<T, K>& a) {
     return detail::root_of(a, T(sqrt(a.c[0])));
 }
 
-// r r = a a + b b.
+/// r r = a a + b b, with c + e for r, where c is along the value (a, b) and d across it: e (2 c + e) = d d. So nothing
+/// cancels, and little of the rounding of a and b is divided by a value that is small.
 template <class T, std::size_t K>
 Series<T, K> hypot(const Series<T, K>& a, const Series<T, K>& b) {
-    return detail::root_of(a * a + b * b, hypotenuse(a.c[0], b.c[0]));
+    const T value = hypotenuse(a.c[0], b.c[0]);
+    if (!(value > T(0))) return Series<T, K>(value);
+    const T x = a.c[0] / value, y = b.c[0] / value;
+    const Series<T, K> along = x * a + y * b, across = x * b - y * a;
+    const T half = T(0.5) / value;
+    Series<T, K> r(value), more(T(0));
+    for (std::size_t k = 1; k <= K; ++k) {
+        T rest(0);
+        for (std::size_t j = 1; j < k; ++j)
+            rest += across.c[j] * across.c[k - j] - more.c[j] * (along.c[k - j] + r.c[k - j]);
+        more.c[k] = rest * half;
+        r.c[k] = along.c[k] + more.c[k];
+    }
+    return r;
 }
 
 template <class T, std::size_t K>

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -86,6 +87,32 @@ TEST(ZerosOnGrid, ComeInPairsWhereTheFunctionDipsBetweenPoints) {
     }
 }
 
+/// Four zeros of which two make a sign change that can be seen, and two do not.
+TEST(ZerosOnGrid, ComeInPairsBesideOtherZeros) {
+    int checked = 0;
+    const auto check = [&](std::array<double, 4> all) {
+        std::sort(all.begin(), all.end());
+        const auto in_step_of = [&](double x) {
+            return std::count_if(all.begin(), all.end(), [x](double y) { return std::floor(x) == std::floor(y); });
+        };
+        if (std::none_of(all.begin(), all.end(), [&](double x) { return in_step_of(x) % 2 == 1; })) return;
+        const auto g = [&](double x) {
+            return (x - all[0]) * (x - all[1]) * (x - all[2]) * (x - all[3]) * std::exp(0.2 * x);
+        };
+        ++checked;
+        const auto zeros = zeros_of(g, steps(-5, 5, 10));
+        ASSERT_EQ(zeros.size(), 4u) << all[0] << ' ' << all[1] << ' ' << all[2] << ' ' << all[3];
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_NEAR(zeros[i], all[i], 1e-10);
+    };
+    for (const double gap : {0.9, 0.3, 1e-2, 1e-4})
+        for (const double centre : {0.02, 0.31, 0.5, 0.97})
+            for (double first = -3; first < 3; first += 0.23)
+                for (double second = first + 0.17; second < 3; second += 0.31)
+                    check({centre - gap / 2, centre + gap / 2, first, second});
+    EXPECT_GT(checked, 2000);
+}
+
 TEST(ZerosOnGrid, AreNotInventedWhereTheFunctionOnlyDips) {
     int evaluations = 0;
     const auto g = [&](double x) {
@@ -165,6 +192,18 @@ TEST(RamExtremes, CloseToTwoFastPlacesAreAllFound) {
         EXPECT_LT(found.at[i], scanned[i]);
         EXPECT_GT(found.at[i], scanned[i] - turn / 4000);
     }
+}
+
+/// Near a ratio of 1 : 4 of crank to rod three extremes of the ram's acceleration are close together at its inner dead
+/// centre, where the outer two part from the middle one: that is at pi, the slide being on the crank pivot.
+TEST(RamExtremes, ThreeAtADeadCentreAreAllFound) {
+    const SliderCrank<double> m{0.053751878222889647, 0.20366576019380325, 0};
+    const RamExtremes found = ram_acceleration_extremes(m, {true, 0, 2 * std::numbers::pi});
+    ASSERT_EQ(found.count, 4u);
+    EXPECT_NEAR(found.at[0], 0, 1e-15);
+    EXPECT_DOUBLE_EQ(found.at[2], std::numbers::pi);
+    EXPECT_NEAR(found.at[1] + found.at[3], 2 * std::numbers::pi, 1e-12);
+    EXPECT_NEAR(found.at[3], 3.1801, 1e-4);
 }
 
 }  // namespace

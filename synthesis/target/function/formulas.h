@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -74,10 +75,17 @@ void for_each_extreme(const FunctionTarget* f, const std::array<double, Generato
     std::copy(x.begin(), x.end(), constant.begin());
     const std::span<const double> grid = shares_of_range();
     ErrorExtreme last{0, 0, error(0), false};
+    // A jump waits for the zeros before it, which are known some steps later.
+    std::optional<double> jump;
+    const auto report_jump_before = [&](double share) {
+        if (!jump || *jump > share) return;
+        found(ErrorExtreme{*jump, 0, error(*jump), false});
+        jump.reset();
+    };
     const auto pass = [&](double share, double value) {
         if (WrapsAround<Generator> && std::abs(value - last.error) > std::numbers::pi) {
-            const double jump = share_before_jump(error, std::min(last.share, share), std::max(last.share, share));
-            found(ErrorExtreme{jump, 0, error(jump), false});
+            report_jump_before(share);
+            jump = share_before_jump(error, std::min(last.share, share), std::max(last.share, share));
         }
         last = {share, 0, value, false};
     };
@@ -93,8 +101,10 @@ void for_each_extreme(const FunctionTarget* f, const std::array<double, Generato
     };
     found(last);
     zeros_on_grid(slope, grid, [&](double share) {
+        report_jump_before(share);
         if (share > 0 && share < 1) found(ErrorExtreme{share, 0, error(share), true});
     });
+    report_jump_before(1);
     found(ErrorExtreme{1, 1, error(1), false});
 }
 
