@@ -75,6 +75,45 @@ TEST(LinkageMeans, AreThoseOfTheClosedForm) {
     EXPECT_TRUE(is_refused(changed));
 }
 
+/// Where the slide turns back its speed, 2 |sin(angle)|, has a corner, and its derivatives jump from one side's to the
+/// other's.
+TEST(LinkageMeans, DerivativesOfSpeedsAreExtremeBesideRests) {
+    const Json document =
+        analysed_means(isosceles, {"speed.least", "speed.speed.greatest", "speed.speed.least",
+                                   "speed.acceleration.greatest", "speed.jerk.greatest", "speed.jerk.least"});
+    const auto expect = [&](const char* name, double value) {
+        EXPECT_NEAR(document["quantities"][name].get<double>(), value, 1e-14) << name;
+    };
+    expect("speed.least", 0);
+    expect("speed.speed.greatest", 2);
+    expect("speed.speed.least", -2);
+    expect("speed.acceleration.greatest", 0);
+    expect("speed.jerk.greatest", 2);
+    expect("speed.jerk.least", -2);
+    expect_verified(document);
+}
+
+/// A crank-rocker whose rocker's pin comes to rest twice in a turn. At the dead centre at 33.557 degrees its speed has
+/// the second derivative 405/616 after it: by the loop equation derived three times.
+TEST(LinkageMeans, DerivativesOfARockersSpeedAreExtremeBesideItsDeadCentre) {
+    const Json document = analysed_means(R"(
+schema = 1
+mechanism = "linkage"
+[links]
+frame   = { A = [0, 0], D = [4, 0] }
+crank   = { A = [0, 0], B = [1, 0] }
+coupler = { B = [0, 0], C = [3.5, 0] }
+rocker  = { D = [0, 0], C = [2.5, 0] }
+[drive]
+link = "crank"
+[signals]
+speed = { speed-of = "C" }
+)",
+                                         {"speed.acceleration.greatest"});
+    EXPECT_NEAR(document["quantities"]["speed.acceleration.greatest"].get<double>(), 405.0 / 616, 1e-13);
+    expect_verified(document);
+}
+
 /// A rocker that swings between two limits of its dyad.
 const std::string rocking = R"(
 schema = 1

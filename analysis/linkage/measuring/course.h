@@ -40,7 +40,8 @@ struct Extreme {
     double value = 0;
     bool stationary = true;     ///< else it is an end of the motion, or of the stretch that was asked for
     Limit limit{};              ///< an end that moves with the dimensions
-    double within = by_itself;  ///< an input beside it, of the piece of drives' motions in which it has this value
+    double within = by_itself;  ///< an input beside it, on the side of a rest, or of the piece of drives' motions, on
+                                ///< which it has this value
 };
 
 namespace detail {
@@ -171,12 +172,69 @@ std::vector<double> stationary_inputs_in(Measured<double, K>& measured, const As
     return found;
 }
 
-/// The same in all of a stretch. Breaks of drives' motions are not looked at.
+/// Calls use(pin, order) for the derivatives of places by whose sizes a signal goes.
+template <class Use>
+void for_each_size(std::span<const Signal> signals, std::size_t signal, const Use& use) {
+    const Signal& s = signals[signal];
+    const bool ratio = s.kind == Signal::Kind::ratio;
+    if (s.kind == Signal::Kind::speed) use(s.of, std::size_t{1});
+    if (s.kind == Signal::Kind::acceleration) use(s.of, std::size_t{2});
+    if (ratio || s.kind == Signal::Kind::error) for_each_size(signals, s.of, use);
+    if (ratio) for_each_size(signals, s.to, use);
+    for (const Signal::Term& term : s.terms)
+        for_each_size(signals, term.signal, use);
+}
+
+/// Where a derivative of the place of a pin, which is not constant, vanishes inside a part of a stretch: there the
+/// square of its size is stationary.
+template <std::size_t K>
+void find_rests(Measured<double, K>& measured, std::size_t pin, std::size_t order, const Course& course,
+                const MotionPart& part, std::vector<double>& rests) {
+    constexpr double moves = 1e-6;  // of the greatest
+    const WithinPiece in_part(measured, part.within);
+    const Stretch& stretch = part.stretch;
+    const auto motion_at = [&](double at) { return measured.motion_of(pin, order, at, course.turns.near(at)); };
+    const auto slope_at = [&](const auto& v) { return std::hypot(v.x.c[1], v.y.c[1]); };
+    const int powers = 4 * static_cast<int>(order);
+    const auto share = [&](double s) { return stretch.speed(s) / stretch.length(); };
+    double greatest = 0;
+    const auto growth = [&](double s) {
+        const auto v = motion_at(stretch.at(s));
+        if (s > 0.01 && s < 0.99) greatest = std::max(greatest, slope_at(v));
+        return (v.x.c[0] * v.x.c[1] + v.y.c[0] * v.y.c[1]) * std::pow(share(s), powers);
+    };
+    const std::size_t first = first_panels(stretch, true);
+    const Panels panels(growth, stretch.first(), stretch.last(),
+                        {.first = first, .floor = 0, .most = first + 64, .everywhere = true});
+    if (!panels.finite()) return;
+    panels.zeros(growth, [&](double s) {
+        const double at = stretch.at(s);
+        const auto v = motion_at(at);
+        const double near = 1e-9 * measured.unit_of_input() / std::abs(measured.rate());
+        if (at > part.stretch.from && at < part.stretch.to && is_at_rest(v, near) && slope_at(v) > moves * greatest)
+            rests.push_back(at);
+    });
+}
+
+/// Inputs at which what a signal goes by the size of comes to rest, in order: the signal has corners there.
+template <std::size_t K>
+std::vector<double> rests_of(Measured<double, K>& measured, std::size_t signal, const Course& course,
+                             const Stretch& stretch) {
+    std::vector<double> rests;
+    for_each_size(measured.signals(), signal, [&](std::size_t pin, std::size_t order) {
+        for (const MotionPart& part : parts_of(measured.driven().laws, stretch))
+            find_rests(measured, pin, order, course, part, rests);
+    });
+    std::sort(rests.begin(), rests.end());
+    return rests;
+}
+
+/// The same in all of a stretch, of which the rests are given. They and breaks of drives' motions are not looked at.
 template <std::size_t K>
 std::vector<double> stationary_inputs(Measured<double, K>& measured, const Asked& asked, const Course& course,
-                                      const Stretch& stretch) {
+                                      const Stretch& stretch, std::span<const double> rests) {
     if (auto known = inputs_in_line(measured, asked, course, stretch)) return *std::move(known);
-    const auto parts = parts_of(measured.driven().laws, stretch);
+    const auto parts = parts_of(measured.driven().laws, stretch, rests);
     std::vector<double> found;
     for (const MotionPart& part : parts) {
         const WithinPiece in_part(measured, part.within);
@@ -218,6 +276,21 @@ void add_breaks(Measured<double, K>& measured, const Asked& asked, const Course&
         if (!jumps && sense(slope_before) == sense(slope_after) && sense(slope_before) != 0) continue;
         found.push_back({at, before, false, {}, within_before});
         if (jumps) found.push_back({at, after, false, {}, within_after});
+    }
+}
+
+/// What is asked on both sides of rests, at which parts of a stretch meet.
+template <std::size_t K>
+void add_rests(Measured<double, K>& measured, const Asked& asked, const Course& course,
+               std::span<const MotionPart> parts, std::span<const double> rests, std::vector<Extreme>& found) {
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+        const double at = parts[i].stretch.to;
+        if (!std::binary_search(rests.begin(), rests.end(), at)) continue;
+        for (const double within : {parts[i].within, parts[i + 1].within}) {
+            const WithinPiece on_side(measured, within);
+            const double value = measured.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);
+            found.push_back({at, value, false, {}, within});
+        }
     }
 }
 
@@ -284,7 +357,7 @@ double value_at_limit(Measured<double, K>& measured, const Asked& asked, const C
     return measured.value(asked.signal, end, near).derivative(asked.derivative);
 }
 
-/// All places in [from, to] at which what is asked can be extreme, in order: where it is stationary, and the ends. Of a
+/// All places in [from, to] at which what is asked can be extreme: where it is stationary, rests, and the ends. Of a
 /// whole motion that is asked for whole the ends are none, unless the signal does not come back. Where the linkage does
 /// not close over all of it one of them is not a number. K must be at least
 /// `order_for` it.
@@ -303,8 +376,11 @@ std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked,
         comes_back = std::abs(last - first) <= 1e-9 * (std::abs(first) + std::abs(last)) ||
                      std::abs(last - first) <= 1e-9 * size_of(measured.driven());
     }
+    const std::span<const DriveLaw> laws = measured.driven().laws;
     if (!comes_back) {
-        const auto parts = parts_of(measured.driven().laws, {from, to});
+        const Stretch stretch = detail::stretch_of(course, from, to);
+        const std::vector<double> rests = detail::rests_of(measured, asked.signal, course, stretch);
+        const auto parts = parts_of(laws, stretch, rests), pieces = parts_of(laws, stretch);
         const auto end = [&](double x, const Limit& limit, bool last) {
             const bool is_limit = limit.exists() && x == (last ? travel.to : travel.from);
             const double within = last ? parts.back().within : parts.front().within;
@@ -313,24 +389,41 @@ std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked,
             found.push_back({x, value_at_limit(measured, asked, course, last), false, limit, within});
         };
         end(from, travel.first, false);
-        for (const double x : detail::stationary_inputs(measured, asked, course, detail::stretch_of(course, from, to)))
+        for (const double x : detail::stationary_inputs(measured, asked, course, stretch, rests))
             if (!(x <= from) && !(x >= to)) found.push_back({x, at(x)});
-        if (parts.size() > 1) detail::add_breaks(measured, asked, course, parts.front().stretch.to, to, found);
+        detail::add_rests(measured, asked, course, parts, rests, found);
+        if (pieces.size() > 1) detail::add_breaks(measured, asked, course, pieces.front().stretch.to, to, found);
         end(to, travel.last, true);
         return found;
     }
     // One cycle and a little more, from a place where extremes seldom are; what is seen again does not count.
     const double period = course.period(), start = from + detail::seam_of_cycle;
-    for (const double x : detail::stationary_inputs(measured, asked, course, {start, start + period + overlap})) {
-        const double back = x - period;
-        const bool again = x >= start + period && std::any_of(found.begin(), found.end(), [&](const Extreme& f) {
-                               return std::abs(f.at - back) < same_within;
-                           });
-        if (!again) found.push_back({x >= start + period ? back : x, 0});
+    const Stretch stretch{start, start + period + overlap};
+    const std::vector<double> rests = detail::rests_of(measured, asked.signal, course, stretch);
+    std::vector<Extreme> seen;
+    for (const double x : detail::stationary_inputs(measured, asked, course, stretch, rests))
+        seen.push_back({x, 0});
+    detail::add_rests(measured, asked, course, parts_of(laws, stretch, rests), rests, seen);
+    const auto is_known = [&](double x) {
+        return std::any_of(found.begin(), found.end(),
+                           [&](const Extreme& f) { return std::abs(f.at - x) < same_within; });
+    };
+    const auto beyond =
+        std::stable_partition(seen.begin(), seen.end(), [&](const Extreme& one) { return one.at < start + period; });
+    found.assign(seen.begin(), beyond);
+    std::vector<Extreme> again(beyond, seen.end());
+    for (Extreme& one : again) {
+        one.at -= period;
+        one.within -= period;
     }
+    std::erase_if(again, [&](const Extreme& one) { return is_known(one.at); });
+    found.insert(found.end(), again.begin(), again.end());
     for (Extreme& each : found) {
-        if (each.at >= to) each.at -= period;
-        each.value = at(each.at);
+        if (each.at >= to) {
+            each.at -= period;
+            each.within -= period;
+        }
+        if (each.stationary) each.value = at(each.at);
     }
     detail::add_breaks(measured, asked, course, from, to, found);
     std::sort(found.begin(), found.end(), [](const Extreme& a, const Extreme& b) { return a.at < b.at; });

@@ -56,7 +56,8 @@ public:
         : driven_(s, order, series(numbers), sides, laws),
           values_(s, signals, std::span<const Value>(series(numbers)),
                   {{placing.origin.x, placing.origin.y}, placing.tilt, placing.scale}),
-          rate_(rate) {
+          rate_(rate),
+          unit_of_input_(s.drives.front().of_slide ? size_of(driven_) : 1) {
         driven_.shortfall = 1e-13 * size_of(driven_);
         driven_.set_ways(ways);
     }
@@ -65,7 +66,16 @@ public:
     /// where the linkage does not close.
     Value value(std::size_t signal, double master, std::span<const double> near, const Limit& limit = {}) {
         if (!place(master, near, limit)) return Value(T(std::numeric_limits<double>::quiet_NaN()));
+        look_beside(master);
         return values_.value(signal, driven_, near);
+    }
+    /// A derivative of the place of a pin by the time.
+    Vector<Value> motion_of(std::size_t pin, std::size_t order, double master, std::span<const double> near) {
+        if (!place(master, near, {})) return {T(std::numeric_limits<double>::quiet_NaN()), T(0)};
+        Vector<Value> motion = driven_.pose.pins[pin];
+        for (std::size_t i = 0; i < order; ++i)
+            motion = {slope_of(motion.x), slope_of(motion.y)};
+        return motion;
     }
     /// A margin there; another one can be held at its limit. Of a larger group that is not held it is how far the
     /// master is beyond the limit, times its rate.
@@ -95,7 +105,8 @@ public:
     void ask(const Wanted<T>& wanted) {
         values_.wanted = {Value(wanted.from), Value(wanted.way), Value(wanted.start), Value(wanted.range), wanted.part};
     }
-    /// By which pieces of motions drives follow (Driven::within), until it is said anew.
+    /// By which pieces of motions drives follow (Driven::within), and on which side of rests sizes are asked for, until
+    /// it is said anew.
     void follow_within(double input) {
         const bool same = input == driven_.within || (std::isnan(input) && std::isnan(driven_.within));
         if (!same) kept_.clear();
@@ -105,8 +116,19 @@ public:
     std::span<const Signal> signals() const { return values_.signals; }
     const Driven<Value>& driven() const { return driven_; }
     double rate() const { return rate_; }
+    /// A radian, or the size of the linkage where a slide drives it.
+    double unit_of_input() const { return unit_of_input_; }
 
 private:
+    /// On the side of the input by whose pieces drives follow.
+    void look_beside(double master) {
+        constexpr double near = 1e-9;  // of a radian, or of the size
+        const bool known = !std::isnan(driven_.within) && driven_.within != master;
+        values_.beside_rest = {!known                                     ? 0
+                               : (driven_.within > master) == (rate_ > 0) ? 1
+                                                                          : -1,
+                               near * unit_of_input_ / std::abs(rate_)};
+    }
     bool place(double master, std::span<const double> near, const Limit& limit, std::size_t last_margin = none) {
         if (held_ != none) driven_.sides[held_] = held_side_;
         held_ = none;
@@ -164,6 +186,7 @@ private:
     Driven<Value> driven_;
     SignalValues<Value> values_;
     double rate_;
+    double unit_of_input_;
     bool keeps_poses_ = false;
     std::unordered_map<double, Kept> kept_{};
     /// The dyad that is placed at its limit now, and its side elsewhere.

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "analysis/linkage/measuring/rest.h"
 #include "analysis/linkage/motion/driven.h"
 #include "analysis/numbers/chebyshev.h"
 #include "analysis/numbers/series.h"
@@ -210,6 +211,7 @@ public:
 
     std::span<const Signal> signals;
     Wanted<T> wanted{};  ///< of signals that are errors
+    BesideRest beside_rest{};
 
 private:
     struct Line {
@@ -238,7 +240,9 @@ private:
         if constexpr (requires { slope_of(at.x); }) {
             Vector<T> slope{slope_of(at.x), slope_of(at.y)};
             if (order == 2) slope = {slope_of(slope.x), slope_of(slope.y)};
-            return placing_.scale * hypotenuse(slope.x, slope.y);
+            const bool rests = beside_rest.time != 0 && is_at_rest(slope, beside_rest.near);
+            return placing_.scale *
+                   (rests ? size_beside_rest(slope, beside_rest.time > 0) : hypotenuse(slope.x, slope.y));
         } else {
             return T(std::numeric_limits<double>::quiet_NaN());
         }

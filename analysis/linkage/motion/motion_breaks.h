@@ -38,21 +38,22 @@ inline double within_after(std::span<const DriveLaw> laws, double input) {
     return next.empty() ? by_itself : 0.5 * (input + next.front());
 }
 
-/// A part of a stretch over which drives are analytic.
+/// A part of a stretch over which drives, and what else has corners, are analytic.
 struct MotionPart {
     Stretch stretch{};
     double within = by_itself;  ///< an input in it, to ask for its pieces (input_by); none where nothing has pieces
 };
 
-/// The parts of a stretch: itself where no drive has a motion of its own.
-inline std::vector<MotionPart> parts_of(std::span<const DriveLaw> laws, const Stretch& all) {
+/// The parts of a stretch: itself where no drive has a motion of its own, and there are no corners.
+inline std::vector<MotionPart> parts_of(std::span<const DriveLaw> laws, const Stretch& all,
+                                        std::span<const double> corners = {}) {
     constexpr double rounding = 1e-12;
     const bool any = std::any_of(laws.begin(), laws.end(), [](const DriveLaw& law) { return law.motion != nullptr; });
-    if (!any) return {{all}};
-    std::vector<double> ends{all.from};
-    for (const double at : breaks_between(laws, all.from + rounding, all.to - rounding))
-        ends.push_back(at);
-    ends.push_back(all.to);
+    if (!any && corners.empty()) return {{all}};
+    std::vector<double> ends = breaks_between(laws, all.from + rounding, all.to - rounding);
+    ends.insert(ends.end(), corners.begin(), corners.end());
+    ends.insert(ends.end(), {all.from, all.to});
+    std::sort(ends.begin(), ends.end());
     std::vector<MotionPart> parts;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
         parts.push_back({{ends[i], ends[i + 1], all.root_at_from && i == 0, all.root_at_to && i + 2 == ends.size()},
