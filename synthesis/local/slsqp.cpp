@@ -139,10 +139,13 @@ LocalOutcome slsqp(const Program& program, const VectorXd& start, const LocalLim
     run.optimiser = optimiser.get();
     // A gradient of order one at the start: SLSQP's line search is not invariant to the scale of the objective.
     const ProgramValues& first = run.at(start.data(), true);
-    if (first.assembled && run.best.x.size() > 0) {
-        const double slope = first.gradient.lpNorm<Eigen::Infinity>();
-        if (slope > 0) run.objective_scale = 1 / slope;
+    // Without a value at the start NLopt 2.7.1 asks for no rows and goes by those that happen to be in its memory.
+    if (!first.assembled || !std::isfinite(first.objective)) {
+        run.best.verdict = "slsqp: not assembled";
+        return run.best;
     }
+    const double slope = first.gradient.lpNorm<Eigen::Infinity>();
+    if (slope > 0) run.objective_scale = 1 / slope;
     // NLopt 2.7.1 refuses more equalities than variables; what we hold of such a problem is its start.
     run.best.verdict = n == 0 ? "slsqp: no variables" : "slsqp: more equalities than variables";
     if (n == 0 || run.equalities.size() > n) return run.best;

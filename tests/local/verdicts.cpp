@@ -41,6 +41,23 @@ TEST(Verdicts, OfASearchThatIsCutOff) {
     EXPECT_EQ(end_of_search("path", "case-1.toml", levenberg_marquardt, stopped).verdict, "least-squares: stopped");
 }
 
+/// NLopt 2.7.1 would go by memory that was never set there.
+TEST(Verdicts, OfASearchThatBeginsWhereNothingAssembles) {
+    const Problem problem = parse_problem(testing::shipped("case-1.toml", "path"), "case-1.toml").problem;
+    const Program program = build_program(problem, variants(problem).front());
+    Eigen::VectorXd x = start_point(program, 1, 0, 16);
+    for (std::size_t i = 0; i < program.size(); ++i)
+        if (program.variables[i].name == "coupler" || program.variables[i].name == "rocker")
+            x[static_cast<Eigen::Index>(i)] = program.variables[i].lower;
+    ProgramValues values;
+    evaluate(program, x, false, values);
+    ASSERT_FALSE(values.assembled);
+    const LocalOutcome outcome = slsqp(program, x, {});
+    EXPECT_EQ(outcome.verdict, "slsqp: not assembled");
+    EXPECT_EQ(outcome.x.size(), 0);
+    EXPECT_EQ(outcome.evaluations, 1);
+}
+
 }  // namespace
 
 }  // namespace mechwright

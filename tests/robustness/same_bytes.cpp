@@ -1,4 +1,4 @@
-// Results are the same to the last byte for any number of threads and any instructions.
+// Results are the same to the last byte for any number of threads, any instructions, and whatever memory held before.
 
 #include "analysis/numbers/instruction_set.h"
 #include "tests/robustness/problems.h"
@@ -32,15 +32,22 @@ const std::vector<std::string> in_lanes{"path/case-1",      "path/case-2",
                                         "exact/problem-3",  "exact/three-poses-four-points",
                                         "poses/five-poses", "trade-off/case-4-margin"};
 
-/// The document of a problem, solved with a number of threads and up to an instruction set (empty: any).
-std::string document_of(const std::string& name, const std::string& jobs, const std::string& set = "") {
+/// The document of a problem file, solved with a number of threads and up to an instruction set (empty: any). New
+/// memory holds a byte that follows from the number of threads (glibc's MALLOC_PERTURB_): what reads it before it is
+/// set is seen.
+std::string document_of_file(const std::vector<std::string>& file, const std::string& jobs,
+                             const std::string& set = "") {
     Start how;
-    how.arguments = with({"solve", "--json", "--quiet", "--time-limit", "1000", "--jobs", jobs}, problem_files({name}));
-    how.environment = {{"MECHWRIGHT_INSTRUCTIONS", set}};
+    how.arguments = with({"solve", "--json", "--quiet", "--time-limit", "1000", "--jobs", jobs}, file);
+    how.environment = {{"MECHWRIGHT_INSTRUCTIONS", set}, {"MALLOC_PERTURB_", jobs == "1" ? "85" : "170"}};
     const Outcome outcome = run(how);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_has(outcome.out, "\"search\"");
     return without_seconds(outcome.out);
+}
+
+std::string document_of(const std::string& name, const std::string& jobs, const std::string& set = "") {
+    return document_of_file(problem_files({name}), jobs, set);
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& test) {
@@ -58,6 +65,38 @@ TEST_P(WithThreads, OfAnyNumber) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SameBytes, WithThreads, ::testing::ValuesIn(of_each_family), test_name);
+
+/// A heart, which no coupler curve is: searches of it begin where rows beside the path have no value.
+TEST(SameBytes, OfACurveThatNoLinkageMakes) {
+    const TemporaryFolder folder;
+    const std::string heart = folder.write("heart.toml", R"(
+schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = { min = 0, max = 200 }
+crank = { min = 0, max = 200 }
+coupler = { min = 0, max = 200 }
+rocker = { min = 0, max = 200 }
+point-along = { min = -200, max = 200 }
+point-across = { min = -200, max = 200 }
+origin-x = { min = -200, max = 200 }
+origin-y = { min = -200, max = 200 }
+tilt = { min = 0, max = 360 }
+assembly = "either"
+[path]
+timing = "none"
+closed = true
+points = [[0.000000, 5.000000], [6.664558, 11.833269], [15.168638, 7.419902], [13.616864, -2.092941],
+          [6.220752, -9.114306], [0.000000, -17.000000], [-6.220752, -9.114306], [-13.616864, -2.092941],
+          [-15.168638, 7.419902], [-6.664558, 11.833269]]
+[objective]
+minimize = "path-rms"
+[solver]
+starts = 1
+)");
+    const std::string one = document_of_file({heart}, "1");
+    EXPECT_EQ(document_of_file({heart}, "3"), one);
+}
 
 class WithInstructions : public ::testing::TestWithParam<std::string> {};
 
