@@ -1,5 +1,6 @@
 #!/bin/sh
-# Solves every problem that comes with mechwright, draws what came of it, and lists the pictures in README.md here.
+# Solves every problem that comes with mechwright, draws what came of it, and lists the pictures in README.md here; and
+# draws where the dimensions of each mechanism are.
 #
 #   results/gallery/make.sh [PROGRAM]      PROGRAM: build/release/mechwright, unless another is named
 set -eu
@@ -33,4 +34,9 @@ for folder in problems/*/; do
         [ $((column % columns)) = 0 ] && echo '|' >>"$gallery/README.md"
     done
     [ $((column % columns)) = 0 ] || echo '|' >>"$gallery/README.md"
+done
+
+mkdir -p results/figures
+for mechanism in four-bar slider-crank crank-shaper whitworth drag-link cam; do
+    "$program" draw --figure "$mechanism" --out "results/figures/$mechanism.svg"
 done

@@ -5,7 +5,8 @@ set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/mechwright)
 
 file(GLOB_RECURSE analysis_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analysis/*.h)
 set(synthesis_headers
-    mechanism/cam/cam.h mechanism/cam/motion_program.h mechanism/drawing/body.h mechanism/drawing/moving_design.h
+    mechanism/cam/cam.h mechanism/cam/motion_program.h mechanism/drawing/body.h mechanism/drawing/figure.h
+    mechanism/drawing/moving_design.h
     mechanism/affine.h mechanism/as_linkage.h mechanism/mechanism.h mechanism/quantity.h mechanism/path_screening.h mechanism/task.h
     target/function/function_target.h
     target/function/loop_row.h

@@ -245,6 +245,8 @@ struct MotionTable {
 };
 
 struct MovingDesign;
+struct FigurePanel;
+struct Mechanism;
 
 /// A mechanism that can be drawn. Its frame is that of the problem where the mechanism has a placement in it.
 struct Drawing {
@@ -260,6 +262,9 @@ struct Drawing {
     std::vector<double> (*limits)(const MovingDesign&) = nullptr;
     /// What else does not move, in the drawing: guides, slots, wheels. Null: nothing, or the slide of a body "ram".
     Body (*ground)(const MovingDesign&, double symbol) = nullptr;
+    /// The figure that shows where its dimensions are, of the mechanism with the numbers of all targets
+    /// (drawing/figure.h). Null: it has none.
+    std::vector<FigurePanel> (*figure)(const std::shared_ptr<const Mechanism>&) = nullptr;
 };
 
 /// What has no value is what a mechanism cannot do; what has one is whole.

@@ -116,6 +116,8 @@ TEST(Explain, KnowsDimensionsSettingsAndMechanisms) {
     const std::string four_bar = explained({"four-bar"});
     for (const char* part : {"dimensions  ground, crank", "assemblies  open, crossed", "quantities  time-ratio"})
         expect_has(four_bar, part);
+    for (const char* name : {"four-bar", "body-angle", "input-start"})
+        expect_has(explained({name}), "mechwright draw --figure four-bar");
     const std::string both = explained({"prime-radius"});
     expect_has(both, "prime-radius: quantity, length");
     expect_has(both, "prime-radius: dimension");

@@ -70,6 +70,7 @@ TEST(New, FilesAreCommentedAndWhole) {
         const std::string text = made(std::string(task.mechanism), std::string(task.name)).out;
         EXPECT_EQ(text.find('@'), std::string::npos) << text;
         EXPECT_EQ(text.rfind("# ", 0), 0u) << text;
+        expect_has(text, "\n# mechwright draw --figure ");
         std::istringstream lines(text);
         for (std::string line; std::getline(lines, line);) {
             EXPECT_LE(line.size(), 120u) << line;

@@ -107,6 +107,17 @@ class Dxf(unittest.TestCase):
             for row in table:
                 self.assertLess(min(distance_from((float(row[x]), float(row[y])), piece) for piece in arcs), 2e-4)
 
+    def test_says_its_unit_and_the_names_of_the_links(self):
+        drawing = ezdxf.readfile(exported("crank-rocker", "dxf"))
+        self.assertEqual(drawing.header["$INSUNITS"], 4)
+        names = {text.dxf.text for text in drawing.modelspace().query('TEXT[layer=="NAMES"]')}
+        self.assertLessEqual({"crank", "coupler", "rocker"}, names)
+
+    def test_has_the_roller_as_a_circle(self):
+        drawing = ezdxf.readfile(exported("roller-offset", "dxf")).modelspace()
+        radius = results.document("roller-offset")["design"]["roller-radius"]
+        self.assertEqual([c.dxf.radius for c in drawing.query('CIRCLE[layer=="FOLLOWER"]')], [radius])
+
     def test_marks_the_targets(self):
         drawing = ezdxf.readfile(exported("five-poses", "dxf")).modelspace()
         centres = sorted(plane(c.dxf.center) for c in drawing.query('CIRCLE[layer=="TARGETS"]'))

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 
@@ -12,14 +14,18 @@
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/shown.h"
 #include "synthesis/mechanism/input.h"
+#include "synthesis/mechanism/linkage/drawing/figure.h"
+#include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/drawing/animation.h"
+#include "synthesis/report/drawing/figure/figure.h"
 #include "synthesis/report/drawing/linkage_sheets.h"
 #include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
 #include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/files/gnuplot.h"
+#include "synthesis/report/names.h"
 #include "synthesis/report/structure/centres.h"
 
 namespace mechwright {
@@ -37,6 +43,7 @@ struct DrawOptions {
     bool plots = false;
     bool assemblies = false;
     bool skeleton = false;
+    bool figure = false;
     bool centres = false;
     bool animate = false;
     std::string seconds;
@@ -176,9 +183,57 @@ Drawn draw_skeleton(const DrawOptions& options, double width, Console& console) 
     return {skeleton_picture(read.linkage, width)};
 }
 
+/// A problem's mechanism with what is given, and the starts or the middles of its ranges; nothing where it does not
+/// assemble.
+std::optional<MovingDesign> usual_design(const Problem& problem) {
+    const Mechanism& m = *problem.mechanism;
+    MovingDesign design{problem.mechanism, {}, std::vector<double>(m.dimensions.size()), false, false};
+    for (std::size_t i = 0; i < m.dimensions.size(); ++i) {
+        const DimensionRange& range = problem.dimensions[i];
+        design.dimensions[i] = range.start.value_or(0.5 * (range.min + range.max));
+    }
+    for (std::size_t i = 0; i < m.dimensions.size(); ++i)
+        if (problem.dimensions[i].tied())
+            design.dimensions[i] = problem.dimensions[i].tie.at(std::span<const double>(design.dimensions));
+    for (std::size_t assembly = 0; assembly < std::max<std::size_t>(1, m.assemblies.size()); ++assembly) {
+        std::array<double, 2> range{};
+        if (problem.crank_range) range = {problem.crank_range->x, problem.crank_range->y};
+        design.motion = motion_of(m, design.dimensions, assembly, problem.crank_range ? range.data() : nullptr);
+        if (design.assembles()) return design;
+    }
+    return std::nullopt;
+}
+
+/// Where the dimensions of a mechanism are, by its name or by a problem file of it.
+Drawn draw_figure(const DrawOptions& options, double width, Console& console) {
+    if (std::string picture = figure_picture(options.file, width); !picture.empty()) return {std::move(picture)};
+    if (std::error_code ignored; !std::filesystem::exists(options.file, ignored)) {
+        const std::vector<std::string_view> known = mechanism_names();
+        complain(console, fmt::format("{} is neither a mechanism nor a file; {}", reading::quoted(options.file),
+                                      reading::remedy(options.file, known)));
+        return {{}, exit_code::wrong_usage};
+    }
+    ReadProblem read;
+    if (const int outcome = read_and_report(options.file, false, console, read); outcome != exit_code::solved)
+        return {{}, outcome};
+    std::string picture = figure_picture(read.problem.mechanism->name, width);
+    if (!picture.empty()) return {std::move(picture)};
+    const std::optional<MovingDesign> design = usual_design(read.problem);
+    if (design && design->mechanism->model.as<LinkageModel>() != nullptr) {
+        const std::string& title = read.problem.title;
+        return {figure_picture(title.empty() ? options.file : title, std::array{linkage_panel(*design)}, width)};
+    }
+    complain(console,
+             options.file + ": it does not close with the middles of its ranges; --skeleton draws its links apart");
+    return {{}, exit_code::infeasible};
+}
+
 /// Why options do not go together; empty if they do.
 std::string why_not_together(const DrawOptions& options) {
     if (options.assemblies && options.skeleton) return "either --assemblies or --skeleton";
+    if (options.figure && (options.assemblies || options.skeleton || options.centres || options.plots ||
+                           options.animate || options.alternative || !options.at.empty()))
+        return "--figure is of a mechanism: leave the other kinds of drawings, --at and --alternative out";
     if (!options.at.empty() && !options.assemblies && !options.centres)
         return "--at is for --assemblies and --instant-centres";
     if (options.centres && (options.assemblies || options.skeleton))
@@ -207,10 +262,12 @@ int draw(const DrawOptions& options, Console& console) {
         return exit_code::wrong_usage;
     }
     try {
-        const auto width = static_cast<double>(options.width.value_or(default_width));
-        auto [picture, outcome] = options.assemblies ? draw_assemblies(options, width, console)
-                                  : options.skeleton ? draw_skeleton(options, width, console)
-                                                     : draw_design(options, console);
+        const auto width = static_cast<double>(
+            options.width.value_or(options.figure ? static_cast<std::uint64_t>(usual_figure_width) : default_width));
+        auto [picture, outcome] = options.figure       ? draw_figure(options, width, console)
+                                  : options.assemblies ? draw_assemblies(options, width, console)
+                                  : options.skeleton   ? draw_skeleton(options, width, console)
+                                                       : draw_design(options, console);
         if (outcome != exit_code::solved) return outcome;
         if (format) picture = rasterised(picture, *format);
         return hand_over(options.out, picture, console);
@@ -239,8 +296,9 @@ Command add_draw(CLI::App& program) {
     command->add_flag("--animate", options->animate, "Moving for ever: .svg or .gif");
     command->add_option("--seconds", options->seconds, "Of one round of that (4)")->option_text("NUMBER");
     command->add_flag("--skeleton", options->skeleton, "The links of a linkage apart, even where it does not close");
+    command->add_flag("--figure", options->figure, "Where the dimensions of a mechanism are: FILE is its name");
     add_whole_number(*command, "--alternative", options->alternative, 1, 1'000'000, "Draw this alternative");
-    add_whole_number(*command, "--width", options->width, 100, 10'000, "Width in pixels (640)");
+    add_whole_number(*command, "--width", options->width, 100, 10'000, "Width in pixels (640; figures 860)");
     return {command, [options](Console& console) { return draw(*options, console); }};
 }
 

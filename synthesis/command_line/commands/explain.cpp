@@ -142,6 +142,18 @@ std::string place_of(const Dimension& dimension) {
     return "said in [dimensions]: a number, or { min = ..., max = ... } to be designed";
 }
 
+/// How to see where the dimensions of mechanisms are; nothing for those that have no figure.
+std::string figures_of(const Mechanisms& some) {
+    std::vector<std::string> commands;
+    for (const auto& mechanism : some) {
+        if (!mechanism->drawing || mechanism->drawing->figure == nullptr) continue;
+        std::string command = "mechwright draw --figure " + mechanism->name;
+        if (std::find(commands.begin(), commands.end(), command) == commands.end())
+            commands.push_back(std::move(command));
+    }
+    return line("figure", fmt::format("{}", fmt::join(commands, ", ")));
+}
+
 /// The meanings that a name has, each with the mechanisms that mean it.
 struct Meaning {
     const Dimension* dimension;
@@ -170,7 +182,8 @@ std::string as_dimension(std::string_view name, const Mechanisms& of, bool colou
     for (const Meaning& meaning : meanings_of(name, of)) {
         text += text.empty() ? emphasised(name, Emphasis::strong, colour) + ": dimension\n\n" : "\n";
         text += line("of", listed_mechanisms(meaning.of)) + line("is", meaning.dimension->meaning) +
-                line("kind", kind_of(*meaning.dimension)) + line("where", place_of(*meaning.dimension));
+                line("kind", kind_of(*meaning.dimension)) + line("where", place_of(*meaning.dimension)) +
+                figures_of(meaning.of);
     }
     return text;
 }
@@ -205,7 +218,8 @@ std::string as_mechanism(std::string_view name, const Mechanisms& of, bool colou
                 line("dimensions", names_of(own)) +
                 line("assemblies", reading::listed(std::vector<std::string_view>(mechanism->assemblies.begin(),
                                                                                  mechanism->assemblies.end()))) +
-                line("quantities", names_of(mechanism->quantities)) + line("settings", names_of(mechanism->settings));
+                line("quantities", names_of(mechanism->quantities)) + line("settings", names_of(mechanism->settings)) +
+                figures_of({mechanism});
     }
     return text.empty()
                ? text

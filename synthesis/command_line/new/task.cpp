@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "synthesis/mechanism/drawing/figure.h"
 #include "synthesis/mechanism/linkage/tasks.h"
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/problem/text.h"
@@ -152,6 +153,18 @@ std::string with_comments_aligned(const std::string& text) {
     return aligned;
 }
 
+/// A comment after those at the beginning: how to see where the dimensions are.
+std::string with_figure_named(const std::string& text, const Task& task) {
+    const bool has_figure = !figure_of(task.mechanism).empty();
+    const std::string comment =
+        has_figure ? fmt::format("# mechwright draw --figure {} draws where its dimensions are.\n", task.mechanism)
+                   : "# mechwright draw --figure FILE draws its links, points and dimensions.\n";
+    std::size_t at = 0;
+    while (at < text.size() && text[at] == '#')
+        at = text.find('\n', at) + 1;
+    return text.substr(0, at) + comment + text.substr(at);
+}
+
 }  // namespace
 
 std::vector<Task> tasks() {
@@ -184,7 +197,7 @@ std::string problem_file(const Task& task, const Answers& answers) {
         for (const Question& question : task.questions)
             if ((question.kind == Answer::segments) == segments)
                 put(text, std::string(question.name), as_toml(question, answers.at(question.name)));
-    return with_comments_aligned(text);
+    return with_comments_aligned(with_figure_named(text, task));
 }
 
 }  // namespace mechwright

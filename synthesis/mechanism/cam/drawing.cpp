@@ -5,6 +5,7 @@
 
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/curves.h"
+#include "synthesis/mechanism/cam/figure.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/mechanism/drawing/moving_design.h"
@@ -111,6 +112,6 @@ std::vector<double> limits(const MovingDesign& design) {
 
 }  // namespace
 
-Drawing cam_drawing() { return {bodies, place, pivots, limits}; }
+Drawing cam_drawing() { return {bodies, place, pivots, limits, nullptr, cam_figure}; }
 
 }  // namespace mechwright

@@ -17,6 +17,9 @@ std::vector<Task> crank_shaper_tasks();
 /// How it is drawn: turned so that its ram is above the lever's pivot.
 Drawing crank_shaper_drawing();
 
+/// Where its dimensions are (drawing/figure.h).
+std::vector<FigurePanel> crank_shaper_figure(const std::shared_ptr<const Mechanism>& mechanism);
+
 /// How a file says it as a linkage.
 AsLinkage crank_shaper_as_linkage();
 

@@ -24,6 +24,8 @@ bool place(const MovingDesign& design, double crank_angle, std::size_t, std::spa
 
 }  // namespace
 
-Drawing crank_shaper_drawing() { return {bodies, place, slotted_pivots<centres>, limits<CrankShaper>}; }
+Drawing crank_shaper_drawing() {
+    return {bodies, place, slotted_pivots<centres>, limits<CrankShaper>, nullptr, crank_shaper_figure};
+}
 
 }  // namespace mechwright

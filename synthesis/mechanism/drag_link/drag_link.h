@@ -17,6 +17,9 @@ std::vector<Task> drag_link_tasks();
 /// How it is drawn: in the frame of its slide.
 Drawing drag_link_drawing();
 
+/// Where its dimensions are (drawing/figure.h).
+std::vector<FigurePanel> drag_link_figure(const std::shared_ptr<const Mechanism>& mechanism);
+
 /// How a file says it as a linkage.
 AsLinkage drag_link_as_linkage();
 

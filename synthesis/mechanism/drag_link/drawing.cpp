@@ -38,6 +38,6 @@ std::vector<Vector<double>> pivots(const MovingDesign& design) { return {links_o
 
 }  // namespace
 
-Drawing drag_link_drawing() { return {bodies, place, pivots, limits<DragLink>}; }
+Drawing drag_link_drawing() { return {bodies, place, pivots, limits<DragLink>, nullptr, drag_link_figure}; }
 
 }  // namespace mechwright

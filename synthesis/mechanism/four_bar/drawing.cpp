@@ -4,6 +4,7 @@
 #include "analysis/geometry/placement.h"
 #include "synthesis/mechanism/drawing/moving_design.h"
 #include "synthesis/mechanism/drawing/outlines.h"
+#include "synthesis/mechanism/four_bar/figure.h"
 
 namespace mechwright {
 
@@ -73,6 +74,6 @@ std::vector<double> limits(const MovingDesign& design) {
 
 }  // namespace
 
-Drawing four_bar_drawing() { return {bodies, place, pivots, limits}; }
+Drawing four_bar_drawing() { return {bodies, place, pivots, limits, nullptr, four_bar_figure}; }
 
 }  // namespace mechwright

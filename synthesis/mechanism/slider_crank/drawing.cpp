@@ -38,6 +38,6 @@ std::vector<Vector<double>> pivots(const MovingDesign& design) { return {frame_o
 
 }  // namespace
 
-Drawing slider_crank_drawing() { return {bodies, place, pivots, limits<SliderCrank>}; }
+Drawing slider_crank_drawing() { return {bodies, place, pivots, limits<SliderCrank>, nullptr, slider_crank_figure}; }
 
 }  // namespace mechwright

@@ -20,6 +20,9 @@ std::vector<Task> slider_crank_tasks();
 /// How it is drawn, in the frame of the problem.
 Drawing slider_crank_drawing();
 
+/// Where its dimensions are (drawing/figure.h).
+std::vector<FigurePanel> slider_crank_figure(const std::shared_ptr<const Mechanism>& mechanism);
+
 /// How a file says it as a linkage.
 AsLinkage slider_crank_as_linkage();
 

@@ -25,6 +25,8 @@ bool place(const MovingDesign& design, double crank_angle, std::size_t, std::spa
 
 }  // namespace
 
-Drawing whitworth_drawing() { return {bodies, place, slotted_pivots<centres>, limits<Whitworth>}; }
+Drawing whitworth_drawing() {
+    return {bodies, place, slotted_pivots<centres>, limits<Whitworth>, nullptr, whitworth_figure};
+}
 
 }  // namespace mechwright

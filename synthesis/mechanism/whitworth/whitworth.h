@@ -20,6 +20,9 @@ std::vector<Task> whitworth_tasks();
 /// How it is drawn: in the frame of its slide.
 Drawing whitworth_drawing();
 
+/// Where its dimensions are (drawing/figure.h).
+std::vector<FigurePanel> whitworth_figure(const std::shared_ptr<const Mechanism>& mechanism);
+
 /// How a file says it as a linkage.
 AsLinkage whitworth_as_linkage();
 

@@ -72,10 +72,11 @@ std::string profile_csv(const FinishedDesign& cam, double cutter_radius, int ste
 }
 
 std::string profile_dxf(const FinishedDesign& cam, double cutter_radius, double tolerance) {
-    std::vector<DxfCurve> curves;
+    DxfDrawing drawing;
+    drawing.unit = cam.units.length;
     for (const CutPath& path : cut_paths(cam, cutter_radius))
-        curves.push_back({path.layer, cam_curve(cam, path.offset, tolerance), true});
-    return dxf_text(curves, {});
+        drawing.curves.push_back({path.layer, cam_curve(cam, path.offset, tolerance), true});
+    return dxf_text(drawing);
 }
 
 }  // namespace mechwright

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
 
 #include "synthesis/mechanism/drawing/outlines.h"
 
@@ -44,6 +47,33 @@ std::string curve_text(const DxfCurve& curve) {
            point(11, curve.vertices[1].at);
 }
 
+/// The header, with the unit of lengths by its number there; 0 where it has none.
+std::string header(std::string_view unit) {
+    constexpr std::array<std::pair<std::string_view, int>, 8> units{
+        {{"in", 1}, {"ft", 2}, {"mm", 4}, {"cm", 5}, {"m", 6}, {"um", 13}, {"\u00b5m", 13}, {"dm", 14}}};
+    const auto known = std::find_if(units.begin(), units.end(), [&](const auto& one) { return one.first == unit; });
+    return fmt::format("  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\n  9\n$INSUNITS\n 70\n{}\n  0\nENDSEC\n",
+                       known == units.end() ? 0 : known->second);
+}
+
+/// What is no ASCII as \\U+XXXX, which stands for it in any code page; beyond those a question mark.
+std::string in_code_page(std::string_view utf8) {
+    std::string text;
+    for (std::size_t i = 0; i < utf8.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(utf8[i]);
+        const int following = byte < 0xC0 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
+        if (following == 0) {
+            if (byte >= 0x20 && byte < 0x7F) text += utf8[i];
+            continue;
+        }
+        unsigned code = byte & (0x3Fu >> following);
+        for (int k = 0; k < following && i + 1 < utf8.size(); ++k)
+            code = code << 6 | (static_cast<unsigned char>(utf8[++i]) & 0x3Fu);
+        text += code < 0x10000 ? fmt::format("\\U+{:04X}", code) : "?";
+    }
+    return text;
+}
+
 DxfCurve placed(const Outline& outline, const BodyPlace& place, std::string layer) {
     DxfCurve curve{std::move(layer), outline.vertices, outline.closed};
     for (ArcVertex& v : curve.vertices)
@@ -53,55 +83,81 @@ DxfCurve placed(const Outline& outline, const BodyPlace& place, std::string laye
 
 }  // namespace
 
-std::string dxf_text(const std::vector<DxfCurve>& curves, const std::vector<DxfCircle>& circles) {
+std::string dxf_text(const DxfDrawing& drawing) {
     std::vector<std::string> layers;
     const auto note = [&](const std::string& layer) {
         if (std::find(layers.begin(), layers.end(), layer) == layers.end()) layers.push_back(layer);
     };
     std::string entities = "  0\nSECTION\n  2\nENTITIES\n";
-    for (const DxfCurve& curve : curves) {
+    for (const DxfCurve& curve : drawing.curves) {
         note(curve.layer);
         entities += curve_text(curve);
     }
-    for (const DxfCircle& circle : circles) {
+    for (const DxfCircle& circle : drawing.circles) {
         note(circle.layer);
         entities += fmt::format("  0\nCIRCLE\n  8\n{}\n", circle.layer) + point(10, circle.centre) +
                     fmt::format(" 40\n{}\n", circle.radius);
     }
-    return "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\n  0\nENDSEC\n" + layer_table(layers) + entities +
-           "  0\nENDSEC\n  0\nEOF\n";
+    for (const DxfText& text : drawing.texts) {
+        note(text.layer);
+        entities += fmt::format("  0\nTEXT\n  8\n{}\n", text.layer) + point(10, text.at) +
+                    fmt::format(" 40\n{}\n  1\n{}\n", text.height, in_code_page(text.text));
+    }
+    return header(drawing.unit) + layer_table(layers) + entities + "  0\nENDSEC\n  0\nEOF\n";
 }
+
+namespace {
+
+/// The mechanism's drawing while it is put together.
+struct DxfOfScene {
+    const Scene& scene;
+    std::span<const BodyPlace> places;
+    DxfDrawing drawing{};
+
+    void add(const Outline& outline, const BodyPlace& place, std::string layer) {
+        DxfCurve curve = placed(outline, place, std::move(layer));
+        if (const auto radius = outlines::radius_of(outline))
+            drawing.circles.push_back({curve.layer, 0.5 * (curve.vertices[0].at + curve.vertices[2].at), *radius});
+        else
+            drawing.curves.push_back(std::move(curve));
+    }
+    void add_name(const Vector<double>& beside, const std::string& name) {
+        const double gap = 0.6 * scene.symbol;
+        drawing.texts.push_back({"NAMES", beside + Vector<double>{gap, gap}, scene.symbol, name});
+    }
+    void add_body(const Body& body, const BodyPlace& place) {
+        for (const Outline& outline : body.outlines) {
+            const bool own = outline.layer == Layer::link || outline.layer == Layer::block;
+            add(outline, place, upper(own ? body.name : name_of(outline.layer)));
+        }
+        for (const Vector<double>& at : body.pins)
+            drawing.circles.push_back({"PINS", in_drawing(place, at), 0.3 * scene.symbol});
+        for (const Label& label : body.labels)
+            add_name(in_drawing(place, label.at), label.text);
+        if (body.pins.empty()) return;
+        const Vector<double> middle = body.pins.size() > 1 ? 0.5 * (body.pins[0] + body.pins[1]) : body.pins[0];
+        add_name(in_drawing(place, middle), body.name);
+    }
+};
+
+}  // namespace
 
 std::string dxf_of(const FinishedDesign& design, const Scene& scene, double crank_angle) {
     std::vector<BodyPlace> places(scene.bodies.size());
     place_bodies(design, crank_angle, design.motion.assembly, places);
-    std::vector<DxfCurve> curves;
-    std::vector<DxfCircle> circles;
-    const double pin = 0.3 * scene.symbol;
-    const auto add = [&](const Outline& outline, const BodyPlace& place, std::string layer) {
-        DxfCurve curve = placed(outline, place, std::move(layer));
-        const auto radius = outline.layer == Layer::pitch ? outlines::radius_of(outline) : std::nullopt;
-        if (radius)
-            circles.push_back({curve.layer, 0.5 * (curve.vertices[0].at + curve.vertices[2].at), *radius});
-        else
-            curves.push_back(std::move(curve));
-    };
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const Body& body = scene.bodies[b];
-        for (const Outline& outline : body.outlines) {
-            const bool own = outline.layer == Layer::link || outline.layer == Layer::block;
-            add(outline, places[b], upper(own ? body.name : name_of(outline.layer)));
-        }
-        for (const Vector<double>& at : body.pins)
-            circles.push_back({"PINS", in_drawing(places[b], at), pin});
-    }
+    DxfOfScene made{scene, places};
+    made.drawing.unit = design.units.length;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        made.add_body(scene.bodies[b], places[b]);
     for (const Outline& outline : scene.fixed)
-        add(outline, {}, upper(name_of(outline.layer)));
+        made.add(outline, {}, upper(name_of(outline.layer)));
+    for (const Label& label : scene.ground.labels)
+        made.add_name(label.at, label.text);
     for (const Vector<double>& pivot : scene.pivots)
-        circles.push_back({"PIVOTS", pivot, 2 * pin});
+        made.drawing.circles.push_back({"PIVOTS", pivot, 0.6 * scene.symbol});
     for (const TargetPlace& target : design.targets)
-        circles.push_back({"TARGETS", target.at, pin});
-    return dxf_text(curves, circles);
+        made.drawing.circles.push_back({"TARGETS", target.at, 0.3 * scene.symbol});
+    return dxf_text(made.drawing);
 }
 
 }  // namespace mechwright

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "synthesis/document/versions.h"
+#include "synthesis/report/drawing/figure/figure.h"
 #include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
 #include "synthesis/report/files/gnuplot.h"
@@ -167,6 +170,42 @@ std::string plots_section(const Page& page, const Writing& writing) {
            "</div></section>";
 }
 
+/// A picture that stands for itself: its styles are none of the page's.
+std::string image(const std::string& svg) {
+    std::string data;
+    for (const char c : svg)
+        if (std::string_view("%#<>\"\n").find(c) == std::string_view::npos)
+            data += c;
+        else
+            data += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    return "<img alt=\"\" src=\"data:image/svg+xml," + data + "\">";
+}
+
+/// The names of the mechanisms that the page shows designs of, each once.
+std::vector<std::string> mechanisms_of(const Page& page) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::vector<DesignToShow>& designs) {
+        for (const DesignToShow& shown : designs)
+            if (const std::string& name = shown.design.mechanism->name;
+                std::find(names.begin(), names.end(), name) == names.end())
+                names.push_back(name);
+    };
+    for (const ResultToShow& result : page.results)
+        add(result.designs);
+    add(page.study.designs);
+    return names;
+}
+
+/// What the dimensions of the tables are, to be opened.
+std::string figures(const Page& page) {
+    std::string text;
+    for (const std::string& name : mechanisms_of(page))
+        if (const std::string picture = figure_picture(name); !picture.empty())
+            text += "<details class=\"figure\"><summary>Where the dimensions of a " + escaped(name) + " are</summary>" +
+                    image(picture) + "</details>";
+    return text;
+}
+
 std::string licences() {
     return fmt::format(
         "<footer><p>Made by mechwright {}.</p><details><summary>Licence of the plotting library</summary><pre>{}</pre>"
@@ -201,8 +240,8 @@ std::string page_text(const Page& page) {
     if (choose) text += "<section id=\"designs\"><h2>Designs</h2>" + writing.choices + "</section>\n";
     text += mechanism_section(writing) + "\n";
     if (writing.any)
-        text +=
-            "<section id=\"tables\"><h2>Numbers</h2><div id=\"numbers\">" + writing.first.tables + "</div></section>\n";
+        text += "<section id=\"tables\"><h2>Numbers</h2><div id=\"numbers\">" + writing.first.tables + "</div>" +
+                figures(page) + "</section>\n";
     text += plots_section(page, writing) + "\n";
     if (!page.lines.empty())
         text += "<section id=\"others\"><h2>Other results</h2>" + lines_table(page.lines) + "</section>\n";
