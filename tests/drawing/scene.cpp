@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <regex>
 #include <set>
 
 #include "synthesis/mechanism/drawing/motion_row.h"
@@ -242,6 +243,21 @@ TEST(Scene, ShowsTheLimitPositionsOfTheSwing) {
     const double at_limits =
         std::abs(MotionRow(design, limits[0])["rocker-angle"] - MotionRow(design, limits[1])["rocker-angle"]);
     EXPECT_NEAR(at_limits, greatest - least, 1e-8);
+}
+
+TEST(Svg, HasAScaleAndTheNamesOfLinks) {
+    const FinishedDesign design = given(four_bar_text("open"));
+    SvgPicture picture;
+    const std::string svg = svg_picture(design, picture);
+    for (const char* name : {">crank 34<", ">coupler 93<", ">rocker 70<"})
+        EXPECT_NE(svg.find(name), std::string::npos) << name;
+    std::smatch bar;
+    ASSERT_TRUE(std::regex_search(svg, bar, std::regex(R"(M20 [0-9.]+H([0-9.]+)M.*>([0-9.]+) mm<)")));
+    const double scale = view_of(scene_of(design, fineness), 640, 640).scale;
+    EXPECT_NEAR(std::stod(bar[1]) - 20, scale * std::stod(bar[2]), 0.02);
+    // A small one has no room for names.
+    picture.width = 320;
+    EXPECT_EQ(svg_picture(design, picture).find(">crank 34<"), std::string::npos);
 }
 
 TEST(Svg, EscapesMarkup) {

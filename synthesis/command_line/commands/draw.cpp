@@ -13,6 +13,7 @@
 #include "synthesis/command_line/input.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/shown.h"
+#include "synthesis/document/versions.h"
 #include "synthesis/mechanism/input.h"
 #include "synthesis/mechanism/linkage/drawing/figure.h"
 #include "synthesis/mechanism/linkage/model.h"
@@ -56,6 +57,13 @@ std::string picture_of(const ShownDesign& shown, const DrawOptions& options, con
     SvgPicture picture = with_marks;
     picture.title = shown.title;
     picture.width = width;
+    if (options.out.ends_with(".pdf")) {
+        const FinishedDesign& design = shown.design;
+        picture.title_block = {fmt::format("{}: {}", design.mechanism->name, shown.title),
+                               fmt::format("lengths in {}, angles in {}; drawn from {}", design.units.length,
+                                           design.units.degrees ? "deg" : "rad", options.file),
+                               fmt::format("mechwright {}", program_version())};
+    }
     if (options.animate) {
         const double seconds = options.seconds.empty() ? default_seconds : *decimal(options.seconds);
         return options.out.ends_with(".gif") ? gif_animation(shown.design, picture, seconds)

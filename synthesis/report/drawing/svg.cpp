@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "synthesis/problem/text.h"
+#include "synthesis/report/drawing/figure/labels.h"
 
 namespace mechwright {
 
@@ -33,6 +34,9 @@ constexpr std::string_view style =
     ".target{fill:none;stroke:#1c7a4a;stroke-width:1.5}"
     ".error{stroke:#1c7a4a;stroke-width:1}"
     ".ghost{opacity:.22}"
+    ".link-name{font-size:13px;font-style:italic;text-anchor:middle;fill:#23415f;stroke:#fff;stroke-width:3;"
+    "paint-order:stroke}"
+    ".cell{stroke:#555;stroke-width:1}"
     ".name{font-size:13px;fill:#111;stroke:#fff;stroke-width:3;paint-order:stroke}"
     "</style>";
 
@@ -85,7 +89,9 @@ std::string line(std::string_view kind, const Vector<double>& a, const Vector<do
 
 /// A bearing on the ground.
 std::string pivot(const Vector<double>& at) {
-    return fmt::format("<path class=\"ground\" d=\"M{0} {1}l-9 14h18z m-13 14h26\"/>", px(at.x), px(at.y));
+    return fmt::format(
+        "<path class=\"ground\" d=\"M{0} {1}l-9 14h18z m-13 14h26m-1 0l-5 5m-1-5l-5 5m-1-5l-5 5m-1-5l-5 5\"/>",
+        px(at.x), px(at.y));
 }
 
 /// A name beside a place, upright in a group that is turned.
@@ -273,6 +279,92 @@ std::string mark_elements(const std::vector<Label>& marks, const SvgView& view) 
 
 }  // namespace
 
+namespace {
+
+constexpr double bar_room = 26, row_height = 22;
+
+/// Below the drawing, of a round length.
+std::string scale_bar(const SvgView& view, std::string_view unit) {
+    constexpr double left = 20, tick = 4, most_share = 0.25;
+    const double most = most_share * view.width / view.scale;
+    double length = std::pow(10, std::floor(std::log10(most)));
+    for (const double more : {5.0, 2.0})
+        if (more * length <= most) {
+            length *= more;
+            break;
+        }
+    const double top = view.height + 10, end = left + view.scale * length;
+    return fmt::format("<g class=\"scale\"><path class=\"ground\" d=\"M{0} {1}v{2}M{0} {3}H{4}M{4} {1}v{2}\"/>",
+                       px(left), px(top - tick), px(2 * tick), px(top), px(end)) +
+           fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"12\">{:.6g} {}</text></g>\n", px(end + 6), px(top + 4),
+                       length, escaped(unit));
+}
+
+/// Cells one beneath the other, each with what it says of something.
+std::string title_block(const std::vector<std::string>& rows, double width, double top) {
+    constexpr double left = 20;
+    std::string text;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double y = top + row_height * static_cast<double>(i);
+        text += fmt::format(
+            "<path class=\"cell\" d=\"M{0} {1}H{2}v{3}H{0}Z\"/><text x=\"{4}\" y=\"{5}\" font-size=\"12\">{6}"
+            "</text>\n",
+            px(left), px(y), px(width - left), px(row_height), px(left + 8), px(y + 15), escaped(rows[i]));
+    }
+    return text;
+}
+
+/// The names of links beside them, those of two pins with their lengths.
+std::string link_names(const Scene& scene, const SvgView& view, std::span<const BodyPlace> places,
+                       const std::vector<Label>& marks) {
+    Labels labels;
+    const auto add = [&](const std::vector<Outline>& outlines, const BodyPlace& place, double weight) {
+        for (const Outline& outline : outlines)
+            for (Stroke stroke : strokes_of(outline, place, view)) {
+                stroke.weight = weight;
+                labels.strokes.push_back(stroke);
+            }
+    };
+    add(scene.fixed, {}, 0.5);
+    for (std::size_t b = 0; b < places.size(); ++b)
+        add(scene.bodies[b].outlines, places[b], 1);
+    const auto keep_clear = [&](const Label& label, const BodyPlace& place) {
+        TextBox box = text_box(label.text, "", 13);
+        box.middle =
+            view.pixels(in_drawing(place, label.at)) + Vector<double>{7 + 0.5 * box.width, -4 - 0.5 * box.height};
+        labels.placed.push_back(std::move(box));
+    };
+    for (const std::vector<Label>& more : {scene.ground.labels, marks})
+        for (const Label& label : more)
+            keep_clear(label, {});
+    for (std::size_t b = 0; b < places.size(); ++b)
+        for (const Label& label : scene.bodies[b].labels)
+            keep_clear(label, places[b]);
+    std::string text;
+    for (std::size_t b = 0; b < places.size(); ++b) {
+        const Body& body = scene.bodies[b];
+        if (body.name.empty() || body.pins.empty()) continue;
+        const auto at = [&](std::size_t pin) { return view.pixels(in_drawing(places[b], body.pins[pin])); };
+        std::string name = body.name;
+        if (body.pins.size() == 2)
+            name +=
+                fmt::format(" {:.4g}", std::hypot(body.pins[1].x - body.pins[0].x, body.pins[1].y - body.pins[0].y));
+        const Vector<double> from = at(0), to = body.pins.size() > 1 ? at(1) : from + Vector<double>{1, 0};
+        const TextBox box = text_box(name, "link-name", 13);
+        std::vector<Vector<double>> middles = Labels::beside_line(from, to, box);
+        std::erase_if(middles, [&](const Vector<double>& middle) {
+            return std::abs(middle.x - 0.5 * view.width) + 0.5 * box.width > 0.5 * view.width - 2;
+        });
+        if (middles.empty()) continue;
+        const TextBox& placed = labels.place(box, middles);
+        text += fmt::format("<text class=\"link-name\" x=\"{}\" y=\"{}\">{}</text>", px(placed.middle.x),
+                            px(placed.middle.y + 4), escaped(placed.text));
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
 std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture) {
     Scene scene = scene_of(design, fineness);
     const std::vector<Label> marks = shown_marks(picture.marks, scene);
@@ -281,9 +373,22 @@ std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture)
         svg_fixed(design, scene, view) + "\n" + svg_ghosts(design, scene, view) + "\n" +
         svg_bodies(design, scene, view, picture.at.value_or(pictured_angle(design)), design.motion.assembly) +
         mark_elements(marks, view);
+    constexpr double least_with_names = 480;
+    if (picture.width >= least_with_names) {
+        std::vector<BodyPlace> places(scene.bodies.size());
+        place_bodies(design, picture.at.value_or(pictured_angle(design)), design.motion.assembly, places);
+        text += link_names(scene, view, places, marks);
+    }
+    text += scale_bar(view, design.units.length);
+    double height = view.height + bar_room;
     if (!picture.below.empty())
-        text += fmt::format("<g transform=\"translate(0 {})\">{}</g>\n", px(view.height), picture.below);
-    return svg_file(picture.title, picture.width, view.height + picture.below_height, text);
+        text += fmt::format("<g transform=\"translate(0 {})\">{}</g>\n", px(height), picture.below);
+    height += picture.below_height;
+    if (!picture.title_block.empty()) {
+        text += title_block(picture.title_block, picture.width, height);
+        height += row_height * (static_cast<double>(picture.title_block.size()) + 0.5);
+    }
+    return svg_file(picture.title, picture.width, height, text);
 }
 
 }  // namespace mechwright

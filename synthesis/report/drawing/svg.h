@@ -54,14 +54,15 @@ std::string svg_file(std::string_view title, double width, double height, std::s
 /// Width and height of such a file.
 Vector<double> svg_file_size(double width, double height);
 
-/// A picture that stands alone, at the start of the motion, with its title above it and `below` (SVG, `below_height`
-/// high) beneath.
+/// A picture that stands alone, at the start of the motion, with its title above it, a scale, and `below` (SVG,
+/// `below_height` high) beneath; one that is not small has the names and lengths of links.
 struct SvgPicture {
     std::string title;
     double width = 640;
     std::string below;
     double below_height = 0;
-    std::optional<double> at{};  ///< the crank angle; else pictured_angle
+    std::optional<double> at{};              ///< the crank angle; else pictured_angle
+    std::vector<std::string> title_block{};  ///< rows below all, for drawings on paper
     std::vector<Label> marks{};  ///< places in the drawing; those that are too far away to be shown are left out
 };
 std::string svg_picture(const FinishedDesign& design, const SvgPicture& picture);

@@ -170,15 +170,12 @@ std::string plots_section(const Page& page, const Writing& writing) {
            "</div></section>";
 }
 
-/// A picture that stands for itself: its styles are none of the page's.
-std::string image(const std::string& svg) {
-    std::string data;
-    for (const char c : svg)
-        if (std::string_view("%#<>\"\n").find(c) == std::string_view::npos)
-            data += c;
-        else
-            data += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    return "<img alt=\"\" src=\"data:image/svg+xml," + data + "\">";
+/// A picture without its styles: the page has its own, for light and dark.
+std::string unstyled(std::string svg) {
+    constexpr std::string_view open = "<style>", close = "</style>";
+    for (std::size_t from; (from = svg.find(open)) != std::string::npos;)
+        svg.erase(from, svg.find(close, from) + close.size() - from);
+    return svg_element(svg);
 }
 
 /// The names of the mechanisms that the page shows designs of, each once.
@@ -202,7 +199,7 @@ std::string figures(const Page& page) {
     for (const std::string& name : mechanisms_of(page))
         if (const std::string picture = figure_picture(name); !picture.empty())
             text += "<details class=\"figure\"><summary>Where the dimensions of a " + escaped(name) + " are</summary>" +
-                    image(picture) + "</details>";
+                    unstyled(picture) + "</details>";
     return text;
 }
 

@@ -32,6 +32,32 @@ bool overlap(const TextBox& a, const TextBox& b) {
            std::abs(a.middle.y - b.middle.y) < 0.5 * (a.height + b.height);
 }
 
+std::vector<Stroke> strokes_of(const Outline& outline, const BodyPlace& place, const SvgView& view) {
+    const std::vector<ArcVertex>& v = outline.vertices;
+    std::vector<Stroke> strokes;
+    for (std::size_t i = 0; i + (outline.closed ? 0 : 1) < v.size(); ++i) {
+        const Vector<double> a = in_drawing(place, v[i].at), b = in_drawing(place, v[(i + 1) % v.size()].at);
+        const double bulge = v[i].bulge;
+        constexpr int parts = 8;
+        const int pieces = std::abs(bulge) > 0.02 ? parts : 1;
+        Vector<double> last = a;
+        for (int k = 1; k <= pieces; ++k) {
+            Vector<double> next = b;
+            if (k < pieces) {
+                // The arc bulges to the right of its chord.
+                const double half = 2 * std::atan(bulge), t = half * (2.0 * k / pieces - 1);
+                const Vector<double> chord = b - a;
+                const double along = 0.5 * (1 + std::sin(t) / std::sin(half));
+                const double across = 0.5 * (std::cos(t) - std::cos(half)) / std::sin(half);
+                next = a + along * chord - across * left_of(chord);
+            }
+            strokes.push_back({view.pixels(last), view.pixels(next)});
+            last = next;
+        }
+    }
+    return strokes;
+}
+
 double covered(const TextBox& box, const Stroke& stroke) {
     const Vector<double> along = stroke.to - stroke.from, from = stroke.from - box.middle;
     double first = 0, last = 1;
@@ -47,6 +73,28 @@ double covered(const TextBox& box, const Stroke& stroke) {
     clip(from.x, along.x, 0.5 * box.width);
     clip(from.y, along.y, 0.5 * box.height);
     return std::max(0.0, last - first) * std::hypot(along.x, along.y);
+}
+
+double Labels::clearance(const Vector<double>& normal, const TextBox& box) {
+    constexpr double gap = 3;
+    return gap + 0.5 * (std::abs(normal.x) * box.width + std::abs(normal.y) * box.height);
+}
+
+std::vector<Vector<double>> Labels::beside_line(const Vector<double>& from, const Vector<double>& to,
+                                                const TextBox& box) {
+    const Vector<double> way = to - from;
+    const double length = std::hypot(way.x, way.y);
+    const Vector<double> along = (1 / std::max(length, 1e-9)) * way, normal = left_of(along);
+    std::vector<Vector<double>> places;
+    for (const double far : {0.0, 6.0, 14.0})
+        for (const double part : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9})
+            for (const double side : {1.0, -1.0})
+                places.push_back(from + part * way + side * (clearance(normal, box) + far) * normal);
+    for (const double far : {6.0, 14.0}) {
+        places.push_back(to + (clearance(along, box) + far) * along);
+        places.push_back(from - (clearance(along, box) + far) * along);
+    }
+    return places;
 }
 
 const TextBox& Labels::place(TextBox box, const std::vector<Vector<double>>& places) {

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/geometry/vector.h"
+#include "synthesis/mechanism/drawing/body.h"
+#include "synthesis/report/drawing/svg.h"
 
 namespace mechwright {
 
@@ -33,6 +34,9 @@ struct Stroke {
     double weight = 1;
 };
 
+/// An outline where it is, as straight strokes in pixels.
+std::vector<Stroke> strokes_of(const Outline& outline, const BodyPlace& place, const SvgView& view);
+
 /// How long the part of a stroke is that a box covers.
 double covered(const TextBox& box, const Stroke& stroke);
 
@@ -40,6 +44,12 @@ double covered(const TextBox& box, const Stroke& stroke);
 struct Labels {
     std::vector<Stroke> strokes;
     std::vector<TextBox> placed;
+
+    /// How far the middle of a text has to be from a line of this normal, to stand beside it.
+    static double clearance(const Vector<double>& normal, const TextBox& box);
+    /// Places beside a line, the middle first.
+    static std::vector<Vector<double>> beside_line(const Vector<double>& from, const Vector<double>& to,
+                                                   const TextBox& box);
 
     /// The text at that of its places where it covers least; a later place has to cover clearly less.
     const TextBox& place(TextBox box, const std::vector<Vector<double>>& places);

@@ -59,32 +59,6 @@ struct PixelReach {
     Vector<double> size() const { return high - low; }
 };
 
-/// An outline where it is, as straight strokes in pixels.
-template <class Take>
-void over_strokes(const Outline& outline, const BodyPlace& place, const SvgView& view, const Take& take) {
-    const std::vector<ArcVertex>& v = outline.vertices;
-    for (std::size_t i = 0; i + (outline.closed ? 0 : 1) < v.size(); ++i) {
-        const Vector<double> a = in_drawing(place, v[i].at), b = in_drawing(place, v[(i + 1) % v.size()].at);
-        const double bulge = v[i].bulge;
-        constexpr int parts = 8;
-        const int pieces = std::abs(bulge) > 0.02 ? parts : 1;
-        Vector<double> last = a;
-        for (int k = 1; k <= pieces; ++k) {
-            Vector<double> next = b;
-            if (k < pieces) {
-                // The arc bulges to the right of its chord.
-                const double half = 2 * std::atan(bulge), t = half * (2.0 * k / pieces - 1);
-                const Vector<double> chord = b - a;
-                const double along = 0.5 * (1 + std::sin(t) / std::sin(half));
-                const double across = 0.5 * (std::cos(t) - std::cos(half)) / std::sin(half);
-                next = a + along * chord - across * left_of(chord);
-            }
-            take(view.pixels(last), view.pixels(next));
-            last = next;
-        }
-    }
-}
-
 /// Lays out at one scale.
 class Layouter {
 public:
@@ -142,9 +116,8 @@ private:
 
     void add_outlines(const std::vector<Outline>& outlines, const BodyPlace& place, double weight) {
         for (const Outline& outline : outlines)
-            over_strokes(outline, place, layout_.view, [&](const auto& a, const auto& b) {
-                add(a, b, outline.layer == Layer::path ? 0.4 * weight : weight);
-            });
+            for (const Stroke& stroke : strokes_of(outline, place, layout_.view))
+                add(stroke.from, stroke.to, outline.layer == Layer::path ? 0.4 * weight : weight);
     }
 
     void add_strokes() {
@@ -226,31 +199,8 @@ private:
         else if (d.of.as == ShownAs::angle)
             places = beside_arc(d.arc, box);
         else
-            places = beside_line(d.from, d.to, box);
+            places = Labels::beside_line(d.from, d.to, box);
         d.label = labels_.place(box, places);
-    }
-
-    /// How far the middle of a text is from a line of this normal beside which it stands.
-    static double clearance(const Vector<double>& normal, const TextBox& box) {
-        constexpr double gap = 3;
-        return gap + 0.5 * (std::abs(normal.x) * box.width + std::abs(normal.y) * box.height);
-    }
-
-    std::vector<Vector<double>> beside_line(const Vector<double>& from, const Vector<double>& to,
-                                            const TextBox& box) const {
-        const Vector<double> way = to - from;
-        const double length = std::hypot(way.x, way.y);
-        const Vector<double> along = (1 / std::max(length, 1e-9)) * way, normal = left_of(along);
-        std::vector<Vector<double>> places;
-        for (const double far : {0.0, 6.0, 14.0})
-            for (const double part : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9})
-                for (const double side : {1.0, -1.0})
-                    places.push_back(from + part * way + side * (clearance(normal, box) + far) * normal);
-        for (const double far : {6.0, 14.0}) {
-            places.push_back(to + (clearance(along, box) + far) * along);
-            places.push_back(from - (clearance(along, box) + far) * along);
-        }
-        return places;
     }
 
     static std::vector<Vector<double>> beside_arc(const FigureArc& arc, const TextBox& box) {
@@ -260,7 +210,7 @@ private:
                 for (const double outwards : {1.0, -1.0}) {
                     const Vector<double> on = arc.at(arc.zero + part * arc.turn);
                     const Vector<double> radial = (1 / arc.radius) * (on - arc.vertex);
-                    places.push_back(on + outwards * (clearance(radial, box) + far) * radial);
+                    places.push_back(on + outwards * (Labels::clearance(radial, box) + far) * radial);
                 }
         return places;
     }
@@ -274,7 +224,7 @@ private:
             for (int i = 0; i < directions; ++i) {
                 const double angle = std::numbers::pi * (0.75 + 2.0 * i / directions);
                 const Vector<double> out{std::cos(angle), -std::sin(angle)};
-                places.push_back(at + (radius + far + clearance(out, box)) * out);
+                places.push_back(at + (radius + far + Labels::clearance(out, box)) * out);
             }
         return places;
     }
@@ -297,7 +247,7 @@ private:
             const auto at = [&](const Vector<double>& own) { return px(in_drawing(layout_.places[b], own)); };
             if (body.pins.size() > 1)
                 add_text(body.name, "link-name",
-                         beside_line(at(body.pins[0]), at(body.pins[1]), text_box(body.name, "", label_size)));
+                         Labels::beside_line(at(body.pins[0]), at(body.pins[1]), text_box(body.name, "", label_size)));
             else
                 add_text(body.name, "link-name",
                          round(at(body.pins.empty() ? Vector<double>{} : body.pins[0]), 10, body.name));
