@@ -224,7 +224,7 @@ Drawn draw_figure(const DrawOptions& options, double width, Console& console) {
     ReadProblem read;
     if (const int outcome = read_and_report(options.file, false, console, read); outcome != exit_code::solved)
         return {{}, outcome};
-    std::string picture = figure_picture(read.problem.mechanism->name, width);
+    std::string picture = figure_picture(*read.problem.mechanism, width);
     if (!picture.empty()) return {std::move(picture)};
     const std::optional<MovingDesign> design = usual_design(read.problem);
     if (design && design->mechanism->model.as<LinkageModel>() != nullptr) {

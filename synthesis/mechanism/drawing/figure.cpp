@@ -18,6 +18,15 @@ MovingDesign figure_design(const std::shared_ptr<const Mechanism>& mechanism,
     return design;
 }
 
+namespace {
+
+std::vector<FigurePanel> panels_of(const std::shared_ptr<const Mechanism>& listed) {
+    const bool has_figure = listed->drawing && listed->drawing->figure != nullptr;
+    return has_figure ? listed->drawing->figure(listed) : std::vector<FigurePanel>{};
+}
+
+}  // namespace
+
 std::vector<FigurePanel> figure_of(std::string_view mechanism_name) {
     std::vector<FigurePanel> own, shared;
     const auto add = [](FigurePanel& panel, std::vector<FigurePanel>& to) {
@@ -25,13 +34,24 @@ std::vector<FigurePanel> figure_of(std::string_view mechanism_name) {
             to.push_back(std::move(panel));
     };
     for (const auto& mechanism : mechanisms()) {
-        if (mechanism->name != mechanism_name || !mechanism->drawing || mechanism->drawing->figure == nullptr) continue;
-        std::vector<FigurePanel> panels = mechanism->drawing->figure(mechanism);
+        if (mechanism->name != mechanism_name) continue;
+        std::vector<FigurePanel> panels = panels_of(mechanism);
         for (std::size_t i = 0; i < panels.size(); ++i)
             add(panels[i], i == 0 ? own : shared);
     }
     std::move(shared.begin(), shared.end(), std::back_inserter(own));
     return own;
+}
+
+std::vector<FigurePanel> figure_of(const Mechanism& mechanism) {
+    std::vector<FigurePanel> panels;
+    for (const auto& listed : mechanisms())
+        if (listed->name == mechanism.name && listed->meaning == mechanism.meaning) panels = panels_of(listed);
+    std::erase_if(panels, [&](const FigurePanel& panel) {
+        return std::none_of(panel.dimensions.begin(), panel.dimensions.end(),
+                            [&](const FigureDimension& d) { return find_dimension(mechanism, d.name) >= 0; });
+    });
+    return panels;
 }
 
 }  // namespace mechwright

@@ -91,6 +91,9 @@ MovingDesign figure_design(const std::shared_ptr<const Mechanism>& mechanism,
 /// The panels of all mechanisms of a name, each once: every kind of cam is a mechanism of its own.
 std::vector<FigurePanel> figure_of(std::string_view mechanism_name);
 
+/// Those of one mechanism that show a dimension which it has: a problem has the numbers of its own targets alone.
+std::vector<FigurePanel> figure_of(const Mechanism& mechanism);
+
 namespace figure {
 
 inline FigurePlace pin(std::string name, std::string body, std::size_t number) {

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "synthesis/document/versions.h"
+#include "synthesis/mechanism/linkage/drawing/figure.h"
+#include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/report/drawing/figure/figure.h"
 #include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
@@ -178,28 +181,34 @@ std::string unstyled(std::string svg) {
     return svg_element(svg);
 }
 
-/// The names of the mechanisms that the page shows designs of, each once.
-std::vector<std::string> mechanisms_of(const Page& page) {
-    std::vector<std::string> names;
+/// The first design of each mechanism that the page shows.
+std::vector<const FinishedDesign*> one_of_each(const Page& page) {
+    std::vector<const FinishedDesign*> first;
     const auto add = [&](const std::vector<DesignToShow>& designs) {
         for (const DesignToShow& shown : designs)
-            if (const std::string& name = shown.design.mechanism->name;
-                std::find(names.begin(), names.end(), name) == names.end())
-                names.push_back(name);
+            if (std::none_of(first.begin(), first.end(), [&](const FinishedDesign* other) {
+                    return other->mechanism->name == shown.design.mechanism->name;
+                }))
+                first.push_back(&shown.design);
     };
     for (const ResultToShow& result : page.results)
         add(result.designs);
     add(page.study.designs);
-    return names;
+    return first;
 }
 
 /// What the dimensions of the tables are, to be opened.
 std::string figures(const Page& page) {
     std::string text;
-    for (const std::string& name : mechanisms_of(page))
-        if (const std::string picture = figure_picture(name); !picture.empty())
+    for (const FinishedDesign* design : one_of_each(page)) {
+        const std::string& name = design->mechanism->name;
+        std::string picture = figure_picture(*design->mechanism);
+        if (picture.empty() && design->mechanism->model.as<LinkageModel>() != nullptr)
+            picture = figure_picture(name, std::array{linkage_panel(*design)});
+        if (!picture.empty())
             text += "<details class=\"figure\"><summary>Where the dimensions of a " + escaped(name) + " are</summary>" +
                     unstyled(picture) + "</details>";
+    }
     return text;
 }
 

@@ -160,10 +160,21 @@ std::string figure_picture(const std::string& title, std::span<const FigurePanel
     return svg_file(title, width, top + 8, text);
 }
 
+namespace {
+
+std::string figure_named(const std::string& mechanism, std::span<const FigurePanel> panels, double most_width) {
+    return panels.empty() ? ""
+                          : figure_picture("Dimensions of the mechanism \"" + mechanism + "\"", panels, most_width);
+}
+
+}  // namespace
+
 std::string figure_picture(std::string_view mechanism_name, double most_width) {
-    const std::vector<FigurePanel> panels = figure_of(mechanism_name);
-    if (panels.empty()) return {};
-    return figure_picture("Dimensions of the mechanism \"" + std::string(mechanism_name) + "\"", panels, most_width);
+    return figure_named(std::string(mechanism_name), figure_of(mechanism_name), most_width);
+}
+
+std::string figure_picture(const Mechanism& mechanism, double most_width) {
+    return figure_named(mechanism.name, figure_of(mechanism), most_width);
 }
 
 }  // namespace mechwright
