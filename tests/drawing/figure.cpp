@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <set>
@@ -13,6 +14,7 @@
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/linkage/drawing/figure.h"
 #include "synthesis/report/drawing/figure/layout.h"
+#include "synthesis/report/drawing/figure/problem_figure.h"
 #include "tests/drawing/designs.h"
 #include "tests/report/temporary_folder.h"
 
@@ -102,24 +104,42 @@ std::vector<TextBox> all_texts(const PanelLayout& layout) {
     return all;
 }
 
+/// All texts are in the picture, and none is on another.
+void expect_apart(const FigurePanel& panel, double width) {
+    const PanelLayout layout = lay_out(panel, width);
+    const std::vector<TextBox> texts = all_texts(layout);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const Vector<double>& middle = texts[i].middle;
+        EXPECT_TRUE(middle.x - 0.5 * texts[i].width >= 0 && middle.x + 0.5 * texts[i].width <= width)
+            << panel.title << ": " << texts[i].text;
+        EXPECT_TRUE(middle.y - 0.5 * texts[i].height >= 0 && middle.y + 0.5 * texts[i].height <= layout.height)
+            << panel.title << ": " << texts[i].text;
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(overlap(texts[i], texts[k]))
+                << panel.title << ": " << texts[i].text << " and " << texts[k].text;
+    }
+}
+
 TEST(Figure, LetsNoTextCoverAnother) {
     for (const char* name : with_figures)
         for (const FigurePanel& panel : figure_of(name))
-            for (const double width : {380.0, panel_width, 640.0}) {
-                const PanelLayout layout = lay_out(panel, width);
-                const std::vector<TextBox> texts = all_texts(layout);
-                for (std::size_t i = 0; i < texts.size(); ++i) {
-                    const Vector<double>& middle = texts[i].middle;
-                    EXPECT_TRUE(middle.x - 0.5 * texts[i].width >= 0 && middle.x + 0.5 * texts[i].width <= width)
-                        << panel.title << ": " << texts[i].text;
-                    EXPECT_TRUE(middle.y - 0.5 * texts[i].height >= 0 &&
-                                middle.y + 0.5 * texts[i].height <= layout.height)
-                        << panel.title << ": " << texts[i].text;
-                    for (std::size_t k = 0; k < i; ++k)
-                        EXPECT_FALSE(overlap(texts[i], texts[k]))
-                            << panel.title << ": " << texts[i].text << " and " << texts[k].text;
-                }
-            }
+            for (const double width : {380.0, panel_width, 640.0})
+                expect_apart(panel, width);
+}
+
+/// The linkages that come with mechwright, of which nobody laid the figures out.
+TEST(Figure, IsLegibleAndRightForAnyLinkage) {
+    for (const auto& entry : std::filesystem::directory_iterator(MECHWRIGHT_SOURCE_DIR "/problems/linkage")) {
+        const ReadProblem read = read_problem(entry.path().string());
+        const std::vector<FigurePanel> panels = figure_of(read.problem);
+        ASSERT_EQ(panels.size(), 1u) << entry.path();
+        SCOPED_TRACE(entry.path());
+        constexpr double width = 620;
+        expect_apart(panels[0], width);
+        const PanelLayout layout = lay_out(panels[0], width);
+        for (const DrawnDimension& dimension : layout.dimensions)
+            expect_measured(panels[0], layout, dimension);
+    }
 }
 
 /// mechwright draw --figure NAME --out results/figures/NAME.svg

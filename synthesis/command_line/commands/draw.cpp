@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -15,12 +14,11 @@
 #include "synthesis/command_line/shown.h"
 #include "synthesis/document/versions.h"
 #include "synthesis/mechanism/input.h"
-#include "synthesis/mechanism/linkage/drawing/figure.h"
-#include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/drawing/animation.h"
 #include "synthesis/report/drawing/figure/figure.h"
+#include "synthesis/report/drawing/figure/problem_figure.h"
 #include "synthesis/report/drawing/linkage_sheets.h"
 #include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
@@ -191,27 +189,6 @@ Drawn draw_skeleton(const DrawOptions& options, double width, Console& console) 
     return {skeleton_picture(read.linkage, width)};
 }
 
-/// A problem's mechanism with what is given, and the starts or the middles of its ranges; nothing where it does not
-/// assemble.
-std::optional<MovingDesign> usual_design(const Problem& problem) {
-    const Mechanism& m = *problem.mechanism;
-    MovingDesign design{problem.mechanism, {}, std::vector<double>(m.dimensions.size()), false, false};
-    for (std::size_t i = 0; i < m.dimensions.size(); ++i) {
-        const DimensionRange& range = problem.dimensions[i];
-        design.dimensions[i] = range.start.value_or(0.5 * (range.min + range.max));
-    }
-    for (std::size_t i = 0; i < m.dimensions.size(); ++i)
-        if (problem.dimensions[i].tied())
-            design.dimensions[i] = problem.dimensions[i].tie.at(std::span<const double>(design.dimensions));
-    for (std::size_t assembly = 0; assembly < std::max<std::size_t>(1, m.assemblies.size()); ++assembly) {
-        std::array<double, 2> range{};
-        if (problem.crank_range) range = {problem.crank_range->x, problem.crank_range->y};
-        design.motion = motion_of(m, design.dimensions, assembly, problem.crank_range ? range.data() : nullptr);
-        if (design.assembles()) return design;
-    }
-    return std::nullopt;
-}
-
 /// Where the dimensions of a mechanism are, by its name or by a problem file of it.
 Drawn draw_figure(const DrawOptions& options, double width, Console& console) {
     if (std::string picture = figure_picture(options.file, width); !picture.empty()) return {std::move(picture)};
@@ -224,16 +201,14 @@ Drawn draw_figure(const DrawOptions& options, double width, Console& console) {
     ReadProblem read;
     if (const int outcome = read_and_report(options.file, false, console, read); outcome != exit_code::solved)
         return {{}, outcome};
-    std::string picture = figure_picture(*read.problem.mechanism, width);
-    if (!picture.empty()) return {std::move(picture)};
-    const std::optional<MovingDesign> design = usual_design(read.problem);
-    if (design && design->mechanism->model.as<LinkageModel>() != nullptr) {
-        const std::string& title = read.problem.title;
-        return {figure_picture(title.empty() ? options.file : title, std::array{linkage_panel(*design)}, width)};
+    const std::vector<FigurePanel> panels = figure_of(read.problem);
+    if (panels.empty()) {
+        complain(console,
+                 options.file + ": it does not close with the middles of its ranges; --skeleton draws its links apart");
+        return {{}, exit_code::infeasible};
     }
-    complain(console,
-             options.file + ": it does not close with the middles of its ranges; --skeleton draws its links apart");
-    return {{}, exit_code::infeasible};
+    const std::string& title = read.problem.title;
+    return {figure_picture("Dimensions: " + (title.empty() ? options.file : title), panels, width)};
 }
 
 /// Why options do not go together; empty if they do.
