@@ -36,6 +36,12 @@ TEST(DrawFigure, IsWrittenAsOtherDrawingsAre) {
     }
 }
 
+TEST(DrawFigure, IsOneBelowTheOtherWhereThereIsNoRoom) {
+    const Outcome narrow = run({"draw", "--figure", "four-bar", "--width", "100"});
+    EXPECT_EQ(narrow.exit_code, 0) << narrow.err;
+    expect_has(narrow.out, "width=\"380\"");
+}
+
 TEST(DrawFigure, SaysWhatIsWrong) {
     const Outcome unknown = run({"draw", "--figure", "four-bra"});
     EXPECT_EQ(unknown.exit_code, 2);

@@ -135,7 +135,8 @@ std::string figure_picture(const std::string& title, std::span<const FigurePanel
     const double most = std::max(1.0, std::floor(most_width / least_panel_width));
     const auto columns = static_cast<std::size_t>(std::min(most, static_cast<double>(panels.size())));
     const double count = static_cast<double>(columns);
-    const double panel_width = std::min(most_width / count, greatest_panel_width), width = panel_width * count;
+    const double panel_width = std::clamp(most_width / count, least_panel_width, greatest_panel_width);
+    const double width = panel_width * count;
     std::string text(figure_style);
     double top = 0;
     for (std::size_t i = 0; i < panels.size(); i += columns) {

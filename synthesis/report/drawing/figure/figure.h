@@ -11,7 +11,8 @@ namespace mechwright {
 
 inline constexpr double usual_figure_width = 860;
 
-/// The panels side by side with a title above them; not wider than asked for. Precondition: there are some.
+/// The panels side by side with a title above them; not wider than asked for, where one panel is not.
+/// Precondition: there are some.
 std::string figure_picture(const std::string& title, std::span<const FigurePanel> panels,
                            double most_width = usual_figure_width);
 

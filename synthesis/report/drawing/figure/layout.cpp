@@ -281,10 +281,17 @@ PixelReach drawn_reach(const FigurePanel& panel, const PanelLayout& layout) {
     return reach;
 }
 
+constexpr double most_share = 0.9;  ///< of a panel's height, over its width
+
+bool is_too_large(const Vector<double>& size, double width) {
+    return size.x > width - 2 * panel_border || size.y > most_share * width;
+}
+
 }  // namespace
 
 PanelLayout lay_out(const FigurePanel& panel, double width) {
-    constexpr double most_share = 0.9, shrinks = 0.94;
+    constexpr double shrinks = 0.94;
+    constexpr int most_steps = 40;
     PanelLayout layout;
     layout.title = folded_text(panel.title, width - 2 * panel_border);
     layout.remark = folded_text(panel.remark, width - 2 * panel_border);
@@ -293,7 +300,8 @@ PanelLayout lay_out(const FigurePanel& panel, double width) {
     layout.view = {
         std::min(width / std::max(wanted.x, 1e-9), most_share * width / std::max(wanted.y, 1e-9)), {}, width, 0};
     PixelReach reach = Layouter(panel, layout).lay_out();
-    while (reach.size().x > width - 2 * panel_border || reach.size().y > most_share * width) {
+    // Texts do not shrink: where they alone are wider than the picture there is an end to it.
+    for (int i = 0; i < most_steps && is_too_large(reach.size(), width); ++i) {
         layout.view.scale *= shrinks;
         reach = Layouter(panel, layout).lay_out();
     }
