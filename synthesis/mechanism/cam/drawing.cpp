@@ -1,6 +1,7 @@
 #include "synthesis/mechanism/cam/drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "synthesis/mechanism/cam/cam.h"
@@ -37,6 +38,8 @@ double least_radius(const MovingDesign& design) {
     return prime > 0 ? prime : design["base-radius"] + roller_radius(design);
 }
 
+double stem_length(const MovingDesign& design) { return 0.8 * least_radius(design) + roller_radius(design); }
+
 Body cam_body(const MovingDesign& design, double tolerance) {
     Body cam{"cam", {}, {{0, 0}}, {}};
     cam.outlines.push_back({Layer::cam, cam_curve(design, 0, tolerance), true});
@@ -64,7 +67,7 @@ Body follower_body(const MovingDesign& design, double symbol) {
         body.pins.push_back({0, 0});
         if (!flat) body.outlines.push_back(outlines::segment({0, 0}, end));
     } else {
-        body.outlines.push_back(outlines::segment({0, 0}, {0, 0.8 * least_radius(design) + roller}));
+        body.outlines.push_back(outlines::segment({0, 0}, {0, stem_length(design)}));
     }
     if (roller > 0) body.pins.push_back(end);
     return body;
@@ -110,8 +113,27 @@ std::vector<double> limits(const MovingDesign& design) {
     return {*lowest, *highest};
 }
 
+/// The guide of a translating follower: walls beside its stem, where the file says, else where the stem always is.
+Body ground(const MovingDesign& design, double symbol) {
+    Body guide;
+    if (cam_kind(*design.mechanism).oscillating) return guide;
+    std::array<BodyPlace, 2> lowest, highest;
+    const std::vector<double> at = limits(design);
+    place(design, at[0], design.motion.assembly, lowest);
+    place(design, at[1], design.motion.assembly, highest);
+    const double length = design["guide-length"], stem = design["stem-diameter"];
+    const Vector<double> low = lowest[1].at, high = highest[1].at;
+    const double from = length > 0 ? low.y + design["overhang"] : high.y + roller_radius(design) + symbol;
+    const double to = length > 0 ? from + length : low.y + stem_length(design);
+    if (!(from < to)) return guide;
+    const double half = stem > 0 ? 0.5 * stem : symbol;
+    for (const double x : {low.x - half, low.x + half})
+        guide.outlines.push_back(outlines::segment({x, from}, {x, to}, Layer::ground));
+    return guide;
+}
+
 }  // namespace
 
-Drawing cam_drawing() { return {bodies, place, pivots, limits, nullptr, cam_figure}; }
+Drawing cam_drawing() { return {bodies, place, pivots, limits, ground, cam_figure}; }
 
 }  // namespace mechwright
