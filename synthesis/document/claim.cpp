@@ -13,7 +13,7 @@
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/affine.h"
 #include "synthesis/problem/allowed_values.h"
-#include "synthesis/problem/linkage/mechanism.h"
+#include "synthesis/problem/linkage/rooms_of_kind.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/target/over_input/document.h"
@@ -81,6 +81,31 @@ std::vector<std::string> quantities_in(const Json& document) {
     return names;
 }
 
+void read_units(Reader& in, const Json& document, Claim& claim) {
+    const Json* units = member(document, of_document("units"));
+    if (!units) return;
+    if (const Json* angle = in.object(units, "units") ? member(*units, of_units("angle")) : nullptr) {
+        const std::string unit = in.text(angle, "units.angle");
+        claim.units.degrees = unit == "deg";
+        if (unit != "deg" && unit != "rad") in.fail("units.angle is neither deg nor rad");
+    }
+    if (const Json* length = member(*units, of_units("length"))) claim.units.length = in.text(length, "units.length");
+    if (const Json* force = member(*units, of_units("force"))) claim.units.force = in.text(force, "units.force");
+    if (const Json* mass = member(*units, of_units("mass"))) {
+        claim.units.mass = in.text(mass, "units.mass");
+        const auto times = times_mass(claim.units.mass, claim.units.force, claim.units.length);
+        if (!times) in.fail("units.mass does not go with units.force and units.length");
+        claim.units.per_mass = times.value_or(1);
+    }
+}
+
+/// What is measured of the rooms and regions of a mechanism of the list.
+void read_rooms(Reader& in, const Json& document, Claim& claim) {
+    MadeAgain made = with_rooms_of(claim.mechanism, document, claim.units);
+    if (!made.mechanism) return in.fail("room and region " + made.defect);
+    claim.mechanism = std::move(made.mechanism);
+}
+
 void read_head(Reader& in, const Json& document, Claim& claim) {
     if (in.number(member(document, of_document("schema")), "schema") != 1) in.fail("schema is not 1");
     const Json* problem = in.object(member(document, of_document("problem")), "problem");
@@ -94,26 +119,13 @@ void read_head(Reader& in, const Json& document, Claim& claim) {
         claim.mechanism = mechanism_of(document, name);
     }
     if (!claim.mechanism) return in.fail(fmt::format("there is no mechanism {}", reading::quoted(name)));
+    read_units(in, document, claim);
+    read_rooms(in, document, claim);
+    if (!in.understood()) return;
     const std::vector<std::string> named = quantities_in(document);
     if (member(document, of_document("range_of_use")) ||
         std::any_of(named.begin(), named.end(), [](const std::string& one) { return one.ends_with(whole_suffix); }))
         claim.mechanism = with_whole_quantities(claim.mechanism);
-    if (const Json* units = member(document, of_document("units"))) {
-        if (const Json* angle = in.object(units, "units") ? member(*units, of_units("angle")) : nullptr) {
-            const std::string unit = in.text(angle, "units.angle");
-            claim.units.degrees = unit == "deg";
-            if (unit != "deg" && unit != "rad") in.fail("units.angle is neither deg nor rad");
-        }
-        if (const Json* length = member(*units, of_units("length")))
-            claim.units.length = in.text(length, "units.length");
-        if (const Json* force = member(*units, of_units("force"))) claim.units.force = in.text(force, "units.force");
-        if (const Json* mass = member(*units, of_units("mass"))) {
-            claim.units.mass = in.text(mass, "units.mass");
-            const auto times = times_mass(claim.units.mass, claim.units.force, claim.units.length);
-            if (!times) in.fail("units.mass does not go with units.force and units.length");
-            claim.units.per_mass = times.value_or(1);
-        }
-    }
     if (const Json* tolerance = member(document, of_document("tolerance"))) {
         claim.tolerance = in.number(tolerance, "tolerance");
         if (!(claim.tolerance > 0 && claim.tolerance <= loosest_tolerance))

@@ -331,11 +331,22 @@ Json head(const Problem& problem) {
             {of_document("units"), units_document(problem.units)}};
 }
 
+/// What the mechanism is made from: a linkage's own sections, or rooms and regions of a mechanism of the list.
+void put_made_from(Json& json, const Mechanism& mechanism) {
+    if (mechanism.made_from.empty()) return;
+    Json sections = Json::parse(mechanism.made_from);
+    if (is_described(mechanism))
+        json[of_document("linkage")] = std::move(sections);
+    else
+        for (const char* name : {of_document("room"), of_document("region")})
+            if (const auto at = sections.find(name); at != sections.end()) json[name] = std::move(*at);
+}
+
 /// The members from tolerance to path.
 void put_body(Json& json, const Problem& problem, const Solution* best) {
     put(json, of_document("tolerance"), problem.solver.tolerance);
     json[of_document("dimensions")] = given_dimensions(problem);
-    if (!problem.mechanism->made_from.empty()) json[of_document("linkage")] = Json::parse(problem.mechanism->made_from);
+    put_made_from(json, *problem.mechanism);
     if (is_cam(*problem.mechanism)) json[of_document("cam")] = cam_document(problem);
     if (problem.crank_range) {
         const Unit unit = input_unit(*problem.mechanism);

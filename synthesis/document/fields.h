@@ -312,6 +312,8 @@ inline constexpr std::array of_run{
         "What was given: a number, a range, choices, a multiple of another dimension, or a sum of such.", true},
     Key{"cam", Shape::table, "What was given of a cam.", false, {}, cam},
     Key{"linkage", Shape::value, "Of a linkage the sections that describe it, as its problem file has them."},
+    Key{"room", Shape::value, "Of a built-in kind boxes that parts need, as its problem file has them."},
+    Key{"region", Shape::value, "Of a built-in kind where parts keep in, or out of, as its problem file has them."},
     Key{"crank_range", Shape::ends, "Crank angles that the file limits the motion to."},
     Key{"range_of_use",
         Shape::table,

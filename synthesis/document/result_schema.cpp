@@ -31,6 +31,7 @@ struct Kinds {
     Names dimensions{};
     std::vector<std::string> quantities{};  ///< those over the whole motion among them
     Names settings{};
+    bool has_rooms = false;  ///< problems can have rooms and regions
 };
 
 std::vector<Kinds> all_kinds() {
@@ -44,6 +45,7 @@ std::vector<Kinds> all_kinds() {
             add_name(all.back().quantities, quantity.name);
         for (const Setting& setting : mechanism->settings)
             add_name(all.back().settings, setting.name);
+        all.back().has_rooms = mechanism->as_linkage.has_value();
     }
     return all;
 }
@@ -73,14 +75,15 @@ Json design_of(const Kinds& kinds) {
 
 /// The members that are about one design, as far as the mechanism says what is in them.
 Json findings_of(const Kinds& kinds) {
-    const Json quantity{{"properties", {{"quantity", one_of(kinds.quantities)}}}};
-    Json objective = quantity;
+    const Json quantity{{"properties", {{"quantity", quantity_among(kinds.quantities, kinds.has_rooms)}}}};
+    Json objective = quantity, quantities = table_by(kinds.quantities, number());
     objective["properties"]["terms"] = {{"items", quantity}};
+    if (kinds.has_rooms) quantities["patternProperties"] = {{std::string(quantity_of_room), number()}};
     return {{"design", design_of(kinds)},
             {"objective", std::move(objective)},
             {"requirements", {{"items", quantity}}},
             {"wishes", {{"items", quantity}}},
-            {"quantities", table_by(kinds.quantities, number())}};
+            {"quantities", std::move(quantities)}};
 }
 
 /// What is given of a dimension.
@@ -95,6 +98,8 @@ Json of_kinds(const Kinds& kinds) {
         properties[target] = {{"type", "object"}};
     properties["dimensions"] = table_by(kinds.dimensions, given());
     properties["settings"] = table_by(kinds.settings, number());
+    for (const char* name : {"room", "region"})
+        if (!kinds.has_rooms) properties[name] = false;
     properties["front"] = {{"items", {{"properties", findings_of(kinds)}}}};
     properties["alternatives"] = {{"items", {{"properties", {{"design", properties["design"]}}}}}};
     const Json is_of_them{{"properties", {{"mechanism", {{"const", kinds.name}}}}}};
@@ -116,7 +121,9 @@ Json of_linkages() {
     Json properties{{"design", design},
                     {"quantities", table_of_any(number())},
                     {"dimensions", table_of_any(given())},
-                    {"linkage", table_of(fields::linkage)}};
+                    {"linkage", table_of(fields::linkage)},
+                    {"room", false},
+                    {"region", false}};
     properties["front"] = {{"items", {{"properties", properties}}}};
     properties["alternatives"] = {{"items", {{"properties", {{"design", std::move(design)}}}}}};
     Json is_one{{"properties", {{"mechanism", {{"const", "linkage"}}}}}};

@@ -43,7 +43,8 @@ struct AsLinkage {
         std::string_view names;
     };
     /// From [links] to [signals], TOML. "name" in place of a number is a dimension; @assembly@ stands for the word of
-    /// the assembly, @square@ for a right angle in the unit of the file.
+    /// the assembly, @square@ for a right angle in the unit of the file. It stands where the mechanism is drawn: by
+    /// the placement among its dimensions, or by a [placement] here.
     std::string_view sections;
     std::span<const std::string_view> assemblies{};  ///< words for the mechanism's
     std::span<const Target> targets{};

@@ -265,6 +265,8 @@ struct Drawing {
     /// The figure that shows where its dimensions are, of the mechanism with the numbers of all targets
     /// (drawing/figure.h). Null: it has none.
     std::vector<FigurePanel> (*figure)(const std::shared_ptr<const Mechanism>&) = nullptr;
+    /// Adds boxes that parts need, and regions that they keep in or out of, to the ground. Null: there are none.
+    void (*rooms)(const MovingDesign&, Body& ground) = nullptr;
 };
 
 /// What has no value is what a mechanism cannot do; what has one is whole.
@@ -278,8 +280,9 @@ struct Mechanism {
     std::vector<Family> families;
     std::vector<Setting> settings{};  ///< at most Setting::most
     Model model{};
-    /// The sections of a problem file that it was made from, a JSON object; empty for a mechanism of the list.
-    /// Documents repeat it, so that who reads them can make the mechanism again.
+    /// The sections of a problem file that it was made from, a JSON object: those that describe a linkage, or the rooms
+    /// and regions of a mechanism of the list; empty where there are none. Documents repeat it, so that who reads them
+    /// can make the mechanism again.
     std::string made_from{};
     /// Its model with the lengths that are no dimensions over a unit, as programs take dimensions; null: it has none.
     Model (*model_over)(const Model&, double unit) = nullptr;
@@ -345,6 +348,9 @@ struct Mechanism {
         return one ? &*one : nullptr;
     }
 };
+
+/// Whether its links and joints are those that a problem file describes: it then is not of the list.
+inline bool is_described(const Mechanism& mechanism) { return !mechanism.made_from.empty() && !mechanism.as_linkage; }
 
 /// A mechanism with the numbers and quantities of all targets that problems can have.
 inline const Mechanism& whole_of(const Mechanism& mechanism) { return mechanism.whole ? *mechanism.whole : mechanism; }

@@ -6,6 +6,7 @@
 
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/linkage/mechanism.h"
+#include "synthesis/problem/linkage/rooms_of_kind.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/varied_problem.h"
@@ -67,21 +68,6 @@ void warn_of_accuracy_points(const Section& file, const Problem& problem, Messag
                     "accuracy points are met by method = \"exact\" in [solver]; every other method passes them over");
 }
 
-/// What is measured of linkages of a file alone.
-void refuse_rooms(Section& file, const Problem& problem, Messages& messages) {
-    for (const char* name : {"room", "region"}) {
-        const toml::node* node = find(file, name);
-        if (node == nullptr || problem.mechanism == nullptr) continue;
-        add_error(
-            messages, place_of(*node),
-            fmt::format("[[{}]] is of linkages with [links], and this is a {}: {}", name, problem.mechanism->name,
-                        problem.mechanism->as_linkage
-                            ? "leave it out, write the file as a linkage with 'mechwright expand FILE', and add it "
-                              "there"
-                            : "leave it out"));
-    }
-}
-
 }  // namespace
 
 void read_problem_table(const toml::table& table, Problem& problem, Messages& messages) {
@@ -93,6 +79,7 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     read_units(file, problem, messages);
     read_cam(file, problem, messages);
     add_targets(file, problem);
+    read_rooms_of_kind(file, problem, messages);
     add_whole_quantities(table, problem);
     read_dimensions(file, problem, messages);
     read_segments(file, problem, messages);
@@ -111,8 +98,8 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     warn_of_accuracy_points(file, problem, messages);
     read_requirements(file, problem, messages);
     read_instant(file, problem, messages);
+    require_regions(problem);
     read_study(file, problem, messages);
-    refuse_rooms(file, problem, messages);
     report_unknown_keys(file, messages);
 }
 

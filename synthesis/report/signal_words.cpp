@@ -125,7 +125,7 @@ std::string explained_signal(std::string_view name) {
     const std::size_t dot = name.find('.');
     if (dot != std::string_view::npos && dot > 0) {
         if (const SignalWord* word = find_word(of_rooms, name.substr(dot + 1)))
-            return explained_word({name, word->example, word->meaning}, "of a room or region of a linkage");
+            return explained_word({name, word->example, word->meaning}, "of a room or region");
         const std::string parts = explained_parts(name.substr(dot));
         if (parts.empty()) return {};
         return fmt::format("{}: quantity of a linkage's signal\n\n", name) +

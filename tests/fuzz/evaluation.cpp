@@ -67,7 +67,7 @@ void check_program(const Problem& problem, const Program& program) {
 
 void check_evaluation(const Problem& problem) {
     if (problem.path && problem.path->points.size() > most_points) return;
-    // Linkages of one's own take a hundred times as long: one in sixteen of them, the same every time.
+    // Linkages of one's own, rooms and regions take a hundred times as long: one in sixteen, the same every time.
     if (!problem.mechanism->made_from.empty() && !problem.sha256.starts_with('0')) return;
     const std::vector<Variant> all = variants(problem);
     for (std::size_t i = 0; i < std::min(all.size(), most_variants); ++i)

@@ -83,8 +83,7 @@ struct Drawn {
     int outcome = exit_code::solved;
 };
 
-/// Marks at the instant centres, where the linkage is drawn: the frames of drawings of built-in kinds are those of
-/// their slides, which the driven body tells from the linkage's. Returns the exit code.
+/// Marks at the instant centres. Returns the exit code.
 int mark_centres(const DrawOptions& options, const FinishedDesign& design, Console& console, SvgPicture& picture) {
     if (!is_of_links(*design.mechanism)) {
         complain(console, fmt::format("{}: a {} has no links and joints, of which instant centres are", options.file,
@@ -93,8 +92,7 @@ int mark_centres(const DrawOptions& options, const FinishedDesign& design, Conso
     }
     const double master = picture.at.value_or(pictured_angle(design));
     const auto centres = centres_of({design.mechanism, design.dimensions, design.motion.assembly}, master);
-    const auto frame = frame_of_centres(design, master);
-    if (!centres || !frame) {
+    if (!centres) {
         complain(console, fmt::format("{}: at {} it does not close, or stands at a dead position: links are infinitely "
                                       "fast there",
                                       options.file, in_file_unit(master, input_unit(*design.mechanism), design.units)));
@@ -102,7 +100,7 @@ int mark_centres(const DrawOptions& options, const FinishedDesign& design, Conso
     }
     for (const auto& [first, second, centre] : *centres)
         if (centre.kind == linkage::InstantCentre::Kind::place)
-            picture.marks.push_back({first + ", " + second, in_drawing(*frame, centre.at)});
+            picture.marks.push_back({first + ", " + second, centre.at});
     return exit_code::solved;
 }
 

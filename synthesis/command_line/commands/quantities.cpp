@@ -76,9 +76,10 @@ int show_those_of_file(const Options& options, Console& console) {
     if (const int code = read_and_report(options.name, true, console, read); code != exit_code::solved) return code;
     std::string more;
     if (read.problem.use) more = "\n" + folded("Range of use: ", words_of_use(read.problem));
-    if (const LinkageModel* linkage = read.problem.mechanism->model.as<LinkageModel>())
-        more += linkage->signals.empty() ? "\nMore is asked of signals, in [signals]: mechwright explain signals\n"
-                                         : "\n" + words_of_signals();
+    if (is_described(*read.problem.mechanism))
+        more += linkage_of(read.problem.mechanism->model.data()).signals.empty()
+                    ? "\nMore is asked of signals, in [signals]: mechwright explain signals\n"
+                    : "\n" + words_of_signals();
     return show({read.problem.mechanism}, options, more, console);
 }
 

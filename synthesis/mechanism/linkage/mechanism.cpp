@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "analysis/linkage/motion/travel.h"
 #include "analysis/linkage/placing/needed.h"
@@ -11,6 +10,7 @@
 #include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/mechanism/linkage/drawing/drawing.h"
 #include "synthesis/mechanism/linkage/quantities.h"
+#include "synthesis/mechanism/linkage/rooms/room_quantities.h"
 #include "synthesis/mechanism/linkage/table.h"
 #include "synthesis/mechanism/linkage/targets/followed.h"
 #include "synthesis/mechanism/linkage/targets/function.h"
@@ -71,31 +71,6 @@ double size_of_linkage(Form form, std::span<const double> dimensions) {
     return size > 0 ? size : 1;
 }
 
-/// Calls add(name, unit, meaning, measure) for what rooms and regions are measured by.
-template <class Add>
-void add_rooms(const LinkageModel& model, const Add& add) {
-    using Kind = LinkageMeasure::Kind;
-    constexpr double degree = std::numbers::pi / 180;
-    for (std::size_t i = 0; i < model.rooms.size(); ++i) {
-        const LinkageRoom& room = model.rooms[i];
-        const auto of = [&](std::string_view side, double direction) {
-            return fmt::format("{} of the box that '{}' needs over the motion, at {:.6g} deg to the drawing's x axis",
-                               side, room.name, direction);
-        };
-        const double width = room.direction / degree, height = width + 90;
-        add(room.name + ".width", Unit::length, of("width", width), {.kind = Kind::room_width, .of_room = i});
-        add(room.name + ".height", Unit::length, of("height", height), {.kind = Kind::room_height, .of_room = i});
-        add(room.name + ".area", Unit::area, "area of this box", {.kind = Kind::room_area, .of_room = i});
-    }
-    for (std::size_t i = 0; i < model.regions.size(); ++i) {
-        const LinkageRegion& region = model.regions[i];
-        add(region.name + ".margin", Unit::length,
-            fmt::format("least distance over the motion by which parts keep {} '{}'; negative where they do not",
-                        region.inside ? "in" : "out of", region.name),
-            {.kind = Kind::region_margin, .of_room = i});
-    }
-}
-
 std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimensions,
                                     std::span<const NamedMeasure> asked) {
     using Kind = LinkageMeasure::Kind;
@@ -115,7 +90,8 @@ std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimen
             {Kind::full_turn_margin});
     add("joint-distance-least", Unit::length, "least distance of pins that have no link in common",
         {Kind::joint_distance_least});
-    add_rooms(model, add);
+    for (Quantity& quantity : quantities_of_rooms(model, dimensions))
+        all.push_back(std::move(quantity));
     for (std::size_t i = 0; i < model.signals.size(); ++i)
         for (const auto& [word, kind] :
              {std::pair("least", Kind::least), {"greatest", Kind::greatest}, {"range", Kind::range}}) {
@@ -254,8 +230,7 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     made.quantities = quantities_of(model, made.dimensions.size(), quantities);
     made.families = families_of(model, made.dimensions.size());
     made.table = linkage_table(model);
-    if (has_own_lengths(model))
-        made.model_over = [](const Model& m, double unit) { return Model(over_unit(*m.as<LinkageModel>(), unit)); };
+    if (has_own_lengths(model)) made.model_over = linkage_over_unit;
     for (GuidedPoint& guided : model.guided)
         guided.needed = linkage::needed_of(model.structure, model.order, model.numbers.size(), guided.pin,
                                            guided.is_body ? guided.link : linkage::none, true);

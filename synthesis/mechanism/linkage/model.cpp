@@ -24,6 +24,8 @@ LinkageModel over_unit(LinkageModel model, double unit) {
     return model;
 }
 
+Model linkage_over_unit(const Model& model, double unit) { return Model(over_unit(*model.as<LinkageModel>(), unit)); }
+
 namespace {
 
 template <class R>

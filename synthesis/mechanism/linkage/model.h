@@ -113,6 +113,8 @@ std::vector<T> numbers_of(const LinkageModel& model, std::span<const T> dimensio
 
 /// The same linkage where lengths that are no dimensions are over a unit, as the dimensions are then to be.
 LinkageModel over_unit(LinkageModel model, double unit);
+/// As Mechanism::model_over.
+Model linkage_over_unit(const Model& model, double unit);
 
 /// By which the drives follow an angle or displacement of the master, in doubles or fifty digits; its own law is the
 /// identity.

@@ -45,10 +45,15 @@ void add_names_of_target(Json& object, const char* target, const toml::node& nod
 
 }  // namespace
 
-Json sections_of_linkage(const toml::table& table) {
+Json sections_named(const toml::table& table, std::span<const std::string_view> names) {
     Json sections = Json::object();
-    for (const std::string_view name : describing)
+    for (const std::string_view name : names)
         if (const toml::node* node = table.get(name)) sections[std::string(name)] = json_of(*node);
+    return sections;
+}
+
+Json sections_of_linkage(const toml::table& table) {
+    Json sections = sections_named(table, describing);
     if (const auto at = table["motion"]["at"].value<double>()) sections["motion"] = {{"at", *at}};
     for (const char* target : {"path", "poses", "line", "arc", "function"}) {
         const toml::node* node = table.get(target);

@@ -88,12 +88,26 @@ void write_head(Expanding& e, std::string_view text) {
     e.text += "mechanism = \"linkage\"\n";
 }
 
+void write_keys(Expanding& e, const toml::table& section) {
+    for (const auto& [key, node] : in_order(section))
+        e.text += fmt::format("{} = {}\n", key_text(key), value_text(*node));
+}
+
 void write_section(Expanding& e, std::string_view name) {
     const toml::table* section = e.table[name].as_table();
     if (section == nullptr) return;
     e.text += fmt::format("\n[{}]\n", name);
-    for (const auto& [key, node] : in_order(*section))
-        e.text += fmt::format("{} = {}\n", key_text(key), value_text(*node));
+    write_keys(e, *section);
+}
+
+/// Rooms or regions: their parts are those of the linkage.
+void write_list(Expanding& e, std::string_view name) {
+    const toml::array* list = e.table[name].as_array();
+    if (list == nullptr) return;
+    for (const toml::node& one : *list) {
+        e.text += fmt::format("\n[[{}]]\n", name);
+        write_keys(e, *one.as_table());
+    }
 }
 
 void write_dimensions(Expanding& e) {
@@ -184,7 +198,7 @@ ExpandedProblem refusal(Messages&& messages) { return {{}, sorted(std::move(mess
 
 /// Why a problem is not of a built-in kind that is a linkage.
 std::optional<std::string> why_not_expandable(const Problem& problem) {
-    if (!problem.mechanism->made_from.empty()) return "this is a linkage already: its links stand in [links]";
+    if (is_described(*problem.mechanism)) return "this is a linkage already: its links stand in [links]";
     if (!problem.mechanism->as_linkage)
         return fmt::format("a {} is no linkage of links and joints: only those that are can be said as one",
                            problem.mechanism->name);
@@ -202,20 +216,32 @@ void check_made(const std::string& text, const std::string& file, Messages& mess
 
 }  // namespace reading
 
-std::string linkage_of_design(const Mechanism& kind, std::span<const double> dimensions, std::size_t assembly) {
+namespace {
+
+/// A kind whose dimensions are what text_of(index) says, in radians.
+template <class TextOf>
+std::string linkage_text(const Mechanism& kind, std::size_t assembly, const TextOf& text_of) {
     std::string own, placement;
     const std::size_t count = kind.plain ? kind.plain->dimensions.size() : kind.dimensions.size();
     for (std::size_t i = 0; i < count; ++i) {
-        const Dimension& dimension = kind.dimensions[i];
-        (reading::is_of_placement(dimension.name) ? placement : own) +=
-            fmt::format("{} = {}\n", dimension.name, dimensions[i]);
+        const std::string& name = kind.dimensions[i].name;
+        (reading::is_of_placement(name) ? placement : own) += fmt::format("{} = {}\n", name, text_of(i));
     }
     const auto& words = kind.as_linkage->assemblies;
-    return fmt::format(
-        "schema = 1\nmechanism = \"linkage\"\n[units]\nangle = \"rad\"\n[dimensions]\n{}[placement]\n{}{}", own,
-        placement, reading::linkage_sections(kind, words.empty() ? "" : words[assembly], false, [](const Dimension&) {
-            return true;
-        }));
+    return fmt::format("schema = 1\nmechanism = \"linkage\"\n[units]\nangle = \"rad\"\n[dimensions]\n{}{}{}{}", own,
+                       placement.empty() ? "" : "[placement]\n", placement,
+                       reading::linkage_sections(kind, words.empty() ? "" : words[assembly], false,
+                                                 [](const Dimension&) { return true; }));
+}
+
+}  // namespace
+
+std::string linkage_of_design(const Mechanism& kind, std::span<const double> dimensions, std::size_t assembly) {
+    return linkage_text(kind, assembly, [&](std::size_t i) { return fmt::format("{}", dimensions[i]); });
+}
+
+std::string linkage_of_kind(const Mechanism& kind, std::size_t assembly) {
+    return linkage_text(kind, assembly, [](std::size_t) { return "{ min = 1, max = 2 }"; });
 }
 
 ExpandedProblem expand_problem(std::string_view text, const std::string& file, const DesignPutIn& put_in) {
@@ -236,6 +262,8 @@ ExpandedProblem expand_problem(std::string_view text, const std::string& file, c
     write_section(e, "units");
     write_dimensions(e);
     write_links(e);
+    write_list(e, "room");
+    write_list(e, "region");
     write_targets(e);
     write_section(e, "motion");
     write_asked(e);

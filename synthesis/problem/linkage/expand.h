@@ -32,4 +32,7 @@ ExpandedProblem expand_problem(std::string_view text, const std::string& file, c
 /// radians there. The dimensions are in mechanism order, radians and lengths.
 std::string linkage_of_design(const Mechanism& kind, std::span<const double> dimensions, std::size_t assembly);
 
+/// The same of any design: each dimension has a range.
+std::string linkage_of_kind(const Mechanism& kind, std::size_t assembly);
+
 }  // namespace mechwright

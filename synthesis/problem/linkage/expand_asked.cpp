@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/linkage/expanding.h"
 #include "synthesis/problem/text.h"
@@ -55,14 +56,22 @@ bool loses_its_motion(const Expanding& e, const Counterpart& counterpart) {
                         [&](const Quantity& quantity) { return quantity.name == counterpart.quantity; });
 }
 
+/// Whether a quantity is one that a target brings: these come after the mechanism's own.
+bool is_of_target(const Mechanism& mechanism, int quantity) {
+    return mechanism.plain && static_cast<std::size_t>(quantity) >= mechanism.plain->quantities.size();
+}
+
+bool is_of_room(const Mechanism& mechanism, int quantity) {
+    return mechanism.quantities[static_cast<std::size_t>(quantity)].of.as<LinkageMeasure>() != nullptr;
+}
+
 NamedCounterparts counterpart_names(Asking& asking, const toml::node& node) {
     const std::string quantity = node.value_or(std::string());
     const Mechanism& mechanism = *asking.e.problem.mechanism;
     const int index = find_quantity(mechanism, quantity);
     const Counterpart* counterpart = find_counterpart(asking.e, quantity);
-    // Those of targets come after the mechanism's own.
-    const auto own = mechanism.plain ? mechanism.plain->quantities.size() : mechanism.quantities.size();
-    if (counterpart == nullptr && index >= static_cast<int>(own)) return {{quantity}};
+    if (counterpart == nullptr && index >= 0 && (is_of_target(mechanism, index) || is_of_room(mechanism, index)))
+        return {{quantity}};
     if (counterpart == nullptr || counterpart->is.front().empty())
         return refuse_quantity(asking, node, quantity, counterpart ? counterpart->why_not : "leave it out"),
                NamedCounterparts{};

@@ -92,6 +92,8 @@ bool is_own(const Linkage& linkage, std::size_t anchor) {
     return !linkage.placement[anchor].sum && (anchor < 3 || linkage.scaled);
 }
 
+}  // namespace
+
 std::vector<Dimension> dimensions_of(const Linkage& linkage) {
     std::vector<Dimension> dimensions;
     for (const LinkageDimension& d : linkage.dimensions)
@@ -104,6 +106,8 @@ std::vector<Dimension> dimensions_of(const Linkage& linkage) {
                 {linkage.placement[i].range.name, kind_of(anchored[i]), i == 3, std::string(meanings[i])});
     return dimensions;
 }
+
+namespace {
 
 /// The ranges of those dimensions.
 std::vector<DimensionRange> ranges_of(const Linkage& linkage) {
@@ -168,6 +172,8 @@ Assemblies assemblies_of(const Linkage& linkage) {
     return all;
 }
 
+}  // namespace
+
 LinkageModel model_of(const Linkage& linkage) {
     const Conversion convert(linkage);
     LinkageModel model;
@@ -215,6 +221,8 @@ LinkageModel model_of(const Linkage& linkage) {
     model.scale = anchor(3);
     return model;
 }
+
+namespace {
 
 std::vector<double> usual(std::span<const DimensionRange> ranges) {
     std::vector<double> dimensions;
@@ -339,17 +347,12 @@ std::shared_ptr<const Mechanism> mechanism_of(const Linkage& linkage, std::strin
     return with_all_targets(std::make_shared<const Mechanism>(std::move(made)));
 }
 
-namespace {
-
-/// What tables of a problem cannot hold, or hold too deep.
-bool is_plain(const Json& json, int depth = 0) {
+bool is_plain(const Json& json, int depth) {
     constexpr int deepest = 8;
     if (json.is_null() || json.is_binary() || json.is_discarded() || depth > deepest) return false;
     return !json.is_structured() ||
            std::all_of(json.begin(), json.end(), [&](const Json& below) { return is_plain(below, depth + 1); });
 }
-
-}  // namespace
 
 MadeAgain mechanism_of_sections(const Json& sections, std::span<const std::string> quantities) {
     if (!sections.is_object() || !is_plain(sections)) return {{}, "is no object of sections"};
@@ -380,9 +383,10 @@ const toml::node* target_of(const toml::table& table) {
 
 }  // namespace
 
-/// That parts keep in or out as far as asked.
-void require_regions(const Linkage& linkage, Problem& problem) {
-    for (const LinkageRegion& region : linkage.regions)
+void require_regions(Problem& problem) {
+    const LinkageModel* model = problem.mechanism ? problem.mechanism->model.as<LinkageModel>() : nullptr;
+    if (model == nullptr) return;
+    for (const LinkageRegion& region : model->regions)
         if (const int quantity = find_quantity(*problem.mechanism, region.name + ".margin"); quantity >= 0)
             problem.requirements.push_back({static_cast<std::size_t>(quantity), {}, region.margin, {}});
 }
@@ -442,7 +446,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     read_objective(file, problem, messages);
     check_front(file, problem, messages);
     read_requirements(file, problem, messages);
-    require_regions(linkage, problem);
+    require_regions(problem);
     read_study(file, problem, messages);
 }
 

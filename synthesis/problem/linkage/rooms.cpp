@@ -133,6 +133,15 @@ std::optional<std::string> read_own_name(LinkageReading& reading, Section& secti
                   fmt::format("'{}' is the name of another room or region: give this one another", *name));
         return {};
     }
+    // Of a linkage that a file describes these are read later, and are refused then.
+    const auto& signals = reading.made.signals;
+    if (std::any_of(signals.begin(), signals.end(), [&](const LinkageSignal& one) { return one.name == *name; })) {
+        add_error(reading.messages, place,
+                  fmt::format("'{}' is a signal of the linkage that this mechanism is, as 'mechwright expand' writes "
+                              "it: give the room or region another name",
+                              *name));
+        return {};
+    }
     return name;
 }
 

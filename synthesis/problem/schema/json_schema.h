@@ -32,6 +32,9 @@ Json one_of(const Words& words) {
     return {{"type", "string"}, {"enum", std::move(all)}};
 }
 
+/// What names quantities of rooms and regions have: a file makes them.
+inline constexpr std::string_view quantity_of_room = "^[A-Za-z][A-Za-z0-9_-]*[.](width|height|area|margin)([.]whole)?$";
+
 /// Either of some schemas.
 Json any_of(std::vector<Json> schemas);
 
@@ -44,6 +47,13 @@ Json range_of(const Limits& limits = {});
 /// A number, or a sum of dimensions as a linkage's numbers can be; two of them as a place.
 Json expression();
 Json coordinates();
+
+/// One of a mechanism's quantities, or one of a room or region where it can have some.
+template <class Words>
+Json quantity_among(const Words& words, bool has_rooms) {
+    if (!has_rooms) return one_of(words);
+    return any_of({one_of(words), Json{{"type", "string"}, {"pattern", quantity_of_room}}});
+}
 
 /// The schema with what is to be told of it.
 Json with_meaning(Json schema, std::string_view meaning);

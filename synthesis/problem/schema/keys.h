@@ -326,8 +326,8 @@ inline constexpr std::array file{
     Key{"sketch", Shape::table, "Of a linkage: where points are about.", false, {}, sketch},
     Key{"placement", Shape::table, "Of a linkage: where its frame stands in the drawing.", false, {}, placement},
     Key{"signals", Shape::names, "Of a linkage: what is measured along the motion."},
-    Key{"room", Shape::tables, "Of a linkage: a box that parts of it need over the motion.", false, {}, room},
-    Key{"region", Shape::tables, "Of a linkage: a region that parts of it keep in, or out of.", false, {}, region},
+    Key{"room", Shape::tables, "A box that parts of a mechanism of links need over the motion.", false, {}, room},
+    Key{"region", Shape::tables, "A region that parts of a mechanism of links keep in, or out of.", false, {}, region},
     Key{"study",
         Shape::value,
         "The problem for many values of what the file says: \"dimensions.ground\" = { from = ..., to = ..., count = "

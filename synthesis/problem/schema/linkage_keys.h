@@ -96,8 +96,8 @@ inline constexpr std::array placement{
 
 inline constexpr Key parts_of_linkage{
     "of", Shape::value,
-    "What it is about: \"mechanism\", all links and pivots; \"pivots\"; or a list of links and points. Preset: "
-    "mechanism."};
+    "What it is about: \"mechanism\", all links and pivots; \"pivots\"; or a list of links and points, of a built-in "
+    "kind those that 'mechwright expand' writes. Preset: mechanism."};
 
 inline constexpr std::array room{
     Key{"name", Shape::text, "What quantities call it: NAME.width, NAME.height, NAME.area.", true}, parts_of_linkage,

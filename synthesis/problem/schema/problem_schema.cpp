@@ -101,7 +101,7 @@ Json quantity_or_list(const Json& quantity) { return any_of({quantity, list_of(q
 
 /// What the mechanism has by names of its own, wherever a file names it.
 Json named_by(const Mechanism& mechanism) {
-    const Json quantity = one_of(quantities_of(mechanism));
+    const Json quantity = quantity_among(quantities_of(mechanism), mechanism.as_linkage.has_value());
     const Json term{
         {"properties", {{"minimize", quantity_or_list(quantity)}, {"maximize", quantity_or_list(quantity)}}}};
     Json properties{{"dimensions", dimensions_of(mechanism)},
@@ -125,6 +125,7 @@ Names foreign_sections(const Mechanism& mechanism) {
     if (!mechanism.function) foreign.push_back("function");
     if (!mechanism.line) foreign.push_back("line");
     if (!mechanism.arc) foreign.push_back("arc");
+    if (!mechanism.as_linkage) foreign.insert(foreign.end(), {"room", "region"});
     if (find_quantity(mechanism, "instant-rocker-velocity") < 0) foreign.push_back("instant");
     return foreign;
 }
@@ -132,9 +133,8 @@ Names foreign_sections(const Mechanism& mechanism) {
 /// Targets of which a linkage can have several.
 constexpr std::array<std::string_view, 5> repeated_targets{"path", "poses", "function", "line", "arc"};
 
-constexpr std::array<std::string_view, 13> sections_of_linkage{"links",   "slide", "slot",     "gear",   "belt",
-                                                               "rack",    "drive", "assembly", "sketch", "placement",
-                                                               "signals", "room",  "region"};
+constexpr std::array<std::string_view, 11> sections_of_linkage{
+    "links", "slide", "slot", "gear", "belt", "rack", "drive", "assembly", "sketch", "placement", "signals"};
 
 /// What files of one mechanism alone can say, and what they have to, where they meet a condition.
 Json of_mechanism(const Mechanism& mechanism, Json condition) {

@@ -149,7 +149,9 @@ Scene scene_of(const FinishedDesign& design, double fineness) {
     Scene scene;
     scene.pivots = drawing.pivots(design);
     const auto ground = [&](double symbol) {
-        return drawing.ground == nullptr ? Body{} : drawing.ground(design, symbol);
+        Body body = drawing.ground == nullptr ? Body{} : drawing.ground(design, symbol);
+        if (drawing.rooms != nullptr) drawing.rooms(design, body);
+        return body;
     };
     // Symbols are sized by the drawing without them.
     const Box bare =

@@ -62,23 +62,6 @@ std::optional<std::vector<NamedCentre>> centres_of(const DesignOfLinks& design, 
     return named;
 }
 
-std::optional<BodyPlace> frame_of_centres(const MovingDesign& design, double master) {
-    if (!design.mechanism->as_linkage) return BodyPlace{};
-    const LinkageOfDesign linkage(*design.mechanism, design.dimensions, design.motion.assembly);
-    if (!linkage.mechanism) return {};
-    MovingDesign same{.mechanism = linkage.mechanism, .motion = design.motion, .dimensions = linkage.dimensions};
-    same.motion.model = linkage.mechanism->model.data();
-    same.motion.assembly = 0;
-    const auto driven_body = [&](const MovingDesign& one) {
-        std::vector<BodyPlace> places(one.mechanism->drawing->bodies(one, 0, 1).size());
-        one.mechanism->drawing->place(one, master, one.motion.assembly, places);
-        return places.front();
-    };
-    const BodyPlace here = driven_body(design), there = driven_body(same);
-    const Vector<double> turn = turned(here.turn, {there.turn.x, -there.turn.y});
-    return BodyPlace{here.at - turned(there.at, turn), turn};
-}
-
 std::string centres_text(const std::vector<NamedCentre>& centres, double input, const Units& units) {
     Table table{{Align::left, Align::left}, {}};
     for (const auto& [first, second, centre] : centres)

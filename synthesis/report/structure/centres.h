@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "analysis/linkage/measuring/instant_centres.h"
-#include "synthesis/mechanism/drawing/moving_design.h"
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/problem/problem.h"
 
@@ -30,13 +29,9 @@ struct DesignOfLinks {
 /// Whether a mechanism is made of links and joints.
 bool is_of_links(const Mechanism& mechanism);
 
-/// The centres of all pairs of links in the drawing of the linkage, at an input of the master (radians, or a
+/// The centres of all pairs of links in the drawing, at an input of the master (radians, or a
 /// displacement). Absent where it does not close there, or stands at a dead position. Precondition: is_of_links.
 std::optional<std::vector<NamedCentre>> centres_of(const DesignOfLinks& design, double master);
-
-/// Where the frame in which these are stands in the drawing of a design: a built-in kind is drawn in one of its own. It
-/// is told by the driven body, which both have. Absent as above.
-std::optional<BodyPlace> frame_of_centres(const MovingDesign& design, double master);
 
 /// "A, B" and where; angles in the file's unit, as the input at which they are so.
 std::string centres_text(const std::vector<NamedCentre>& centres, double input, const Units& units);

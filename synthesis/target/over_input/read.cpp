@@ -10,7 +10,7 @@ namespace mechwright::reading {
 
 namespace {
 
-bool is_linkage(const Problem& problem) { return !problem.mechanism->made_from.empty(); }
+bool is_linkage(const Problem& problem) { return is_described(*problem.mechanism); }
 
 /// Whether a mechanism can do such a thing at all; says so where it cannot.
 bool can_be_asked(const Section& section, std::string_view name, const Problem& problem, Messages& messages) {

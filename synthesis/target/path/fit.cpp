@@ -69,7 +69,9 @@ bool is_of_others(const Program& program, std::size_t dimension) {
 Fitted fitted_of(const Program& program, const std::vector<double>& dimensions) {
     const PathRoles& roles = roles_of(program);
     const auto both = [&](std::size_t a, std::size_t b) { return is_free(program, a) && is_free(program, b); };
-    bool size = is_free(program, roles.tilt) && !program.problem->mechanism->model_over;
+    const Mechanism& mechanism = *program.problem->mechanism;
+    const bool has_own_lengths = is_described(mechanism) && mechanism.model_over;
+    bool size = is_free(program, roles.tilt) && !has_own_lengths;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
         if (grows_with_links(program, i))
             size = size && (is_free(program, i) || is_of_others(program, i) || dimensions[i] == 0);

@@ -100,7 +100,6 @@ Body ground(const MovingDesign& design, double symbol) {
         put(label.at);
     for (Guide& guide : body.guides)
         put(guide.from), put(guide.to);
-    add_rooms(design, body);
     return body;
 }
 
@@ -143,6 +142,6 @@ bool place_within(linkage::Driven<double>& linkage, const Motion& motion, double
     return false;
 }
 
-Drawing linkage_drawing() { return {bodies, place, pivots, limits, ground}; }
+Drawing linkage_drawing() { return {bodies, place, pivots, limits, ground, draw_rooms}; }
 
 }  // namespace mechwright

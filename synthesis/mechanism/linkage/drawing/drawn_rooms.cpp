@@ -54,7 +54,7 @@ std::optional<Outline> outline_of(const MovingDesign& design, const LinkageRoom&
 
 }  // namespace
 
-void add_rooms(const MovingDesign& design, Body& ground) {
+void draw_rooms(const MovingDesign& design, Body& ground) {
     const LinkageModel& model = linkage_of(design.motion.model);
     const auto add = [&](const auto& all) {
         for (const auto& one : all)

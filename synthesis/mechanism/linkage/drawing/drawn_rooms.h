@@ -7,8 +7,8 @@
 
 namespace mechwright {
 
-/// Adds them with their names to the ground, in the drawing's axes. A half-plane is its border, a little longer than
-/// what keeps to it. The model of the design's motion is a LinkageModel.
-void add_rooms(const MovingDesign& design, Body& ground);
+/// As Drawing::rooms, with their names, in the drawing's axes. A half-plane is its border, a little longer than what
+/// keeps to it. The model of the design's motion is a LinkageModel.
+void draw_rooms(const MovingDesign& design, Body& ground);
 
 }  // namespace mechwright
