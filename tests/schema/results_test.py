@@ -119,12 +119,38 @@ centre-x = 0
 centre-y = 0
 radius = 30
 """
+ROOMS = """
+[[room]]
+name = "all"
+of = "mechanism"
+direction = 10
+[[region]]
+name = "bay"
+keep = "in"
+polygon = [[-300, -300], [300, -300], [300, 300], [-300, 300]]
+[[region]]
+name = "post"
+keep = "out"
+of = ["coupler", "P"]
+circle = { centre = [50, 200], radius = 10 }
+margin = 2
+[[region]]
+name = "wall"
+keep = "in"
+half-plane = { through = [0, 250], direction = 180 }
+[[region]]
+name = "crank"
+keep = "out"
+of = ["D"]
+link = { name = "crank", width = 8 }
+"""
 WHOLE_LINKAGE = LINKAGE.format(ground=100, coupler=93)
 USED = '[motion]\nfrom = "first-target"\nto = "last-target"\n'
 GIVEN = {
     "whole": WHOLE_LINKAGE,
     "never assembled": LINKAGE.format(ground=1000, coupler=93),
     "close to a change point": LINKAGE.format(ground=100, coupler=64.0001),
+    "rooms": WHOLE_LINKAGE + ROOMS,
     "path": WHOLE_LINKAGE + "[path]\npoints = [[0, 0], [10, 5], [20, 0]]\n" + POINTS,
     "poses": WHOLE_LINKAGE + "[poses]\nposes = [[0, 0, 0], [10, 5, 10], [20, 0]]\n" + POINTS,
     "range of use": WHOLE_LINKAGE + USED + "[path]\npoints = [[0, 0], [10, 5], [20, 0]]\n" + POINTS,
