@@ -69,6 +69,7 @@ std::string why_not_whole(const Mechanism& m) {
         return "its drawing lacks bodies, places, pivots or limits";
     if (m.as_linkage && (m.as_linkage->sections.empty() || m.as_linkage->assemblies.size() != m.assemblies.size()))
         return "as a linkage it has no links, or not the same assemblies";
+    if (m.as_linkage && m.model.data() && m.made_from.empty()) return "its model would give way to that of its linkage";
     if (m.point && (!m.point->miss || !m.point->point || !can_read(m, m.point->reads, PointGuidance::most_reads)))
         return "its guided point cannot be placed";
     if (m.body && (!m.point || !m.body->miss || !can_read(m, m.body->reads, PointGuidance::most_reads)))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/report/text/table.h"
 
 namespace mechwright {
@@ -118,14 +119,19 @@ std::string words_of_signals() {
            listed(reductions) + "Of its derivatives in the same way:\n" + listed(derivatives);
 }
 
+std::string explained_room(std::string_view name) {
+    const std::size_t dot = name.find('.');
+    if (dot == std::string_view::npos || dot == 0) return {};
+    const SignalWord* word = find_word(of_rooms, without_whole(name).substr(dot + 1));
+    return word ? explained_word({name, word->example, word->meaning}, "of a room or region") : std::string();
+}
+
 std::string explained_signal(std::string_view name) {
     if (name == "signals")
         return "signals: what is measured along the motion of a linkage\n\n" +
                listed(std::span(kinds).first(kinds.size() - 1)) + "\n" + words_of_signals();
     const std::size_t dot = name.find('.');
     if (dot != std::string_view::npos && dot > 0) {
-        if (const SignalWord* word = find_word(of_rooms, name.substr(dot + 1)))
-            return explained_word({name, word->example, word->meaning}, "of a room or region");
         const std::string parts = explained_parts(name.substr(dot));
         if (parts.empty()) return {};
         return fmt::format("{}: quantity of a linkage's signal\n\n", name) +

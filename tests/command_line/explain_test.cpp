@@ -137,6 +137,14 @@ TEST(Explain, TellsWhatSignalsAreAndWhatIsMadeOfThem) {
         EXPECT_EQ(run({"explain", wrong}).exit_code, 2) << wrong;
 }
 
+TEST(Explain, TellsWhatRoomsAndRegionsAreMeasuredBy) {
+    for (const char* name : {"bay.margin", "drive.width", "drive.area.whole"}) {
+        EXPECT_EQ(explained({name}), explained({name, "four-bar"}));
+        expect_has(explained({name}), "of a room or region");
+    }
+    EXPECT_EQ(run({"explain", "bay.margin", "cam"}).exit_code, 2);
+}
+
 TEST(Explain, KnowsSectionsAndKeysOfProblemFiles) {
     const std::string path = explained({"path"});
     for (const char* part :

@@ -12,10 +12,12 @@ namespace mechwright::linkage_scans {
 
 namespace {
 
-std::string shipped_wiper() {
-    std::ifstream in(MECHWRIGHT_SOURCE_DIR "/problems/four-bar/wiper-beside-column.toml");
+std::string shipped_with(const std::string& name) {
+    std::ifstream in(MECHWRIGHT_SOURCE_DIR "/problems/" + name + ".toml");
     return {std::istreambuf_iterator<char>(in), {}};
 }
+
+std::string shipped_wiper() { return shipped_with("four-bar/wiper-beside-column"); }
 
 /// The box is as high as crank and rocker are long, so that the crank is what the cowl leaves to it.
 TEST(ProblemsWithRooms, AreSolvedWhereRoomAndRegionBind) {
@@ -32,6 +34,26 @@ TEST(ProblemsWithRooms, AreSolvedWhereRoomAndRegionBind) {
     EXPECT_EQ(document["region"][0]["name"], "column");
     EXPECT_FALSE(document.contains("linkage"));
     expect_verified(document);
+}
+
+/// Branch and bound knows nothing of rooms: it does not call an answer the best where one of them binds.
+TEST(ProblemsWithRooms, AreNotProvedByBoundsThatDoNotKnowThem) {
+    const auto solved = [](double width) {
+        ReadProblem read = testing::read_without_fault(
+            shipped_with("function/power") +
+            "[[room]]\nname = \"box\"\n[[require]]\nquantity = \"box.width\"\nmax = " + std::to_string(width) + "\n");
+        read.problem.solver.starts = 8;
+        return mechwright::document(read.problem, solve(read.problem, {}));
+    };
+    const Json wide = solved(25), narrow = solved(23);
+    EXPECT_TRUE(wide["search"]["complete"].get<bool>());
+    EXPECT_NEAR(wide["objective"]["value"].get<double>(), 0.610531, 1e-6);
+    EXPECT_FALSE(narrow["search"]["complete"].get<bool>());
+    EXPECT_NEAR(narrow["objective"]["value"].get<double>(), 0.769270, 1e-5);
+    EXPECT_LE(narrow["search"].value("bound", 0.0), narrow["objective"]["value"].get<double>());
+    EXPECT_NEAR(value_in(narrow, "box.width"), 23, 1e-7);
+    expect_verified(wide);
+    expect_verified(narrow);
 }
 
 TEST(ProblemsWithRooms, AreRefusedWhereDocumentsAreChanged) {

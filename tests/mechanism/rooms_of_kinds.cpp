@@ -197,6 +197,25 @@ TEST(RoomsOfKinds, OverARangeOfUseAreThoseOfTheLinkages) {
     }
 }
 
+/// Beyond the input range of a line the crank goes on turning.
+TEST(RoomsOfKinds, OverInputRangesAreThoseOfTheLinkages) {
+    for (const KindWithRooms& of : {kinds_with_rooms[0], kinds_with_rooms[1]})
+        for (const char* turns : {"", "full_turn = true\n[[require]]\nquantity = \"all.area.whole\"\nmin = 0\n"}) {
+            SCOPED_TRACE(of.kind + turns);
+            expect_same_when_expanded(of.text() + "[line]\nstart = 25\nrange = 80\nangle = 20\noffset = 3\n" + turns +
+                                      rooms_of_any);
+        }
+}
+
+TEST(RoomsOfKinds, OverARangeOfUseAreVerified) {
+    const AnalysedRoom found =
+        analysed_room(text_of_kind("four-bar", "ground = 5\ncrank = 2\ncoupler = 4.5\nrocker = 4\ncrank-start = 40") +
+                      between_targets + rooms_of_any);
+    EXPECT_LT(value_in(found.document, "all.area"), value_in(found.document, "all.area.whole"));
+    EXPECT_LE(value_in(found.document, "post.margin.whole"), value_in(found.document, "post.margin"));
+    expect_verified(found.document);
+}
+
 TEST(RoomsOfKinds, HaveExactDerivativesOverRangesOfTheInput) {
     const std::string line = "[line]\nstart = { min = 10, max = 50 }\nrange = { min = 50, max = 90 }\n";
     for (const std::string& target : {line, between_targets})

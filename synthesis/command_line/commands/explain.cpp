@@ -242,6 +242,8 @@ int explain(const ExplainOptions& options, Console& console) {
     std::vector<std::string> parts;
     for (const auto& part : {as_quantity, as_dimension, as_setting, as_mechanism})
         parts.push_back(part(options.name, of, colour));
+    const bool of_links = std::any_of(of.begin(), of.end(), [](const auto& m) { return m->as_linkage.has_value(); });
+    if (of_links) parts.push_back(explained_room(options.name));
     if (options.mechanism.empty()) {
         parts.push_back(explained_signal(options.name));
         parts.push_back(explained_section(options.name, colour));

@@ -70,12 +70,18 @@ int show(const std::vector<std::shared_ptr<const Mechanism>>& all, const Options
     return exit_code::solved;
 }
 
+/// What is asked of rooms and regions, where a mechanism can have them.
+std::string words_of_rooms(const Mechanism& mechanism) {
+    return mechanism.as_linkage ? "\nMore is asked of [[room]] and [[region]]: mechwright explain room\n" : "";
+}
+
 /// What a file can ask for.
 int show_those_of_file(const Options& options, Console& console) {
     ReadProblem read;
     if (const int code = read_and_report(options.name, true, console, read); code != exit_code::solved) return code;
     std::string more;
     if (read.problem.use) more = "\n" + folded("Range of use: ", words_of_use(read.problem));
+    more += words_of_rooms(*read.problem.mechanism);
     if (is_described(*read.problem.mechanism))
         more += linkage_of(read.problem.mechanism->model.data()).signals.empty()
                     ? "\nMore is asked of signals, in [signals]: mechwright explain signals\n"
