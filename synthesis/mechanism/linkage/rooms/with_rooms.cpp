@@ -10,7 +10,7 @@ namespace mechwright {
 
 namespace {
 
-/// Of a kind's own dimensions those that no target brings come first.
+/// How many dimensions are its own: those that targets bring follow them.
 std::size_t own_dimensions(const Mechanism& kind) {
     return kind.plain ? kind.plain->dimensions.size() : kind.dimensions.size();
 }
