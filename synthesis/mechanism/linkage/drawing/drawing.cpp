@@ -142,6 +142,6 @@ bool place_within(linkage::Driven<double>& linkage, const Motion& motion, double
     return false;
 }
 
-Drawing linkage_drawing() { return {bodies, place, pivots, limits, ground, draw_rooms}; }
+Drawing linkage_drawing() { return {bodies, place, pivots, limits, ground, nullptr, draw_rooms}; }
 
 }  // namespace mechwright
