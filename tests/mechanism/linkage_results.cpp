@@ -122,6 +122,50 @@ TEST(LinkageResults, HaveColumnsForSignalsAtLimits) {
     }
 }
 
+/// A wheel that moves a rack never comes back to where it was: no turn of it is full, and no margin is of one.
+TEST(LinkageResults, AreVerifiedWhereADriveMovesARack) {
+    const ReadProblem read = testing::read_without_fault(testing::head + R"(
+[dimensions]
+arm = { min = 30, max = 90 }
+reach = { min = 20, max = 120 }
+[links]
+frame = { A = [0, 0], D = [60, 0], E = [0, -40] }
+rod   = { S = [0, 0], C = ["arm", 0], P = ["reach", 10] }
+ram   = { S = [0, 0] }
+rocker = { D = [0, 0], C = [50, 0] }
+wheel = { E = [0, 0], W = [1, 0] }
+[[slide]]
+name = "cylinder"
+link = "ram"
+on = "frame"
+point = "A"
+direction = 90
+[[rack]]
+link = "ram"
+wheel = "wheel"
+radius = 10
+[drive]
+link = "wheel"
+[motion]
+crank_range = [0, 200]
+[path]
+point = "P"
+timing = "none"
+points = [[40, 20], [45, 25], [50, 32], [54, 40]]
+[objective]
+minimize = "path-rms"
+[solver]
+starts = 1
+)");
+    const Json found = document(read.problem, solve(read.problem, {}));
+    EXPECT_EQ(found["status"], "solved");
+    EXPECT_FALSE(found["quantities"].contains("full-turn-margin"));
+    expect_verified(found);
+    Json claimed = found;
+    claimed["quantities"]["full-turn-margin"] = 1.0;
+    EXPECT_TRUE(is_refused(claimed));
+}
+
 /// Two wishes against each other: the rocker's swing as near 60 degrees as it can be to 80, and a good transmission
 /// angle.
 TEST(LinkageResults, CanBeFronts) {

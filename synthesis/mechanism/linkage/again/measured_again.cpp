@@ -193,6 +193,7 @@ std::vector<Digits50> lengths_of(const LinkageModel& model, std::span<const Digi
 /// The least margin of any dyad over the cycle of the drive, in fifty digits by the dyads' own formulas where it does
 /// not close: there is no pose. A dyad counts where all before it close.
 Digits50 full_turn_margin(const LinkageModel& model, std::size_t assembly, std::span<const Digits50> dimensions) {
+    if (model.turns < 1) return missing;
     const std::vector<Digits50> numbers = numbers_of(model, dimensions);
     linkage::Driven<Digits50> precise(model.structure, model.order, std::span<const Digits50>(numbers),
                                       model.sides[assembly], laws_again_of(model));
