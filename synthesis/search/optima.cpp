@@ -15,16 +15,14 @@ constexpr double same_within = 1e-3;
 /// Objectives that agree to this (or to this part of the problem's scale) are equally good.
 constexpr double same_optimum_within = 1e-7;
 
-/// Expected share of starts that lead to optima not yet seen, from the number of searches and of distinct optima
-/// (Boender and Rinnooy Kan 1987).
+}  // namespace
+
 double unseen_share(int searches, int optima) {
     const double n = searches;
     const double w = optima;
     if (searches < 2) return 1;
     return std::min(1.0, w * (w + 1) / (n * (n - 1)));
 }
-
-}  // namespace
 
 bool same_design(const Problem& problem, const Design& a, const Design& b, double within) {
     if (a.assembly != b.assembly) return false;

@@ -8,6 +8,11 @@
 
 namespace mechwright {
 
+/// The expected share of searches that end at optima not yet seen, from how many there were and how many distinct
+/// optima they ended at (Boender and Rinnooy Kan, Bayesian stopping rules for multistart global optimization methods,
+/// Mathematical Programming 37, 1987).
+double unseen_share(int searches, int optima);
+
 /// Whether the dimensions of two designs agree to a part of the longest length, angles to that part of a radian.
 bool same_design(const Problem& problem, const Design& a, const Design& b, double within);
 
