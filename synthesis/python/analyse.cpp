@@ -10,12 +10,11 @@
 #include "synthesis/document/document.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
-#include "synthesis/program/left_open.h"
 #include "synthesis/python/arguments.h"
 #include "synthesis/python/calls.h"
+#include "synthesis/python/designs.h"
 #include "synthesis/python/values.h"
 #include "synthesis/report/drawing/finished.h"
-#include "synthesis/solve/solve.h"
 
 namespace mechwright::python {
 
@@ -26,20 +25,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t most_steps = 1'000'000;
 
-/// A problem and the one design of it, evaluated.
-struct Subject {
-    Problem problem;
-    Solution solution;
-};
-
-Subject given_design(const py::object& argument) {
-    Subject subject{problem_of(argument), {}};
-    if (const std::string why = why_not_analysable(subject.problem); !why.empty()) refuse_problem(subject.problem, why);
-    const py::gil_scoped_release release;
-    subject.solution = evaluate_given(subject.problem);
-    return subject;
-}
-
 /// A member of the document's problem that names it.
 std::string text_member(const Json& document, const char* name) {
     const Json& problem = document["problem"];
@@ -47,7 +32,7 @@ std::string text_member(const Json& document, const char* name) {
     return found != problem.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-Subject result_design(const py::object& argument) {
+GivenDesign result_design(const py::object& argument) {
     const ResultArgument result = result_of(argument);
     const ReadClaim read = read_claim(result.document);
     if (!read.defect.empty()) refuse_result(result.name, read.defect);
@@ -108,7 +93,7 @@ py::dict motion_in_steps(const FinishedDesign& design, int steps) {
 py::object analyse(const py::object& argument, const py::object& crank_angles, std::int64_t steps) {
     if (steps < 1 || steps > most_steps)
         throw py::value_error(fmt::format("steps: {} is not from 1 to {}", steps, most_steps));
-    const Subject subject = is_result(argument) ? result_design(argument) : given_design(argument);
+    const GivenDesign subject = is_result(argument) ? result_design(argument) : given_design(argument);
     const FinishedDesign design = finished_design(subject.problem, subject.solution.design);
     py::dict analysis = python_of(analysis_document(subject.problem, subject.solution));
     analysis["motion"] =

@@ -4,6 +4,7 @@
 
 #include "synthesis/document/result_file.h"
 #include "synthesis/problem/reader.h"
+#include "synthesis/python/calls.h"
 #include "synthesis/python/errors.h"
 #include "synthesis/python/values.h"
 
@@ -45,15 +46,33 @@ ReadProblem parse_released(const std::string& text, const std::string& name) {
     return parse_problem(text, name);
 }
 
+constexpr const char* result_for_problem =
+    "a result, where a problem is wanted: solve takes the problem that the result is of "
+    "(Problem.from_toml(result.problem.text), if it was a file); analyse, verify, draw, export and report take results";
+
+[[noreturn]] void refuse_result_for_problem(const std::string& name) {
+    raise_problem_error({Message{.file = name, .text = result_for_problem}}, false);
+}
+
 ReadProblem take(const py::dict& dict, const std::string& name) {
+    if (is_result(dict)) refuse_result_for_problem(name);
     const nlohmann::ordered_json tables = json_of(dict, Absent::refused);
     const py::gil_scoped_release release;
     return take_problem(tables, name);
 }
 
-ReadProblem read(const py::object& argument) {
+/// The path of a file of a problem: one with a result is refused.
+std::string problem_path(const py::object& argument) {
+    std::string file = path_of(argument, "problem");
+    if (!file.ends_with(".json")) return file;
+    const ReadJson json = read_json_released(file);
+    if (json.fault.empty() && why_not_a_result(json.json).empty()) refuse_result_for_problem(file);
+    return file;
+}
+
+ReadProblem read_argument(const py::object& argument) {
     if (py::isinstance<py::dict>(argument)) return take(argument, name_of_dict);
-    if (!py::isinstance<py::tuple>(argument)) return read_released(path_of(argument, "problem"));
+    if (!py::isinstance<py::tuple>(argument)) return read_released(problem_path(argument));
     const auto [content, file] = argument.cast<std::pair<py::object, py::object>>();
     const std::string name = path_of(file, "name");
     return py::isinstance<py::dict>(content) ? take(content, name) : parse_released(content.cast<std::string>(), name);
@@ -62,10 +81,21 @@ ReadProblem read(const py::object& argument) {
 }  // namespace
 
 Problem problem_of(const py::object& argument) {
-    ReadProblem problem = read(argument);
+    ReadProblem problem = read_argument(argument);
     if (problem.unreadable || !problem.ok()) raise_problem_error(problem.messages, problem.unreadable);
     warn(problem.messages);
     return std::move(problem.problem);
+}
+
+ProblemText problem_text_of(const py::object& argument) {
+    if (!py::isinstance<py::dict>(argument) && !py::isinstance<py::tuple>(argument))
+        return {std::nullopt, problem_path(argument)};
+    const auto [content, file] = py::isinstance<py::tuple>(argument)
+                                     ? argument.cast<std::pair<py::object, py::object>>()
+                                     : std::pair<py::object, py::object>(argument, py::str(name_of_dict));
+    if (!py::isinstance<py::dict>(content)) return {content.cast<std::string>(), path_of(file, "name")};
+    problem_of(argument);  // its messages name values of the dict, those about a text its lines
+    return {problem_text(content).cast<std::string>(), path_of(file, "name"), true};
 }
 
 void refuse_problem(const Problem& problem, const std::string& text) {
@@ -90,6 +120,18 @@ ResultArgument result_of(const py::object& argument) {
     }
     if (const std::string why = why_not_a_result(result.document); !why.empty()) refuse_result(result.name, why);
     return result;
+}
+
+std::vector<ResultArgument> results_of(const py::object& argument) {
+    if (py::isinstance<py::dict>(argument)) return {result_of(argument)};
+    const std::string file = path_of(argument, "result");
+    nlohmann::ordered_json document = read_document(file);
+    std::vector<ResultArgument> results;
+    for (auto& one : document.is_array() ? document : nlohmann::ordered_json::array({document})) {
+        if (const std::string why = why_not_a_result(one); !why.empty()) refuse_result(file, why);
+        results.push_back({std::move(one), file});
+    }
+    return results;
 }
 
 void refuse_result(const std::string& name, const std::string& why) {

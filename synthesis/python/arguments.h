@@ -6,7 +6,9 @@
 #include <pybind11/pybind11.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "synthesis/problem/problem.h"
 
@@ -34,6 +36,18 @@ bool is_result(const pybind11::object& argument);
 /// A document with the head of a result document. Throws ValueError where it is not one, OSError where the file cannot
 /// be read.
 ResultArgument result_of(const pybind11::object& argument);
+
+/// The text of a problem, which for a dict is made, and the name of its file; of a path the name alone. Throws as
+/// problem_of does for what is neither, and for a dict that is no problem.
+struct ProblemText {
+    std::optional<std::string> text;
+    std::string file;
+    bool warned_of = false;  ///< what is odd about it has been told
+};
+ProblemText problem_text_of(const pybind11::object& argument);
+
+/// The results in a dict, or in a file, which may hold a list of them.
+std::vector<ResultArgument> results_of(const pybind11::object& argument);
 
 /// Throws ValueError: "NAME: not a result document: WHY".
 [[noreturn]] void refuse_result(const std::string& name, const std::string& why);

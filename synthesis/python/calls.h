@@ -18,14 +18,61 @@ struct SolveOptions {
     bool all = false;
 };
 
+struct StudyOptions {
+    std::optional<std::int64_t> jobs;
+    std::optional<double> time_limit;
+};
+
+struct DrawOptions {
+    std::string format;             ///< "svg", "png", "pdf" or "gif"
+    std::optional<double> seconds;  ///< of one round of a moving picture
+    bool plots = false;
+    std::int64_t alternative = 0;
+    std::int64_t width = 640;
+};
+
+struct ExportOptions {
+    std::string format;
+    std::optional<double> at;
+    std::optional<double> fineness;
+    std::int64_t alternative = 0;
+    std::int64_t steps = 360;
+};
+
+/// Throws ValueError for what no run can have.
+void check_run(const std::optional<std::int64_t>& jobs, const std::optional<double>& time_limit);
+
 /// Problems and results are what arguments.h says.
 pybind11::object solve(const pybind11::object& problem, const SolveOptions& options);
 pybind11::object analyse(const pybind11::object& problem, const pybind11::object& crank_angles, std::int64_t steps);
 pybind11::object verify(const pybind11::object& result);
 pybind11::object quantities(const std::string& mechanism);
 
+/// {rows, table, csv, differences}: designs side by side.
+pybind11::dict compare(const pybind11::list& problems, const SolveOptions& options);
+
 /// Raises and warns as solve does, and does nothing else.
 void check(const pybind11::object& problem);
+
+/// The same without a look at the method, which other sections may change yet.
+void read(const pybind11::object& problem);
+
+/// The bytes of a file: those of SolveSpace are not UTF-8.
+pybind11::bytes draw(const pybind11::object& design, const DrawOptions& options);
+pybind11::bytes export_design(const pybind11::object& design, const ExportOptions& options);
+
+/// Pages of HTML.
+pybind11::str report_results(const pybind11::list& results);
+pybind11::str report_study(const std::string& folder, std::int64_t designs);
+
+/// `mechanism` is empty for all.
+pybind11::str explain(const std::string& name, const std::string& mechanism);
+
+/// Runs what is not done yet; the data are in the folder. Returns the tolerances as tables, where it is about those.
+pybind11::str study(const pybind11::object& problem, const std::string& folder, const StudyOptions& options);
+pybind11::dict study_standing(const std::string& folder);
+pybind11::object study_data(const std::string& folder, const std::string& sql, double time_limit);
+pybind11::dict study_charts(const std::string& folder);
 
 /// A dict with lists for arrays. With `nulls` it may hold None, which NaN becomes as well.
 pybind11::object plain(const pybind11::dict& dict, bool nulls);
@@ -44,8 +91,5 @@ pybind11::object read_result(const pybind11::object& file);
 
 /// The text of a result in a file.
 pybind11::str result_text(const pybind11::dict& result);
-
-/// A picture of a result's design, as SVG. Throws ValueError where it has none that can be shown.
-pybind11::str picture(const pybind11::object& result);
 
 }  // namespace mechwright::python

@@ -1,6 +1,9 @@
 #include "synthesis/python/errors.h"
 
 #include "synthesis/python/values.h"
+#include "synthesis/report/files/gnuplot.h"
+#include "synthesis/study/data.h"
+#include "synthesis/study/store.h"
 
 namespace mechwright::python {
 
@@ -55,9 +58,24 @@ PyObject* add_class(py::module_& module, const char* name, const char* doc, PyOb
     return made;
 }
 
+void set_error(PyObject* type, const char* text) { PyErr_SetObject(type, text_of(text).ptr()); }
+
+void translate(std::exception_ptr thrown) {
+    try {
+        if (thrown) std::rethrow_exception(thrown);
+    } catch (const ChartFault& fault) {
+        set_error(PyExc_OSError, fault.what());
+    } catch (const StoreFault& fault) {
+        set_error(PyExc_OSError, fault.what());
+    } catch (const SqlFault& fault) {
+        set_error(PyExc_ValueError, fault.what());
+    }
+}
+
 }  // namespace
 
 void add_errors(py::module_& module) {
+    py::register_local_exception_translator(translate);
     problem_error = add_class(module, "ProblemError", problem_error_doc, PyExc_ValueError);
     problem_warning = add_class(module, "ProblemWarning", problem_warning_doc, PyExc_UserWarning);
 }
@@ -78,6 +96,11 @@ void warn(const std::vector<Message>& messages) {
     for (const Message& message : messages)
         if (PyErr_WarnFormat(problem_warning, level_of_caller(), "%U", text_of(to_string(message)).ptr()) != 0)
             throw py::error_already_set();
+}
+
+void warn_of_less(const std::string& text) {
+    if (PyErr_WarnFormat(PyExc_RuntimeWarning, level_of_caller(), "%U", text_of(text).ptr()) != 0)
+        throw py::error_already_set();
 }
 
 void raise_error(PyObject* type, const std::string& text) {

@@ -18,6 +18,26 @@ py::object solve(const py::object& problem, std::optional<std::string> method, s
     return python::solve(problem, {std::move(method), seed, jobs, time_limit, all});
 }
 
+py::dict compare(const py::list& problems, std::optional<std::string> method, std::optional<std::int64_t> seed,
+                 std::optional<std::int64_t> jobs, std::optional<double> time_limit) {
+    return python::compare(problems, {std::move(method), seed, jobs, time_limit});
+}
+
+py::str study(const py::object& problem, const std::string& folder, std::optional<std::int64_t> jobs,
+              std::optional<double> time_limit) {
+    return python::study(problem, folder, {jobs, time_limit});
+}
+
+py::bytes draw(const py::object& design, std::string format, std::optional<double> seconds, bool plots,
+               std::int64_t alternative, std::int64_t width) {
+    return python::draw(design, {std::move(format), seconds, plots, alternative, width});
+}
+
+py::bytes export_design(const py::object& design, std::string format, std::optional<double> at,
+                        std::optional<double> fineness, std::int64_t alternative, std::int64_t steps) {
+    return python::export_design(design, {std::move(format), at, fineness, alternative, steps});
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_program, module) {
@@ -28,12 +48,22 @@ PYBIND11_MODULE(_program, module) {
     module.def("analyse", &python::analyse);
     module.def("verify", &python::verify);
     module.def("quantities", &python::quantities);
+    module.def("compare", &compare);
     module.def("check", &python::check);
+    module.def("read", &python::read);
+    module.def("draw", &draw);
+    module.def("export_design", &export_design);
+    module.def("report_results", &python::report_results);
+    module.def("report_study", &python::report_study);
+    module.def("explain", &python::explain);
+    module.def("study", &study);
+    module.def("study_standing", &python::study_standing);
+    module.def("study_data", &python::study_data);
+    module.def("study_charts", &python::study_charts);
     module.def("plain", &python::plain);
     module.def("problem_keys", &python::problem_keys);
     module.def("problem_text", &python::problem_text);
     module.def("result_members", &python::result_members);
     module.def("read_result", &python::read_result);
     module.def("result_text", &python::result_text);
-    module.def("picture", &python::picture);
 }

@@ -8,7 +8,7 @@ namespace mechwright::python {
 
 namespace py = pybind11;
 
-void check(const py::object& problem) { problem_of(problem); }
+void read(const py::object& problem) { problem_of(problem); }
 
 py::object plain(const py::dict& dict, bool nulls) {
     return python_of(json_of(dict, nulls ? Absent::null : Absent::refused), Lists::plain);

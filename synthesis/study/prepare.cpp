@@ -94,15 +94,18 @@ std::vector<std::string> StudyColumns::names() const {
 }
 
 PreparedOrNot prepare_study(const std::string& file) {
+    const reading::Bytes bytes = reading::read_bytes(file, most_bytes_of_a_study, true);
+    if (bytes.failure.empty()) return prepare_study(bytes.bytes, file);
+    PreparedOrNot outcome;
+    outcome.messages.push_back({file, 0, 0, bytes.failure});
+    outcome.unreadable = bytes.unreadable;
+    return outcome;
+}
+
+PreparedOrNot prepare_study(const std::string& text, const std::string& file) {
     PreparedOrNot outcome;
     PreparedStudy& prepared = outcome.prepared;
-    const reading::Bytes bytes = reading::read_bytes(file, most_bytes_of_a_study, true);
-    if (!bytes.failure.empty()) {
-        outcome.messages.push_back({file, 0, 0, bytes.failure});
-        outcome.unreadable = bytes.unreadable;
-        return outcome;
-    }
-    ReadProblem read = parse_problem(bytes.bytes, file);
+    ReadProblem read = parse_problem(text, file);
     outcome.unreadable = read.unreadable;
     outcome.messages = read.messages;
     if (!read.ok()) return outcome;
@@ -112,7 +115,7 @@ PreparedOrNot prepare_study(const std::string& file) {
                                     "\"dimensions.ground\" = [100, 120, 140]"});
         return outcome;
     }
-    prepared.text = bytes.bytes;
+    prepared.text = text;
     prepared.file = file;
     prepared.study = read.problem.study;
     prepared.base = read.problem;

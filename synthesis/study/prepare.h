@@ -44,4 +44,7 @@ struct PreparedOrNot {
 /// Reads a problem file that holds a study.
 PreparedOrNot prepare_study(const std::string& file);
 
+/// The same of the text of one; files that it names are relative to `file`.
+PreparedOrNot prepare_study(const std::string& text, const std::string& file);
+
 }  // namespace mechwright

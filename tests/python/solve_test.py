@@ -223,9 +223,7 @@ class Module(unittest.TestCase):
         self.assertEqual(f"mechwright: {caught.exception}\n", run("quantities", "four-barr")[2])
 
     def test_everything_says_what_it_does(self):
-        for one in (mechwright, mechwright.solve, mechwright.analyse, mechwright.verify, mechwright.quantities,
-                    mechwright.Problem, mechwright.Result, mechwright.Record, mechwright.ProblemError,
-                    mechwright.ProblemWarning):
+        for one in (mechwright, *(getattr(mechwright, name) for name in mechwright.__all__)):
             self.assertGreater(len(one.__doc__), 50)
 
     def test_what_is_public_has_types(self):

@@ -12,17 +12,14 @@
 #include "synthesis/command_line/input.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/shown.h"
-#include "synthesis/document/versions.h"
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/report/drawing/animation.h"
+#include "synthesis/report/drawing/drawn.h"
 #include "synthesis/report/drawing/figure/figure.h"
 #include "synthesis/report/drawing/figure/problem_figure.h"
 #include "synthesis/report/drawing/linkage_sheets.h"
-#include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
-#include "synthesis/report/drawing/svg.h"
 #include "synthesis/report/files/gnuplot.h"
 #include "synthesis/report/names.h"
 #include "synthesis/report/structure/centres.h"
@@ -31,9 +28,7 @@ namespace mechwright {
 
 namespace {
 
-constexpr int default_width = 640;
-constexpr int plot_steps = 360;
-constexpr double default_seconds = 4;
+constexpr std::uint64_t default_width = 640;
 
 struct DrawOptions {
     std::string file;
@@ -51,30 +46,14 @@ struct DrawOptions {
 };
 
 std::string picture_of(const ShownDesign& shown, const DrawOptions& options, const SvgPicture& with_marks) {
-    const int width = static_cast<int>(options.width.value_or(default_width));
-    SvgPicture picture = with_marks;
-    picture.title = shown.title;
-    picture.width = width;
-    if (options.out.ends_with(".pdf")) {
-        const FinishedDesign& design = shown.design;
-        picture.title_block = {fmt::format("{}: {}", design.mechanism->name, shown.title),
-                               fmt::format("lengths in {}, angles in {}; drawn from {}", design.units.length,
-                                           design.units.degrees ? "deg" : "rad", options.file),
-                               fmt::format("mechwright {}", program_version())};
-    }
-    if (options.animate) {
-        const double seconds = options.seconds.empty() ? default_seconds : *decimal(options.seconds);
-        return options.out.ends_with(".gif") ? gif_animation(shown.design, picture, seconds)
-                                             : svg_animation(shown.design, picture, seconds);
-    }
-    if (options.plots) {
-        const MotionPlots plots = motion_plots(shown.design, shown.document, plot_steps);
-        const int height = plots_height(plots, width);
-        picture.below =
-            svg_element(gnuplot_picture(plots_script(plots), {.width = width, .height = height, .fixed = true}));
-        picture.below_height = height;
-    }
-    return svg_picture(shown.design, picture);
+    WantedPicture wanted{with_marks};
+    wanted.picture.title = shown.title;
+    wanted.picture.width = static_cast<double>(options.width.value_or(default_width));
+    if (options.out.ends_with(".pdf")) wanted.title_block_source = options.file;
+    wanted.gif = options.out.ends_with(".gif");
+    wanted.plots = options.plots;
+    if (options.animate) wanted.seconds = options.seconds.empty() ? default_seconds : *decimal(options.seconds);
+    return drawn(shown.design, shown.document, std::move(wanted));
 }
 
 /// A picture, or the exit code that says why there is none.

@@ -1,24 +1,14 @@
 // export: a design for other programs.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <array>
 #include <memory>
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/shown.h"
-#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
-#include "synthesis/problem/units.h"
-#include "synthesis/report/csv/motion_table.h"
-#include "synthesis/report/drawing/dxf.h"
-#include "synthesis/report/drawing/motion_json.h"
-#include "synthesis/report/drawing/sketch.h"
-#include "synthesis/report/drawing/svg.h"
-#include "synthesis/report/json_text.h"
+#include "synthesis/report/drawing/exported.h"
 
 namespace mechwright {
 
@@ -34,8 +24,6 @@ struct ExportOptions {
     std::optional<std::uint64_t> steps;
 };
 
-constexpr std::array<std::string_view, 4> formats{"dxf", "slvs", "csv", "json"};
-
 /// The format that is asked for, or that the file's name ends in; empty if it is none.
 std::string format_of(const ExportOptions& options) {
     if (!options.format.empty()) return options.format;
@@ -43,41 +31,25 @@ std::string format_of(const ExportOptions& options) {
     return dot == std::string::npos ? "" : options.out.substr(dot + 1);
 }
 
-/// The input at which a drawing shows the mechanism: that asked for, in the file's unit.
-double angle_of(const ExportOptions& options, const FinishedDesign& design) {
-    return options.at ? from_file_unit(*options.at, input_unit(design), design.units) : pictured_angle(design);
-}
-
-std::string exported(const std::string& format, const ExportOptions& options, const FinishedDesign& design) {
-    const int steps = static_cast<int>(options.steps.value_or(default_table_steps));
-    if (format == "csv") return motion_table(design, steps);
-    // A sketch is to be worked on: fewer arcs, each still within a thousandth of the drawing.
-    const Scene scene = scene_of(design, options.fineness.value_or(format == "slvs" ? 1e-3 : 1e-6));
-    if (format == "json") return json_text(motion_json(design, scene, steps));
-    if (format == "dxf") return dxf_of(design, scene, angle_of(options, design));
-    return sketch_of(design, scene, angle_of(options, design));
-}
-
 int run_export(const ExportOptions& options, Console& console) {
     const std::string format = format_of(options);
-    if (std::find(formats.begin(), formats.end(), format) == formats.end()) {
-        complain(console,
-                 options.format.empty() && options.out.empty()
-                     ? "--out FILE or --format NAME must say what to export to: " + reading::listed(formats)
-                     : fmt::format("unknown format {}; {}", reading::quoted(format), reading::remedy(format, formats)));
+    if (const std::string fault = format.empty() ? "--out FILE or --format NAME must say what to export to: " +
+                                                       reading::listed(export_formats)
+                                                 : export_format_fault(format);
+        !fault.empty()) {
+        complain(console, fault);
         return exit_code::wrong_usage;
     }
     ShownDesign shown;
     if (const int outcome = read_shown(options.file, options.alternative.value_or(0), console, shown)) return outcome;
-    const FinishedDesign& design = shown.design;
-    if (!MotionRow(design, angle_of(options, design)).assembled()) {
-        complain(console, fmt::format("--at {}: the mechanism does not assemble at this {}; it does from {} to {}",
-                                      options.at.value_or(0), input_word(*design.mechanism),
-                                      in_file_unit(design.motion.from, input_unit(design), design.units),
-                                      in_file_unit(design.motion.to, input_unit(design), design.units)));
+    const ExportedPart part{options.at, options.fineness,
+                            static_cast<int>(options.steps.value_or(default_table_steps))};
+    const Exported text = exported(shown.design, format, part);
+    if (!text.fault.empty()) {
+        complain(console, "--at " + text.fault);
         return exit_code::wrong_usage;
     }
-    return hand_over(options.out, exported(format, options, design), console);
+    return hand_over(options.out, text.text, console);
 }
 
 }  // namespace

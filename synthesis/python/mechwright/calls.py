@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import os
-from typing import TYPE_CHECKING, Any, Dict, Optional, Union
+from typing import TYPE_CHECKING, Dict, Iterable, Optional
 
 from . import _program
-from .problem import Problem
+from .comparison import Comparison
 from .record import Record
 from .result import Result
+from .source import Source, given
+from .texts import Text
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
-
-Source = Union[Dict[str, Any], str, "os.PathLike[str]"]
-
-
-def _given(problem: Source) -> Any:
-    return problem._given() if isinstance(problem, Problem) else problem
 
 
 def solve(
@@ -41,11 +36,11 @@ def solve(
     Lists of numbers in the Result are arrays of float64, points of shape (n, 2), NaN where there is no number. That
     nothing was found is no exception: see its status.
 
-    Raises ProblemError for a problem that is not valid, or a method that does not apply; OSError for a file that cannot
+    Raises ProblemError for a problem that is not valid, a result in its place, or a method that does not apply; OSError for a file that cannot
     be read; TypeError and ValueError for a dict of what no file can hold; KeyboardInterrupt on Ctrl-C, which ends the
     search. Warns with ProblemWarning. Other threads of Python run on meanwhile, and may solve too.
     """
-    return Result(_program.solve(_given(problem), method, seed, jobs, time_limit, all))
+    return Result(_program.solve(given(problem), method, seed, jobs, time_limit, all))
 
 
 def analyse(problem: Source, *, crank_angles: Optional[ArrayLike] = None, steps: int = 360) -> Record:
@@ -64,7 +59,7 @@ def analyse(problem: Source, *, crank_angles: Optional[ArrayLike] = None, steps:
 
     Raises ProblemError, OSError, TypeError and ValueError as solve does; ValueError for what is not a result.
     """
-    return Record(_program.analyse(_given(problem), crank_angles, steps))
+    return Record(_program.analyse(given(problem), crank_angles, steps))
 
 
 def verify(result: Source) -> Record:
@@ -75,6 +70,47 @@ def verify(result: Source) -> Record:
     document, OSError for a file that cannot be read.
     """
     return Record(_program.verify(result))
+
+
+def check(problem: Source) -> None:
+    """Checks a problem (Problem, dict or path) and does not solve it: says nothing if all is well.
+
+    Raises ProblemError with all that is wrong, each message with file and line, or the name of the value, and with what
+    would be right; OSError, TypeError and ValueError as solve does. Warns with ProblemWarning of what is odd.
+    """
+    _program.check(given(problem))
+
+
+def compare(
+    problems: Iterable[Source],
+    *,
+    method: Optional[str] = None,
+    seed: Optional[int] = None,
+    jobs: Optional[int] = None,
+    time_limit: Optional[float] = None,
+) -> Comparison:
+    """Solves one task on several mechanisms.
+
+    problems  two or more (Problems, dicts or paths); the rest is as for solve, with time_limit for each of them
+
+    Returns a Comparison: Records, of designs that were found first, and if all problems have the same objective, of the
+    better ones first. Values are in the units of each problem.
+
+    Raises ValueError for fewer than two problems; else as solve does, before the first is solved.
+    """
+    return Comparison(_program.compare([given(problem) for problem in problems], method, seed, jobs, time_limit))
+
+
+def explain(name: str, mechanism: Optional[str] = None) -> Text:
+    """What a name means: a quantity, a dimension, a setting, a mechanism, a signal, or a section or key of a problem
+    file ('swing', 'crank', 'four-bar', 'path', 'solver.method').
+
+    mechanism  only as this mechanism has it
+
+    Returns a str that shows its lines. Raises ValueError for a name or a mechanism that is not known, with the nearest
+    that is.
+    """
+    return Text(_program.explain(name, mechanism or ""))
 
 
 def quantities(mechanism: str) -> Dict[str, Dict[str, str]]:

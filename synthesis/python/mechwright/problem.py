@@ -30,7 +30,7 @@ class Problem(Record):
 
     def __init__(self, source: Union[None, Dict[str, Any], str, os.PathLike[str]] = None, /, **parts: Any) -> None:
         if source is not None and not isinstance(source, dict):
-            _program.check(source)
+            _program.read(source)
             with open(source, "rb") as file:
                 self._read = _read(file.read().decode(), os.fspath(source))
             source = self._read[2]
@@ -42,7 +42,7 @@ class Problem(Record):
     @classmethod
     def from_toml(cls, text: str, name: str = "<text>") -> Problem:
         """The problem of a TOML text; `name` is what messages call it, and files that it names are relative to that."""
-        _program.check((text, name))
+        _program.read((text, name))
         read = _read(text, name)
         problem = cls(read[2])
         problem._read = read

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from difflib import get_close_matches
 from typing import Any, Dict, List, Optional
 
@@ -17,6 +18,11 @@ def recorded(value: Any) -> Any:
     return value
 
 
+def plain_of(members: Dict[str, Any]) -> Dict[str, Any]:
+    """A copy of dicts, lists, numbers and strings, with None for NaN: what JSON can hold."""
+    return _program.plain(members, True)
+
+
 class Record(dict):
     """A dict whose members are attributes as well: `design.crank` is `design["crank"]`, and `design.point_along` is
     `design["point-along"]`. Assignment sets or adds a member. Names that dicts have already ("items") are keys alone.
@@ -28,7 +34,16 @@ class Record(dict):
 
     def to_dict(self) -> Dict[str, Any]:
         """A copy of dicts, lists, numbers and strings, with None for NaN: what JSON can hold."""
-        return _program.plain(self, True)
+        return plain_of(self)
+
+    @property
+    def document(self) -> Dict[str, Any]:
+        """`to_dict()`, for `json.dumps(result.document)`."""
+        return plain_of(self)
+
+    def to_json(self, *, indent: Optional[int] = None) -> str:
+        """The JSON text of it; arrays are lists, NaN is null."""
+        return json.dumps(self.document, indent=indent, ensure_ascii=False, allow_nan=False)
 
     def _key(self, name: str) -> Optional[str]:
         """The known key that an attribute stands for."""

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import os
-from html import escape
 from typing import Any, Dict, Iterable, List, Optional, Tuple, Union
 
 from . import _program
 from .record import Record
+from .tables import table
+from .texts import Page, Picture
 
 _MEMBERS = _program.result_members()
+_SIDE_BY_SIDE = "display:flex;flex-wrap:wrap;align-items:flex-start;gap:1em"
 
 
 class Result(Record):
     """What was found: the result document as a dict, whose members are attributes: None where the document does not have
     them, and an empty list where they are lists. `design` has the dimensions by their names, `quantities` the
-    quantities. In notebooks it is a table and a drawing.
+    quantities. In notebooks it is tables beside the mechanism as it moves.
     """
 
     status: str
@@ -44,9 +46,27 @@ class Result(Record):
         """`mechwright.verify` of this result: {'passed': bool, 'checks': [...]}."""
         return Record(_program.verify(self))
 
+    def draw(self, out: Union[None, str, os.PathLike[str]] = None, **options: Any) -> Picture:
+        """`mechwright.draw` of this result, with its options."""
+        from .showing import draw
+
+        return draw(self, out, **options)
+
+    def export(self, out: Union[None, str, os.PathLike[str]] = None, **options: Any) -> str:
+        """`mechwright.export` of this result, with its options."""
+        from .showing import export
+
+        return export(self, out, **options)
+
+    def report(self, out: Union[None, str, os.PathLike[str]] = None) -> Page:
+        """`mechwright.report` on this result."""
+        from .showing import report
+
+        return report(self, out)
+
     def svg(self) -> str:
         """A picture of the design, with its curves. Raises ValueError where there is no design that can be shown."""
-        return _program.picture(self)
+        return str(self.draw())
 
     def _keys(self) -> List[str]:
         return list(dict.fromkeys([*self, *_MEMBERS]))
@@ -66,10 +86,16 @@ class Result(Record):
 
     def _repr_html_(self) -> str:
         title = (self.problem or {}).get("title") or "Result"
-        tables = [_table(title, self._summary()), _table("Quantities", (self.quantities or {}).items())]
+        tables = [table(title, self._summary()), table("Quantities", (self.quantities or {}).items())]
         if self.requirements:
-            tables.insert(1, _table("Requirements", map(_requirement, self.requirements)))
-        return "<div>" + "".join(tables) + (self._repr_svg_() or "") + "</div>"
+            tables.insert(1, table("Requirements", map(_requirement, self.requirements)))
+        return f'<div style="{_SIDE_BY_SIDE}"><div>{"".join(tables)}</div>{self._moving()}</div>'
+
+    def _moving(self) -> str:
+        try:
+            return str(self.draw(animate=True))
+        except ValueError:  # there is no design that can be shown
+            return ""
 
     def _summary(self) -> Iterable[Tuple[str, Any]]:
         yield "status", self.status
@@ -83,13 +109,3 @@ class Result(Record):
 def _requirement(one: Dict[str, Any]) -> Tuple[str, Any]:
     limits = ", ".join(f"{word} {one[word]:.9g}" for word in ("equal", "min", "max") if word in one)
     return f"{one.get('quantity')} ({limits})", one.get("value")
-
-
-def _table(title: str, rows: Iterable[Tuple[str, Any]]) -> str:
-    """An HTML table of two columns, under a title."""
-
-    def cell(value: Any) -> str:
-        return f"<td>{escape(f'{value:.9g}' if isinstance(value, float) else str(value))}</td>"
-
-    lines = "".join(f"<tr>{cell(name)}{cell(value)}</tr>" for name, value in rows)
-    return f"<table><caption>{escape(title)}</caption>{lines}</table>"
