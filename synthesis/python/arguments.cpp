@@ -70,6 +70,12 @@ std::string problem_path(const py::object& argument) {
     return file;
 }
 
+/// The other way round: results name the mechanism elsewhere.
+void refuse_if_problem(const py::dict& dict) {
+    if (dict.contains("mechanism") && !dict.contains("problem"))
+        refuse_result(name_of_dict, "it is a problem; give what solve returns for it");
+}
+
 ReadProblem read_argument(const py::object& argument) {
     if (py::isinstance<py::dict>(argument)) return take(argument, name_of_dict);
     if (!py::isinstance<py::tuple>(argument)) return read_released(problem_path(argument));
@@ -113,6 +119,7 @@ bool is_result(const py::object& argument) {
 ResultArgument result_of(const py::object& argument) {
     ResultArgument result{{}, name_of_dict};
     if (py::isinstance<py::dict>(argument)) {
+        refuse_if_problem(argument);
         result.document = json_of(argument, Absent::null);
     } else {
         result.name = path_of(argument, "result");

@@ -124,6 +124,8 @@ class OfResults(unittest.TestCase):
             mechwright.report(given_linkage())
         with self.assertRaises(OSError):
             mechwright.report("/nowhere/a.json")
+        with self.assertRaisesRegex(TypeError, "a result is a dict, or a path"):
+            mechwright.report(3)
 
     def test_a_notebook_shows_it_move_beside_its_numbers(self):
         html = self.result._repr_html_()
@@ -165,6 +167,10 @@ class ResultsForProblems(unittest.TestCase):
                 self.assertEqual(len(line.splitlines()), 1)
                 self.assertTrue(line.startswith(f"{name}: a result, where a problem is wanted"), line)
                 self.assertIn("Problem.from_toml(result.problem.text)", line)
+
+    def test_the_other_way_round(self):
+        with self.assertRaisesRegex(ValueError, "it is a problem; give what solve returns for it"):
+            mechwright.verify(mechwright.Problem(FILE))
 
     def test_what_it_names_works(self):
         result = mechwright.solve(FILE)

@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import unittest
+import warnings
 
 import mechwright
 import numpy as np
@@ -85,6 +86,15 @@ class Studies(unittest.TestCase):
         self.assertFalse(study.complete)
         self.assertLess(study.done, study.points)
 
+    def test_what_is_odd_is_warned_of_once(self):
+        odd = {**STUDY, "require": [{"quantity": "swing", "equal": 60}]}
+        file = self.folder.write("study.toml", mechwright.Problem(odd).to_toml())
+        for given in (odd, file):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                mechwright.study(given)
+            self.assertEqual([one.category for one in caught], [mechwright.ProblemWarning])
+
     def test_what_is_no_study(self):
         with self.assertRaisesRegex(mechwright.ProblemError, r"there is no \[study\] in it: write \[study\]"):
             mechwright.study(given_linkage())
@@ -99,7 +109,7 @@ class Studies(unittest.TestCase):
 
 
 class Comparisons(unittest.TestCase):
-    files = [PROBLEMS / "quick-return/uniform-speed-whitworth.toml", PROBLEMS / "quick-return/uniform-speed-drag-link.toml"]
+    files = [PROBLEMS / f"quick-return/uniform-speed-{name}.toml" for name in ("whitworth", "drag-link")]
 
     def test_it_is_that_of_the_program(self):
         comparison = mechwright.compare(self.files)
@@ -125,8 +135,9 @@ class Comparisons(unittest.TestCase):
         self.assertEqual(plain(comparison[0].result.design), plain(mechwright.solve(crank_rocker()).design))
 
     def test_what_cannot_be_compared(self):
-        with self.assertRaisesRegex(ValueError, "two problems"):
-            mechwright.compare([crank_rocker()])
+        for few in ([crank_rocker()], crank_rocker(), "a.toml"):
+            with self.assertRaisesRegex(ValueError, "two problems"):
+                mechwright.compare(few)
         with self.assertRaises(mechwright.ProblemError):
             mechwright.compare([crank_rocker(), {**crank_rocker(), "mechanism": "five-bar"}])
         with self.assertRaises(mechwright.ProblemError):

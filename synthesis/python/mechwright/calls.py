@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Dict, Iterable, Optional
 
 from . import _program
@@ -36,9 +37,9 @@ def solve(
     Lists of numbers in the Result are arrays of float64, points of shape (n, 2), NaN where there is no number. That
     nothing was found is no exception: see its status.
 
-    Raises ProblemError for a problem that is not valid, a result in its place, or a method that does not apply; OSError for a file that cannot
-    be read; TypeError and ValueError for a dict of what no file can hold; KeyboardInterrupt on Ctrl-C, which ends the
-    search. Warns with ProblemWarning. Other threads of Python run on meanwhile, and may solve too.
+    Raises ProblemError for a problem that is not valid, a result in its place, or a method that does not apply; OSError
+    for a file that cannot be read; TypeError and ValueError for a dict of what no file can hold; KeyboardInterrupt on
+    Ctrl-C, which ends the search. Warns with ProblemWarning. Other threads of Python run on meanwhile, and may solve too.
     """
     return Result(_program.solve(given(problem), method, seed, jobs, time_limit, all))
 
@@ -98,6 +99,8 @@ def compare(
 
     Raises ValueError for fewer than two problems; else as solve does, before the first is solved.
     """
+    if isinstance(problems, (dict, str, os.PathLike)):
+        raise ValueError("compare needs two problems or more, in a list")
     return Comparison(_program.compare([given(problem) for problem in problems], method, seed, jobs, time_limit))
 
 

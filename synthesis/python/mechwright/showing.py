@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import glob
 import os
-from typing import Any, Iterable, List, Optional, Union
+from collections.abc import Iterable
+from typing import Any, List, Optional, Union
 
 from . import _program
 from .source import Path, Source, ending, given, write
@@ -105,7 +106,8 @@ def report(results: Union[Source, Study, Iterable[Source]], out: Optional[Path] 
 def _results(results: Any) -> List[Any]:
     if isinstance(results, (str, os.PathLike)) and os.path.isdir(results):
         return sorted(glob.glob(os.path.join(glob.escape(os.fspath(results)), "*.json")))
-    return [results] if isinstance(results, (dict, str, os.PathLike)) else list(results)
+    several = isinstance(results, Iterable) and not isinstance(results, (dict, str, os.PathLike))
+    return list(results) if several else [results]
 
 
 def _alternative(number: Optional[int]) -> int:
