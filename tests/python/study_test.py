@@ -3,6 +3,9 @@
 import csv
 import io
 import json
+import os
+import signal
+import threading
 import unittest
 import warnings
 
@@ -85,6 +88,18 @@ class Studies(unittest.TestCase):
         study = mechwright.study(many, time_limit=0.05, jobs=1)
         self.assertFalse(study.complete)
         self.assertLess(study.done, study.points)
+
+    def test_ctrl_c_ends_it_and_it_goes_on(self):
+        many = {**STUDY, "study": {"dimensions.crank": {"from": 30, "to": 36, "count": 100000}}}
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        self.addCleanup(timer.cancel)
+        with self.assertRaises(KeyboardInterrupt):
+            mechwright.study(many, self.folder.path / "kept", jobs=1)
+        before = mechwright.Study(self.folder.path / "kept").done
+        after = mechwright.study(many, self.folder.path / "kept", jobs=1, time_limit=0.2).done
+        self.assertLess(0, before)
+        self.assertLess(before, after)
 
     def test_what_is_odd_is_warned_of_once(self):
         odd = {**STUDY, "require": [{"quantity": "swing", "equal": 60}]}
