@@ -418,7 +418,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
         return add_error(messages, place_of(*target_of(table)),
                          "the targets of this section are met at crank angles, and the linkage is driven by a slide: "
                          "require values of signals at displacements instead, like quantity = \"height.at(20)\", or "
-                         "drive a link that turns");
+                         "drive a link that turns, such as a wheel whose [[rack]] moves the slide");
     if (model.turns == 0 && !linkage.crank_range && !model.has_stops())
         return add_error(messages, place_of(*table.get("drive")),
                          fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "
