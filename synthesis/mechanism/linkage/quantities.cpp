@@ -387,8 +387,7 @@ bool is_defined(const Motion& motion) {
     const LinkageModel& model = linkage_of(motion.model);
     if (m.kind == Kind::time_ratio) return motion.full_turn;
     // Nor where nothing comes back to where it was, as on a rack.
-    if (m.kind == Kind::full_turn_margin)
-        return !model.driven_by_slide() && !model.has_stops() && model.turns > 0;
+    if (m.kind == Kind::full_turn_margin) return !model.driven_by_slide() && !model.has_stops() && model.turns > 0;
     // Not known before the design is.
     if (m.kind == Kind::assembly_margin) return motion.full_turn || motion.from <= motion.to;
     return true;
