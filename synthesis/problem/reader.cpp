@@ -97,6 +97,7 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     check_front(file, problem, messages);
     warn_of_accuracy_points(file, problem, messages);
     read_requirements(file, problem, messages);
+    check_quantities_over_range(file, problem, messages);
     read_instant(file, problem, messages);
     require_regions(problem);
     read_study(file, problem, messages);

@@ -35,6 +35,21 @@ TEST(Motion, ACrankRangeIsTwoRisingAngles) {
     EXPECT_TRUE(only_says(read_motion("crank_range = [0, inf]"), "p.toml:9:19", {"number 2", "finite"}));
 }
 
+/// The time ratio of a ram is that of its two strokes: over a range of crank angles there is none, nor what is measured
+/// of the slow stroke.
+TEST(Motion, ACrankRangeHasNoQuantitiesOfTwoStrokes) {
+    const std::string drive = R"(schema = 1
+mechanism = "slider-crank"
+dimensions = { crank = { min = 10, max = 50 }, rod = 120, offset = 20 }
+motion = { crank_range = [-40, 180] }
+)";
+    for (const char* quantity : {"time-ratio", "ram-speed-min-working", "speed-variation"})
+        EXPECT_TRUE(only_says(read(drive + "[[require]]\nquantity = \"" + quantity + "\"\nmin = 1\n"), "p.toml:4:26",
+                              {quantity, "full turn", "crank_range"}));
+    EXPECT_TRUE(only_says(read(drive + "objective = { minimize = \"time-ratio\" }\n"), "p.toml:4:26", {"full turn"}));
+    EXPECT_TRUE(accepted(read(drive + "objective = { minimize = \"ram-acceleration-max\" }\n")));
+}
+
 TEST(Motion, ACrankRangeIsOneTurnAtMost) {
     EXPECT_TRUE(accepted(read_motion("crank_range = [10, 370]")));
     EXPECT_TRUE(only_says(read_motion("crank_range = [10, 371]"), "p.toml:9:15", {"10", "371", "one full turn"}));

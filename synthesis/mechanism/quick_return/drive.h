@@ -37,7 +37,8 @@ Motion motion_by_drive(Form form, std::span<const double> dimensions, const doub
     return motion;
 }
 
-inline bool of_two_strokes(const Motion& motion) { return motion.family == full_turn; }
+/// Of a whole turn: over a given range of crank angles there are no strokes.
+inline bool of_two_strokes(const Motion& motion) { return motion.family == full_turn && motion.full_turn; }
 inline bool of_any(const Motion&) { return true; }
 inline bool of_known_range(const Motion& motion) { return motion.from <= motion.to; }
 

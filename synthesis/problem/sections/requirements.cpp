@@ -195,4 +195,37 @@ void read_requirements(Section& file, Problem& problem, Messages& messages) {
     if (problem.mechanism != nullptr) compare_with_variables(problem, bounds, place_of(*node), messages);
 }
 
+void check_quantities_over_range(const Section& file, const Problem& problem, Messages& messages) {
+    const toml::table* motion = (*file.table)["motion"].as_table();
+    const toml::node* range = motion == nullptr ? nullptr : motion->get("crank_range");
+    if (range == nullptr || problem.mechanism == nullptr || messages.failed) return;
+    std::set<std::size_t> asked;
+    for (const Requirement& requirement : problem.requirements)
+        asked.insert(requirement.quantity);
+    if (problem.objective)
+        for (const ObjectiveTerm& term : problem.objective->terms)
+            asked.insert(term.quantity);
+    for (const std::size_t index : asked) {
+        const Quantity& quantity = problem.mechanism->quantities[index];
+        const auto has_value = [&](std::size_t family) {
+            Motion over{};
+            over.family = family;
+            over.full_turn = false;
+            over.settings = problem.settings;
+            over.model = problem.mechanism->model.data();
+            over.from = problem.crank_range->x;
+            over.to = problem.crank_range->y;
+            return is_defined(quantity, over);
+        };
+        bool any = quantity.path != PathMeasure::none || quantity.whole || !quantity.section.empty();
+        for (std::size_t family = 0; family < problem.mechanism->families.size(); ++family)
+            any = any || has_value(family);
+        if (!any)
+            add_error(messages, place_of(*range),
+                      fmt::format("'{}' is of a full turn of the crank, and has no value over crank_range: leave that "
+                                  "out, or do not ask for it",
+                                  quantity.name));
+    }
+}
+
 }  // namespace mechwright::reading

@@ -28,6 +28,9 @@ void conclude_dimensions(const Section& file, Problem& problem, Messages& messag
 /// The motion of a cam: after its dimensions. Adds requirements that the motion closes where it is not given whole.
 void read_segments(Section& file, Problem& problem, Messages& messages);
 void read_requirements(Section& file, Problem& problem, Messages& messages);
+/// Reports quantities that have no value over a range of crank angles, where the file gives one: after everything that
+/// is asked for.
+void check_quantities_over_range(const Section& file, const Problem& problem, Messages& messages);
 void read_objective(Section& file, Problem& problem, Messages& messages);
 void read_path(Section& file, Problem& problem, Messages& messages);
 /// The function to be generated; after [motion], whose crank range it sets where that is known and not given.
