@@ -140,7 +140,7 @@ Q = { side = "left", from = "U", to = "V" }
 [signals]
 line = { x = "Q" }
 )");
-    EXPECT_NEAR(document["quantities"]["joint-distance-least"].get<double>(), 0, 1e-6);  // they do meet
+    EXPECT_EQ(document["quantities"]["joint-distance-least"], 0.0);  // they do meet
     EXPECT_NEAR(document["quantities"]["line.least"].get<double>(), 2.5, 1e-12);
     EXPECT_NEAR(document["quantities"]["line.greatest"].get<double>(), 2.5, 1e-12);
 }

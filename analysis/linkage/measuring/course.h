@@ -297,8 +297,8 @@ void add_rests(Measured<double, K>& measured, const Asked& asked, const Course& 
 /// The limit of a signal at an end of the motion, from the places beside it: smooth in the root of the distance, it is
 /// that of the polynomial through its values at Chebyshev nodes (Berrut and Trefethen, Barycentric Lagrange
 /// interpolation, SIAM Review 46 (2004), 501-517). Far from the end a polynomial follows less well, near it rounding is
-/// greater: of panels that halve, the first with which the next one agrees, or does best. Off by 1e-11 of its size or
-/// so.
+/// greater: of panels that halve, the first with which the next one agrees, or does best. Off by 1e-11 of the size or
+/// so: what is nearer to 0 is 0.
 template <std::size_t K>
 double from_beside(Measured<double, K>& measured, std::size_t signal, const Course& course, bool last) {
     constexpr int halvings = 6;
@@ -325,7 +325,8 @@ double from_beside(Measured<double, K>& measured, std::size_t signal, const Cour
         }
         value = nearer;
     }
-    return best;
+    constexpr double off = 1e-11;
+    return std::abs(best) <= off * size_of(measured.driven()) ? 0 : best;
 }
 
 }  // namespace detail
