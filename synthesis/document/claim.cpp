@@ -13,7 +13,7 @@
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/affine.h"
 #include "synthesis/problem/allowed_values.h"
-#include "synthesis/problem/linkage/rooms_of_kind.h"
+#include "synthesis/problem/linkage/measures_of_kind.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/target/over_input/document.h"
@@ -99,10 +99,10 @@ void read_units(Reader& in, const Json& document, Claim& claim) {
     }
 }
 
-/// What is measured of the rooms and regions of a mechanism of the list.
-void read_rooms(Reader& in, const Json& document, Claim& claim) {
-    MadeAgain made = with_rooms_of(claim.mechanism, document, claim.units);
-    if (!made.mechanism) return in.fail("room and region " + made.defect);
+/// What is measured of the signals, rooms and regions of a mechanism of the list.
+void read_measures(Reader& in, const Json& document, Claim& claim) {
+    MadeAgain made = with_measures_of(claim.mechanism, document, quantities_in(document), claim.units);
+    if (!made.mechanism) return in.fail("signals, room and region " + made.defect);
     claim.mechanism = std::move(made.mechanism);
 }
 
@@ -120,7 +120,7 @@ void read_head(Reader& in, const Json& document, Claim& claim) {
     }
     if (!claim.mechanism) return in.fail(fmt::format("there is no mechanism {}", reading::quoted(name)));
     read_units(in, document, claim);
-    read_rooms(in, document, claim);
+    read_measures(in, document, claim);
     if (!in.understood()) return;
     const std::vector<std::string> named = quantities_in(document);
     if (member(document, of_document("range_of_use")) ||

@@ -338,7 +338,7 @@ void put_made_from(Json& json, const Mechanism& mechanism) {
     if (is_described(mechanism))
         json[of_document("linkage")] = std::move(sections);
     else
-        for (const char* name : {of_document("room"), of_document("region")})
+        for (const char* name : {of_document("signals"), of_document("room"), of_document("region")})
             if (const auto at = sections.find(name); at != sections.end()) json[name] = std::move(*at);
 }
 

@@ -312,6 +312,7 @@ inline constexpr std::array of_run{
         "What was given: a number, a range, choices, a multiple of another dimension, or a sum of such.", true},
     Key{"cam", Shape::table, "What was given of a cam.", false, {}, cam},
     Key{"linkage", Shape::value, "Of a linkage the sections that describe it, as its problem file has them."},
+    Key{"signals", Shape::value, "Of a built-in kind what is measured along the motion, as its problem file has it."},
     Key{"room",
         Shape::tables,
         "Of a built-in kind boxes that parts need, as its problem file has them.",

@@ -31,7 +31,7 @@ struct Kinds {
     Names dimensions{};
     std::vector<std::string> quantities{};  ///< those over the whole motion among them
     Names settings{};
-    bool has_rooms = false;  ///< problems can have rooms and regions
+    bool is_of_links = false;  ///< problems can have signals, rooms and regions
 };
 
 std::vector<Kinds> all_kinds() {
@@ -45,7 +45,7 @@ std::vector<Kinds> all_kinds() {
             add_name(all.back().quantities, quantity.name);
         for (const Setting& setting : mechanism->settings)
             add_name(all.back().settings, setting.name);
-        all.back().has_rooms = mechanism->as_linkage.has_value();
+        all.back().is_of_links = mechanism->as_linkage.has_value();
     }
     return all;
 }
@@ -75,10 +75,10 @@ Json design_of(const Kinds& kinds) {
 
 /// The members that are about one design, as far as the mechanism says what is in them.
 Json findings_of(const Kinds& kinds) {
-    const Json quantity{{"properties", {{"quantity", quantity_among(kinds.quantities, kinds.has_rooms)}}}};
+    const Json quantity{{"properties", {{"quantity", quantity_among(kinds.quantities, kinds.is_of_links)}}}};
     Json objective = quantity, quantities = table_by(kinds.quantities, number());
     objective["properties"]["terms"] = {{"items", quantity}};
-    if (kinds.has_rooms) quantities["patternProperties"] = {{std::string(quantity_of_room), number()}};
+    if (kinds.is_of_links) quantities["patternProperties"] = {{std::string(quantity_of_links), number()}};
     return {{"design", design_of(kinds)},
             {"objective", std::move(objective)},
             {"requirements", {{"items", quantity}}},
@@ -98,8 +98,8 @@ Json of_kinds(const Kinds& kinds) {
         properties[target] = {{"type", "object"}};
     properties["dimensions"] = table_by(kinds.dimensions, given());
     properties["settings"] = table_by(kinds.settings, number());
-    for (const char* name : {"room", "region"})
-        if (!kinds.has_rooms) properties[name] = false;
+    for (const char* name : {"signals", "room", "region"})
+        if (!kinds.is_of_links) properties[name] = false;
     properties["front"] = {{"items", {{"properties", findings_of(kinds)}}}};
     properties["alternatives"] = {{"items", {{"properties", {{"design", properties["design"]}}}}}};
     const Json is_of_them{{"properties", {{"mechanism", {{"const", kinds.name}}}}}};
@@ -122,6 +122,7 @@ Json of_linkages() {
                     {"quantities", table_of_any(number())},
                     {"dimensions", table_of_any(given())},
                     {"linkage", table_of(fields::linkage)},
+                    {"signals", false},
                     {"room", false},
                     {"region", false}};
     properties["front"] = {{"items", {{"properties", properties}}}};

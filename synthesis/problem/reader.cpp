@@ -5,8 +5,8 @@
 #include <exception>
 
 #include "synthesis/problem/bytes.h"
+#include "synthesis/problem/linkage/measures_of_kind.h"
 #include "synthesis/problem/linkage/mechanism.h"
-#include "synthesis/problem/linkage/rooms_of_kind.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/varied_problem.h"
@@ -79,7 +79,7 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     read_units(file, problem, messages);
     read_cam(file, problem, messages);
     add_targets(file, problem);
-    read_rooms_of_kind(file, problem, messages);
+    read_measures_of_kind(file, problem, messages);
     add_whole_quantities(table, problem);
     read_dimensions(file, problem, messages);
     read_segments(file, problem, messages);

@@ -70,6 +70,12 @@ int show(const std::vector<std::shared_ptr<const Mechanism>>& all, const Options
     return exit_code::solved;
 }
 
+/// Whether a linkage has signals, or a built-in kind is measured by some.
+bool has_signals(const Mechanism& mechanism) {
+    const auto* model = mechanism.model.as<LinkageModel>();
+    return model != nullptr && !model->signals.empty();
+}
+
 /// What is asked of rooms and regions, where a mechanism can have them.
 std::string words_of_rooms(const Mechanism& mechanism) {
     return mechanism.as_linkage ? "\nMore is asked of [[room]] and [[region]]: mechwright explain room\n" : "";
@@ -82,8 +88,8 @@ int show_those_of_file(const Options& options, Console& console) {
     std::string more;
     if (read.problem.use) more = "\n" + folded("Range of use: ", words_of_use(read.problem));
     more += words_of_rooms(*read.problem.mechanism);
-    if (is_described(*read.problem.mechanism))
-        more += linkage_of(read.problem.mechanism->model.data()).signals.empty()
+    if (is_described(*read.problem.mechanism) || read.problem.mechanism->as_linkage)
+        more += !has_signals(*read.problem.mechanism)
                     ? "\nMore is asked of signals, in [signals]: mechwright explain signals\n"
                     : "\n" + words_of_signals();
     return show({read.problem.mechanism}, options, more, console);

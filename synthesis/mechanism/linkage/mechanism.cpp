@@ -71,15 +71,23 @@ double size_of_linkage(Form form, std::span<const double> dimensions) {
     return size > 0 ? size : 1;
 }
 
+/// Adds quantities to a list, each name once.
+struct AddQuantity {
+    std::vector<Quantity>& all;
+    std::size_t dimensions;
+
+    void operator()(std::string name, Unit unit, std::string meaning, LinkageMeasure measure) const {
+        if (std::any_of(all.begin(), all.end(), [&](const Quantity& q) { return q.name == name; })) return;
+        all.push_back(linkage_quantity(std::move(name), unit, std::move(meaning), std::move(measure), dimensions));
+        all.back().measure_again = measure_linkage_again;
+    }
+};
+
 std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimensions,
                                     std::span<const NamedMeasure> asked) {
     using Kind = LinkageMeasure::Kind;
     std::vector<Quantity> all;
-    const auto add = [&](std::string name, Unit unit, std::string meaning, LinkageMeasure measure) {
-        if (std::any_of(all.begin(), all.end(), [&](const Quantity& q) { return q.name == name; })) return;
-        all.push_back(linkage_quantity(std::move(name), unit, std::move(meaning), std::move(measure), dimensions));
-        all.back().measure_again = measure_linkage_again;
-    };
+    const AddQuantity add{all, dimensions};
     if (model.order.has_dyad_margins())
         add("transmission-angle-worst", Unit::angle, "least transmission angle of all dyads, folded at a right angle",
             {Kind::transmission_angle_worst});
@@ -92,20 +100,9 @@ std::vector<Quantity> quantities_of(const LinkageModel& model, std::size_t dimen
         {Kind::joint_distance_least});
     for (Quantity& quantity : quantities_of_rooms(model, dimensions))
         all.push_back(std::move(quantity));
-    for (std::size_t i = 0; i < model.signals.size(); ++i)
-        for (const auto& [word, kind] :
-             {std::pair("least", Kind::least), {"greatest", Kind::greatest}, {"range", Kind::range}}) {
-            const LinkageMeasure measure{kind, model.signals, {i, 0}};
-            add(model.signal_names[i].name + "." + word, unit_of(model, measure),
-                fmt::format("{} of the signal over the motion",
-                            kind == Kind::range ? "greatest less least value" : std::string(word) + " value"),
-                measure);
-        }
-    for (const auto& [name, value] : asked) {
-        LinkageMeasure measure = value;
-        measure.signals = model.signals;
-        if (!measure.signals.empty()) add(name, unit_of(model, measure), "of the signal, as its name says", measure);
-    }
+    for (Quantity& quantity : quantities_of_signals(model, dimensions, 0, asked))
+        if (std::none_of(all.begin(), all.end(), [&](const Quantity& q) { return q.name == quantity.name; }))
+            all.push_back(std::move(quantity));
     return all;
 }
 
@@ -181,6 +178,28 @@ void add_over_input(const LinkageModel& model, Mechanism& made) {
 }
 
 }  // namespace
+
+std::vector<Quantity> quantities_of_signals(const LinkageModel& model, std::size_t dimensions, std::size_t first,
+                                            std::span<const NamedMeasure> asked) {
+    using Kind = LinkageMeasure::Kind;
+    std::vector<Quantity> all;
+    const AddQuantity add{all, dimensions};
+    for (std::size_t i = first; i < model.signals.size(); ++i)
+        for (const auto& [word, kind] :
+             {std::pair("least", Kind::least), {"greatest", Kind::greatest}, {"range", Kind::range}}) {
+            const LinkageMeasure measure{kind, model.signals, {i, 0}};
+            add(model.signal_names[i].name + "." + word, unit_of(model, measure),
+                fmt::format("{} of the signal over the motion",
+                            kind == Kind::range ? "greatest less least value" : std::string(word) + " value"),
+                measure);
+        }
+    for (const auto& [name, value] : asked) {
+        LinkageMeasure measure = value;
+        measure.signals = model.signals;
+        if (!measure.signals.empty()) add(name, unit_of(model, measure), "of the signal, as its name says", measure);
+    }
+    return all;
+}
 
 Motion motion_of_linkage(Form form, std::span<const double> dimensions, const double* crank_range) {
     const LinkageModel& model = linkage_of(form.model);

@@ -27,6 +27,11 @@ struct NamedMeasure {
 /// A quantity in fifty digits, from poses of the joints' equations (loop.h).
 Digits50 measure_linkage_again(const Motion& motion, std::span<const Digits50> dimensions);
 
+/// Least, greatest and range of every signal from `first` on, and those of the quantities asked for that these are not;
+/// they read the first `dimensions` of the mechanism, of which the model's numbers are sums.
+std::vector<Quantity> quantities_of_signals(const LinkageModel& model, std::size_t dimensions, std::size_t first,
+                                            std::span<const NamedMeasure> asked);
+
 /// A mechanism with these dimensions, of which the model's numbers are sums, and with these
 /// quantities beside those that every linkage has, and least, greatest and range of every signal. The order of its
 /// structure is closed.

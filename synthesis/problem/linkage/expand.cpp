@@ -151,6 +151,8 @@ void write_links(Expanding& e) {
     const toml::table& given = *e.table["dimensions"].as_table();
     e.text += '\n' + linkage_sections(*e.problem.mechanism, assembly_word(e), e.problem.units.degrees,
                                       [&](const Dimension& dimension) { return given.contains(dimension.name); });
+    // The sections of a kind end with [signals].
+    if (const toml::table* signals = e.table["signals"].as_table()) write_keys(e, *signals);
 }
 
 /// What all designs of the kind have in common, and no requirement of a linkage can say, must follow from the ranges.

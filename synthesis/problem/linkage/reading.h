@@ -94,7 +94,10 @@ bool is_reserved_name(std::string_view name);
 void read_rooms(LinkageReading& reading);
 /// Whether one of them has this name.
 bool is_name_of_room(const Linkage& linkage, std::string_view name);
-/// Signals, and the quantities that are required or optimised.
+/// The section of signals, after rooms and regions: those of the file follow what there are already, as a built-in kind
+/// has some as a linkage.
+void read_signal_section(LinkageReading& reading);
+/// The same, and the quantities that are required or optimised.
 void read_signals(LinkageReading& reading);
 /// The points that targets name.
 void read_linkage_targets(LinkageReading& reading);

@@ -80,7 +80,7 @@ std::vector<NamedTarget> named_targets(const Section& file) {
 
 struct SignalReading {
     LinkageReading& reading;
-    std::vector<const toml::table*> tables{};
+    std::vector<const toml::table*> tables{};  ///< null of those that a built-in kind has as a linkage
     std::vector<FilePlace> places{};
     std::vector<Word> units{};  ///< found so far; "circle" while one is being found
 
@@ -201,6 +201,7 @@ struct SignalReading {
                     unit = unit.empty() || unit == more || more == "circle" ? more : unit == "circle" ? unit : "mixed";
                 }
         };
+        if (tables[i] == nullptr) return units[i] = signals()[i].unit == Unit::angle ? "angle" : "length";
         if (const toml::table* terms = (*tables[i])["sum"].as_table())
             for (const auto& [name, factor] : *terms)
                 take(name.str());
@@ -266,8 +267,11 @@ bool is_reserved_name(std::string_view name) {
     return is_one_of(ready_made_quantities, name) || is_one_of(of_targets, name);
 }
 
-void read_signals(LinkageReading& reading) {
+void read_signal_section(LinkageReading& reading) {
     SignalReading signals{reading};
+    const std::size_t before = reading.made.signals.size();
+    signals.tables.resize(before, nullptr);
+    signals.places.resize(before);
     if (std::optional<Section> section = read_section(reading.file, "signals", reading.messages)) {
         for (const auto& [name, node] : in_order(*section->table)) {
             const FilePlace place = key_place(*section, name);
@@ -279,6 +283,14 @@ void read_signals(LinkageReading& reading) {
             if (is_name_of_room(reading.made, name)) {
                 add_error(reading.messages, place,
                           fmt::format("'{}' cannot be the name of a signal: a room or a region has it", name));
+                continue;
+            }
+            const auto all = std::span(reading.made.signals).first(before);
+            if (std::any_of(all.begin(), all.end(), [&](const LinkageSignal& one) { return one.name == name; })) {
+                add_error(reading.messages, place,
+                          fmt::format("'{}' is a signal of this mechanism already, which can be asked for as it is: "
+                                      "leave it out, or give another one another name",
+                                      name));
                 continue;
             }
             if (!is_name(reading, name, place, "signal")) continue;
@@ -298,10 +310,10 @@ void read_signals(LinkageReading& reading) {
             names.push_back(signal.name);
         report_case_twins(reading, names, signals.places, "signal");
     }
-    for (std::size_t i = 0; i < signals.tables.size(); ++i)
+    for (std::size_t i = before; i < signals.tables.size(); ++i)
         signals.read(i);
     signals.units.resize(signals.tables.size());
-    for (std::size_t i = 0; i < signals.tables.size(); ++i) {
+    for (std::size_t i = before; i < signals.tables.size(); ++i) {
         const Word unit = signals.unit_of(i);
         // By a displacement a point has as much speed as there are lengths in one.
         const auto& drives = reading.made.structure.drives;
@@ -319,6 +331,11 @@ void read_signals(LinkageReading& reading) {
                                   "lengths",
                                   reading.made.signals[i].name));
     }
+}
+
+void read_signals(LinkageReading& reading) {
+    read_signal_section(reading);
+    const SignalReading signals{reading};
     for (Section& section : sections_in(reading, "require", keys::requirement)) {
         if (const toml::node* node = find(section, "quantity"))
             check_quantity(signals, *node, name_of(section, "quantity"));

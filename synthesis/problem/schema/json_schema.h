@@ -33,7 +33,10 @@ Json one_of(const Words& words) {
 }
 
 /// What names quantities of rooms and regions have: a file makes them.
-inline constexpr std::string_view quantity_of_room = "^[A-Za-z][A-Za-z0-9_-]*[.](width|height|area|margin)([.]whole)?$";
+inline constexpr std::string_view quantity_of_links =
+    "^[A-Za-z][A-Za-z0-9_-]*[.](width|height|area|margin|time-ratio|"
+    "((speed|acceleration|jerk)[.])?((least|greatest|range|mean|rms|deviation)([(][^()]*[)])?|at[(][^()]*[)]))"
+    "([.]whole)?$";
 
 /// Either of some schemas.
 Json any_of(std::vector<Json> schemas);
@@ -48,11 +51,11 @@ Json range_of(const Limits& limits = {});
 Json expression();
 Json coordinates();
 
-/// One of a mechanism's quantities, or one of a room or region where it can have some.
+/// One of a mechanism's quantities, or one of a signal, room or region where it can have some.
 template <class Words>
-Json quantity_among(const Words& words, bool has_rooms) {
-    if (!has_rooms) return one_of(words);
-    return any_of({one_of(words), Json{{"type", "string"}, {"pattern", quantity_of_room}}});
+Json quantity_among(const Words& words, bool is_of_links) {
+    if (!is_of_links) return one_of(words);
+    return any_of({one_of(words), Json{{"type", "string"}, {"pattern", quantity_of_links}}});
 }
 
 /// The schema with what is to be told of it.

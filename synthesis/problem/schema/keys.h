@@ -325,7 +325,7 @@ inline constexpr std::array file{
     Key{"assembly", Shape::names, "Of a linkage: on which side a dyad is closed, by its inner point or its slide."},
     Key{"sketch", Shape::table, "Of a linkage: where points are about.", false, {}, sketch},
     Key{"placement", Shape::table, "Of a linkage: where its frame stands in the drawing.", false, {}, placement},
-    Key{"signals", Shape::names, "Of a linkage: what is measured along the motion."},
+    Key{"signals", Shape::names, "Of a mechanism of links: what is measured along the motion."},
     Key{"room", Shape::tables, "A box that parts of a mechanism of links need over the motion.", false, {}, room},
     Key{"region", Shape::tables, "A region that parts of a mechanism of links keep in, or out of.", false, {}, region},
     Key{"study",

@@ -125,7 +125,7 @@ Names foreign_sections(const Mechanism& mechanism) {
     if (!mechanism.function) foreign.push_back("function");
     if (!mechanism.line) foreign.push_back("line");
     if (!mechanism.arc) foreign.push_back("arc");
-    if (!mechanism.as_linkage) foreign.insert(foreign.end(), {"room", "region"});
+    if (!mechanism.as_linkage) foreign.insert(foreign.end(), {"signals", "room", "region"});
     if (find_quantity(mechanism, "instant-rocker-velocity") < 0) foreign.push_back("instant");
     return foreign;
 }
@@ -133,8 +133,8 @@ Names foreign_sections(const Mechanism& mechanism) {
 /// Targets of which a linkage can have several.
 constexpr std::array<std::string_view, 5> repeated_targets{"path", "poses", "function", "line", "arc"};
 
-constexpr std::array<std::string_view, 11> sections_of_linkage{
-    "links", "slide", "slot", "gear", "belt", "rack", "drive", "assembly", "sketch", "placement", "signals"};
+constexpr std::array<std::string_view, 10> sections_of_linkage{"links", "slide", "slot",     "gear",   "belt",
+                                                               "rack",  "drive", "assembly", "sketch", "placement"};
 
 /// What files of one mechanism alone can say, and what they have to, where they meet a condition.
 Json of_mechanism(const Mechanism& mechanism, Json condition) {
@@ -251,8 +251,7 @@ Json of_linkage() {
     Json properties{{"dimensions", named(name_pattern, std::move(dimension))},
                     {"links", named(name_pattern, named(name_pattern, coordinates()))},
                     {"assembly", named(name_pattern, any_of({std::move(sides), std::move(side), std::move(larger)}))},
-                    {"sketch", {{"properties", {{"points", named(name_pattern, std::move(points))}}}}},
-                    {"signals", named(name_pattern, signal())}};
+                    {"sketch", {{"properties", {{"points", named(name_pattern, std::move(points))}}}}}};
     properties["links"]["required"] = {"frame"};
     for (const char* name : {"cam", "segment", "instant"})
         properties[name] = false;
@@ -418,6 +417,7 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     properties["segment"] = segments(key("segment"));
     properties["objective"] = objectives(key("objective"));
     properties["require"] = requirements(key("require"));
+    properties["signals"] = with_meaning(named(name_pattern, signal()), key("signals").meaning);
     properties["room"] = with_parts(key("room"));
     properties["region"] = regions(key("region"));
     properties["solver"]["properties"]["method"].update(one_of(methods));

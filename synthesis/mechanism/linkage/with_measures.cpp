@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/linkage/rooms/with_rooms.h"
+#include "synthesis/mechanism/linkage/with_measures.h"
 
 #include <utility>
 
@@ -25,28 +25,40 @@ Quantity over_range_of(const InputRange& input, const Quantity& quantity) {
     return moving;
 }
 
-Mechanism with_model(const Mechanism& kind, const Model& model, const std::string& sections) {
+/// What is measured, and the sections that say it.
+struct Measures {
+    Model model;
+    std::vector<Quantity> quantities;
+    std::string sections;
+};
+
+Mechanism with_model(const Mechanism& kind, const Measures& measures) {
     Mechanism made = kind;
-    const LinkageModel& linkage = linkage_of(model.data());
-    for (Quantity& quantity : quantities_of_rooms(linkage, own_dimensions(kind))) {
+    const LinkageModel& linkage = linkage_of(measures.model.data());
+    for (Quantity quantity : measures.quantities) {
         if (made.input) made.input->quantities.push_back(over_range_of(*made.input, quantity));
         quantity.defined = is_of_known_motion;
         made.quantities.push_back(std::move(quantity));
     }
-    made.model = model;
+    made.model = measures.model;
     if (!linkage.regions.empty()) made.model_over = linkage_over_unit;
     if (made.drawing) made.drawing->rooms = draw_rooms;
-    made.made_from = sections;
+    made.made_from = measures.sections;
     return made;
 }
 
 }  // namespace
 
-std::shared_ptr<const Mechanism> with_rooms(const std::shared_ptr<const Mechanism>& kind, LinkageModel model,
-                                            const std::string& sections) {
-    const Model shared(std::move(model));
-    Mechanism made = with_model(*kind, shared, sections);
-    if (kind->whole) made.whole = std::make_shared<const Mechanism>(with_model(*kind->whole, shared, sections));
+std::shared_ptr<const Mechanism> with_measures(const std::shared_ptr<const Mechanism>& kind, LinkageModel model,
+                                               std::size_t own_signals, std::span<const NamedMeasure> asked,
+                                               std::string sections) {
+    const std::size_t dimensions = own_dimensions(*kind);
+    std::vector<Quantity> quantities = quantities_of_rooms(model, dimensions);
+    for (Quantity& quantity : quantities_of_signals(model, dimensions, own_signals, asked))
+        quantities.push_back(std::move(quantity));
+    const Measures measures{Model(std::move(model)), std::move(quantities), std::move(sections)};
+    Mechanism made = with_model(*kind, measures);
+    if (kind->whole) made.whole = std::make_shared<const Mechanism>(with_model(*kind->whole, measures));
     return std::make_shared<const Mechanism>(std::move(made));
 }
 
