@@ -100,6 +100,7 @@ Json of_kinds(const Kinds& kinds) {
     properties["settings"] = table_by(kinds.settings, number());
     for (const char* name : {"signals", "room", "region"})
         if (!kinds.is_of_links) properties[name] = false;
+    if (kinds.is_of_links) properties["signals"] = signals();
     properties["front"] = {{"items", {{"properties", findings_of(kinds)}}}};
     properties["alternatives"] = {{"items", {{"properties", {{"design", properties["design"]}}}}}};
     const Json is_of_them{{"properties", {{"mechanism", {{"const", kinds.name}}}}}};

@@ -1,9 +1,13 @@
 // Signals of the built-in kinds: against all poses of a fine scan by each kind's own drawing, differences, and the
 // linkage that `expand` makes of it.
 
+#include <fstream>
+#include <iterator>
+
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/linkage/expand.h"
+#include "synthesis/solve/solve.h"
 #include "tests/mechanism/kinds_with_rooms.h"
 
 namespace mechwright::linkage_scans {
@@ -167,6 +171,24 @@ TEST(SignalsOfKinds, SayWhatIsWrong) {
     EXPECT_TRUE(std::any_of(cam.messages.begin(), cam.messages.end(), [](const Message& message) {
         return to_string(message).find("[signals] is of links and joints, and a cam has none") != std::string::npos;
     }));
+}
+
+/// The optimum is that of the linkage that it is, too, solved by itself.
+TEST(SignalsOfKinds, AreSolvedForAnEvenPace) {
+    std::ifstream in(MECHWRIGHT_SOURCE_DIR "/problems/four-bar/even-pace.toml");
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const ExpandedProblem expanded = expand_problem(text, "even-pace.toml");
+    ASSERT_TRUE(expanded.ok());
+    for (const std::string& one : {text, expanded.text}) {
+        ReadProblem read = testing::read_without_fault(one);
+        ASSERT_TRUE(read.ok());
+        const Json document = mechwright::document(read.problem, solve(read.problem, {}));
+        EXPECT_EQ(document["status"], "solved");
+        EXPECT_NEAR(document["objective"]["value"].get<double>(), 0.721553, 1e-6);
+        EXPECT_NEAR(value_in(document, "pace.mean(150, 240)"), 60, 1e-6);
+        EXPECT_NEAR(value_in(document, "level.deviation(150, 240)"), 1, 1e-6);
+        expect_verified(document);
+    }
 }
 
 }  // namespace

@@ -152,8 +152,8 @@ class Agreement(unittest.TestCase):
             return {**table, key: table[key] + "q"} if isinstance(table[key], str) and key not in free else None
 
         for file, place, problem in self.mutants(misspelt):
-            if file.parent.name == "linkage" and place != ("mechanism",):
-                continue  # it names things itself
+            if (file.parent.name == "linkage" and place != ("mechanism",)) or place[0] == "signals":
+                continue  # it names things itself; signals are of points and links, which the schema does not know
             with self.subTest(file=file.name, place=".".join(place)):
                 self.assertNotEqual(faults(VALIDATOR, problem), [])
 

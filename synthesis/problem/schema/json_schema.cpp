@@ -83,6 +83,38 @@ Json definition(std::string_view name) { return {{"$ref", "#/definitions/" + std
 
 Json range_of(const Limits& limits) { return any_of({number_of("number", limits), definition("range")}); }
 
+Json named(std::string_view names, Json each) {
+    return {{"type", "object"}, {"propertyNames", {{"pattern", names}}}, {"additionalProperties", std::move(each)}};
+}
+
+namespace {
+
+/// A signal: exactly one of the keys that say what it is, with what may stand beside it.
+Json signal() {
+    const Json text{{"type", "string"}}, number{{"type", "number"}};
+    Json two = list_of(text);
+    two["minItems"] = two["maxItems"] = 2;
+    const Json terms = {{"type", "object"}, {"minProperties", 1}, {"additionalProperties", number}};
+    const auto of = [](std::vector<std::string> required, Json properties) {
+        Json table{{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+        table["required"] = required;
+        return table;
+    };
+    return any_of({of({"angle"}, {{"angle", text}, {"to", text}, {"near", number}}),
+                   of({"x"}, {{"x", text}, {"on", text}}), of({"y"}, {{"y", text}, {"on", text}}),
+                   of({"along", "point"}, {{"along", number}, {"point", text}, {"on", text}}),
+                   of({"distance"}, {{"distance", two}}),
+                   of({"from-line", "point"}, {{"from-line", two}, {"point", text}}),
+                   of({"slide"}, {{"slide", any_of({text, Json{{"type", "integer"}, {"minimum", 1}}})}}),
+                   of({"speed-of"}, {{"speed-of", text}}), of({"acceleration-of"}, {{"acceleration-of", text}}),
+                   of({"transmission-angle"}, {{"transmission-angle", text}}), of({"sum"}, {{"sum", terms}}),
+                   of({"ratio"}, {{"ratio", two}})});
+}
+
+}  // namespace
+
+Json signals() { return named(name_pattern, signal()); }
+
 Json with_meaning(Json schema, std::string_view meaning) {
     Json all{{"description", meaning}};
     all.update(schema);

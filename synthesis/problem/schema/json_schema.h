@@ -32,7 +32,7 @@ Json one_of(const Words& words) {
     return {{"type", "string"}, {"enum", std::move(all)}};
 }
 
-/// What names quantities of rooms and regions have: a file makes them.
+/// What names quantities of signals, rooms and regions have: a file makes them.
 inline constexpr std::string_view quantity_of_links =
     "^[A-Za-z][A-Za-z0-9_-]*[.](width|height|area|margin|time-ratio|"
     "((speed|acceleration|jerk)[.])?((least|greatest|range|mean|rms|deviation)([(][^()]*[)])?|at[(][^()]*[)]))"
@@ -57,6 +57,13 @@ Json quantity_among(const Words& words, bool is_of_links) {
     if (!is_of_links) return one_of(words);
     return any_of({one_of(words), Json{{"type", "string"}, {"pattern", quantity_of_links}}});
 }
+
+/// An object whose members have names of the file's own, which meet a pattern.
+Json named(std::string_view names, Json each);
+inline constexpr std::string_view name_pattern = "^[A-Za-z][A-Za-z0-9_-]*$";
+
+/// The section of signals.
+Json signals();
 
 /// The schema with what is to be told of it.
 Json with_meaning(Json schema, std::string_view meaning);

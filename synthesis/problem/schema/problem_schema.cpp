@@ -145,6 +145,7 @@ Json of_mechanism(const Mechanism& mechanism, Json condition) {
         if (!mechanism.point) schema["properties"]["motion"]["properties"][key] = false;
     for (const std::string_view name : sections_of_linkage)
         schema["properties"][std::string(name)] = false;
+    if (mechanism.as_linkage) schema["properties"]["signals"] = signals();
     for (const std::string_view name : foreign_sections(mechanism))
         schema["properties"][std::string(name)] = false;
     for (const std::string_view target : repeated_targets)
@@ -201,35 +202,6 @@ void add_cams(Json& all) {
     }
 }
 
-/// An object whose members have names of the file's own.
-Json named(std::string_view names, Json each) {
-    return {{"type", "object"}, {"propertyNames", {{"pattern", names}}}, {"additionalProperties", std::move(each)}};
-}
-
-constexpr std::string_view name_pattern = "^[A-Za-z][A-Za-z0-9_-]*$";
-
-/// A signal: exactly one of the keys that say what it is, with what may stand beside it.
-Json signal() {
-    const Json text{{"type", "string"}}, number{{"type", "number"}};
-    Json two = list_of(text);
-    two["minItems"] = two["maxItems"] = 2;
-    const Json terms = {{"type", "object"}, {"minProperties", 1}, {"additionalProperties", number}};
-    const auto of = [](std::vector<std::string> required, Json properties) {
-        Json table{{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
-        table["required"] = required;
-        return table;
-    };
-    return any_of({of({"angle"}, {{"angle", text}, {"to", text}, {"near", number}}),
-                   of({"x"}, {{"x", text}, {"on", text}}), of({"y"}, {{"y", text}, {"on", text}}),
-                   of({"along", "point"}, {{"along", number}, {"point", text}, {"on", text}}),
-                   of({"distance"}, {{"distance", two}}),
-                   of({"from-line", "point"}, {{"from-line", two}, {"point", text}}),
-                   of({"slide"}, {{"slide", any_of({text, Json{{"type", "integer"}, {"minimum", 1}}})}}),
-                   of({"speed-of"}, {{"speed-of", text}}), of({"acceleration-of"}, {{"acceleration-of", text}}),
-                   of({"transmission-angle"}, {{"transmission-angle", text}}), of({"sum"}, {{"sum", terms}}),
-                   of({"ratio"}, {{"ratio", two}})});
-}
-
 /// What files of a linkage can say and have to.
 Json of_linkage() {
     Json sides = one_of(Names{"left", "right", "ahead", "behind", "either"});
@@ -251,7 +223,8 @@ Json of_linkage() {
     Json properties{{"dimensions", named(name_pattern, std::move(dimension))},
                     {"links", named(name_pattern, named(name_pattern, coordinates()))},
                     {"assembly", named(name_pattern, any_of({std::move(sides), std::move(side), std::move(larger)}))},
-                    {"sketch", {{"properties", {{"points", named(name_pattern, std::move(points))}}}}}};
+                    {"sketch", {{"properties", {{"points", named(name_pattern, std::move(points))}}}}},
+                    {"signals", signals()}};
     properties["links"]["required"] = {"frame"};
     for (const char* name : {"cam", "segment", "instant"})
         properties[name] = false;
@@ -417,7 +390,6 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     properties["segment"] = segments(key("segment"));
     properties["objective"] = objectives(key("objective"));
     properties["require"] = requirements(key("require"));
-    properties["signals"] = with_meaning(named(name_pattern, signal()), key("signals").meaning);
     properties["room"] = with_parts(key("room"));
     properties["region"] = regions(key("region"));
     properties["solver"]["properties"]["method"].update(one_of(methods));
