@@ -164,6 +164,9 @@ TEST(SignalsOfKinds, SayWhatIsWrong) {
                  "the signal 'bad' is the transmission angle of a dyad, and none is closed at 'P'");
     expect_error("[signals]\nhigh = { y = \"P\" }\n" + asked_for({"high.highest"}),
                  "'high.highest' is no quantity of a signal; ");
+    const ReadProblem read = parse_problem(kinds_with_rooms[0].text() + asked_for({"rocker-angle.highest"}), "a.toml");
+    ASSERT_FALSE(read.ok());
+    EXPECT_EQ(to_string(read.messages.front()).substr(0, 13), "a.toml:15:12:");
     const ReadProblem cam = parse_problem(
         "schema = 1\nmechanism = \"cam\"\n[cam]\nfollower = \"flat\"\ncontour = \"eccentric\"\n[signals]\nhigh = { y = "
         "\"P\" }\n",

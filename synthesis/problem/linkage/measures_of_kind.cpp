@@ -98,19 +98,32 @@ bool has_signal(const Linkage& linkage, std::string_view name) {
                        [&](const LinkageSignal& one) { return one.name == name; });
 }
 
-/// The quantities of signals among these names, without what is said of the whole motion; what is wrong with those that
-/// are none though they begin with the name of a signal.
-std::vector<NamedMeasure> asked_of(const Linkage& linkage, std::span<const std::string> names,
-                                   std::vector<std::string>& faults) {
+/// Where a file says a text, or the place given.
+reading::FilePlace place_of_text(const toml::node& node, std::string_view text, reading::FilePlace otherwise) {
+    if (node.value_exact<std::string>() == text) return reading::place_of(node);
+    reading::FilePlace found = otherwise;
+    const auto look = [&](const toml::node& below) { found = place_of_text(below, text, found); };
+    if (const toml::table* table = node.as_table())
+        for (const auto& [key, below] : *table)
+            look(below);
+    if (const toml::array* list = node.as_array())
+        for (const toml::node& below : *list)
+            look(below);
+    return found;
+}
+
+/// The quantities of signals among these names, without what is said of the whole motion; reports those that are none
+/// though they begin with the name of a signal.
+std::vector<NamedMeasure> asked_of(reading::LinkageReading& reading, std::span<const std::string> names) {
     std::vector<NamedMeasure> asked;
     std::string fault;
     for (const std::string& name : names) {
         const std::string plain(without_whole(name));
         if (plain.find('.') == std::string::npos) continue;
-        if (const auto quantity = to_linkage_quantity(linkage, plain, fault))
+        if (const auto quantity = to_linkage_quantity(reading.made, plain, fault))
             asked.push_back({plain, *quantity});
-        else if (has_signal(linkage, plain.substr(0, plain.find('.'))))
-            faults.push_back(fault);
+        else if (has_signal(reading.made, plain.substr(0, plain.find('.'))))
+            add_error(reading.messages, place_of_text(*reading.file.table, name, reading.file.place), fault);
     }
     return asked;
 }
@@ -136,10 +149,7 @@ std::shared_ptr<const Mechanism> with_those_of_file(reading::Section& file,
     kind.model.signal_names = std::move(read.signal_names);
     kind.model.rooms = std::move(kind.linkage.rooms);
     kind.model.regions = std::move(kind.linkage.regions);
-    std::vector<std::string> faults;
-    const std::vector<NamedMeasure> asked = asked_of(kind.linkage, names, faults);
-    for (const std::string& fault : faults)
-        add_error(messages, place_of(file, "signals"), fault);
+    const std::vector<NamedMeasure> asked = asked_of(reading, names);
     const bool any = kind.linkage.signals.size() > own || !kind.model.rooms.empty() || !kind.model.regions.empty();
     if (!any && asked.empty()) return mechanism;
     return with_measures(mechanism, std::move(kind.model), own, asked,
