@@ -40,6 +40,15 @@ CLI::Option* add_positive_number(CLI::App& command, const std::string& name, std
     return command.add_option_function<std::string>(name, take, help)->type_name("X");
 }
 
+CLI::Option* add_digits(CLI::App& command, std::optional<std::uint64_t>& digits) {
+    return add_whole_number(command, "--digits", digits, fewest_digits, most_digits,
+                            "Digits of the numbers in the text (" + std::to_string(usual_digits) + ")");
+}
+
+TextStyle style_of(const Console& console, const std::optional<std::uint64_t>& digits) {
+    return {colour_wanted(console), static_cast<int>(digits.value_or(usual_digits))};
+}
+
 std::optional<double> decimal(const std::string& text) {
     const auto number = parsed<double>(text);
     return number && std::abs(*number) <= 1e9 ? number : std::nullopt;

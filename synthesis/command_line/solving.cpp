@@ -185,6 +185,7 @@ CLI::Option* add_solving_options(CLI::App& command, SolvingOptions& options) {
     command.add_option("--method", options.method, "Method; overrides the file's (see methods)")
         ->type_name("NAME")
         ->check(not_empty);
+    add_digits(command, options.digits);
     command.add_flag("--quiet", options.quiet, "Nothing but errors on standard error");
     return out;
 }

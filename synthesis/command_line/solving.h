@@ -27,12 +27,13 @@ struct SolvingOptions {
     std::optional<std::uint64_t> seed;
     std::optional<std::uint64_t> jobs;
     std::optional<double> time_limit;
+    std::optional<std::uint64_t> digits;
     std::string method;
     std::string start_system;  ///< a file; none: what comes with the program
 };
 
-/// Adds FILE, --out, --json, --seed, --jobs, --time-limit, --method and --quiet; returns --out. `options` must outlive
-/// the command.
+/// Adds FILE, --out, --json, --seed, --jobs, --time-limit, --method, --digits and --quiet; returns --out. `options`
+/// must outlive the command.
 CLI::Option* add_solving_options(CLI::App& command, SolvingOptions& options);
 
 /// What a run over several files came to.

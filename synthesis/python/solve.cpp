@@ -98,7 +98,7 @@ py::dict compare(const py::list& problems, const SolveOptions& options) {
     comparison["differences"] = text_of(differences_of_tasks(all));
     const std::vector<Compared> rows = ranked(std::move(all));
     comparison["rows"] = python_of(comparison_json(rows));
-    comparison["table"] = text_of(comparison_table(rows, false));
+    comparison["table"] = text_of(comparison_table(rows, {}));
     comparison["csv"] = text_of(comparison_csv(rows));
     return comparison;
 }

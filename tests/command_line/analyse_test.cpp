@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 TEST(Analyse, PrintsKindAndQuantities) {
     const TemporaryFolder folder;
-    const Outcome outcome = run({"analyse", folder.write("a.toml", given())});
+    const Outcome outcome = run({"analyse", folder.write("a.toml", given()), "--digits", "10"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     for (const char* part : {"Design: crank-rocker, open assembly", "The crank turns fully.", "time-ratio", "1.2033340",

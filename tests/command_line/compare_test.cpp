@@ -67,7 +67,7 @@ TEST(Compare, PrintsOneTableBestFirst) {
     for (const char* part : {"mechanism", "objective", "size", "worst", "time", "stroke", "speed", "variation"})
         expect_has(outcome.out, part);
     EXPECT_LT(outcome.out.find("crank-shaper"), outcome.out.find("whitworth")) << outcome.out;
-    expect_has(outcome.out, "Best: shaper, minimize speed-variation = 0.1617");
+    expect_has(outcome.out, "Best: shaper, minimize speed-variation = 0.1618");
     expect_has_not(outcome.err, "differ");
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// What --explain-search adds to the summary, with one blank for many.
 std::string search_of(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"solve", "--explain-search"});
+    arguments.insert(arguments.begin(), {"solve", "--explain-search", "--digits", "8"});
     const Outcome outcome = run(arguments);
     const std::size_t begin = outcome.out.find("\nStarts\n");
     EXPECT_NE(begin, std::string::npos) << outcome.out << outcome.err;

@@ -133,9 +133,12 @@ TEST(Solve, AGivenDesignIsJudged) {
     const std::string met = "[[require]]\nquantity = \"swing\"\nmin = 61\nmax = 62\n";
     EXPECT_EQ(run({"solve", folder.write("a.toml", given(met))}).exit_code, 0);
     const std::string missed = "[[require]]\nquantity = \"swing\"\nmin = 70\n";
-    const Outcome outcome = run({"solve", folder.write("b.toml", given(missed))});
+    const std::string file = folder.write("b.toml", given(missed));
+    const Outcome outcome = run({"solve", file});
     EXPECT_EQ(outcome.exit_code, 4);
-    expect_has(outcome.out, "70 deg and is 61.413062 deg: off by 8.586938 deg");
+    expect_has(outcome.out, "70 deg and is 61.41 deg: off by 8.587 deg");
+    expect_has(run({"solve", file, "--digits", "8"}).out, "70 deg and is 61.413062 deg: off by 8.586938 deg");
+    EXPECT_EQ(run({"solve", file, "--digits", "1"}).exit_code, 2);
 }
 
 }  // namespace

@@ -135,9 +135,9 @@ TEST(DrivenSlides, AreNoAngles) {
 TEST(DrivenSlides, AreShownByTheirDisplacements) {
     const Problem problem = driven_problem(text_of_linkage("scissors-ram"));
     const Solution solution = evaluate_given(problem);
-    EXPECT_NE(analysis_summary(problem, solution, false).find("Motion: displacements from 300 mm to 950 mm, on branch"),
+    EXPECT_NE(analysis_summary(problem, solution, {}).find("Motion: displacements from 300 mm to 950 mm, on branch"),
               std::string::npos)
-        << analysis_summary(problem, solution, false);
+        << analysis_summary(problem, solution, {});
     const std::string table = motion_table(problem, solution.design, 2);
     EXPECT_EQ(table.substr(0, table.find(',')), "displacement [mm]");
     EXPECT_NE(table.find("\n300,"), std::string::npos) << table;

@@ -79,7 +79,7 @@ TEST(LinkageResults, TellBranchesOfOneCircuitApart) {
     EXPECT_EQ(right["branch"], 2);
     expect_verified(right);
     const ReadProblem read = testing::read_without_fault(with_long_crank("right"));
-    const std::string summary = analysis_summary(read.problem, evaluate_given(read.problem), false);
+    const std::string summary = analysis_summary(read.problem, evaluate_given(read.problem), {});
     EXPECT_NE(summary.find(", on branch 2 of circuit 1.\n"), std::string::npos) << summary;
 }
 

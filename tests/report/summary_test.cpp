@@ -41,15 +41,15 @@ TEST(Summary, OfASolvedProblem) {
     solution.feasible = true;
     Result result = result_of(Status::solved, solution);
     result.alternatives = {{solution, {}}, {solution, {}}};
-    const std::string text = summary(problem, result, false);
+    const std::string text = summary(problem, result, {});
     expect_readable(text);
     for (const char* part :
          {"Crank-rocker of 60 deg swing", "four-bar from example.toml", "Solved: all requirements are met",
-          "Design: crank-rocker, open assembly", "ground   100    mm   given", "crank     40    mm",
+          "Design: crank-rocker, open assembly", "ground   100.0  mm   given", "crank     40.0  mm",
           "at its upper limit 81.8", "tilt      30    deg  given", "Objective: maximize transmission-angle-worst",
-          "39.7103 deg", "swing", "met, 9.71 to spare", "Verification: all 2 checks passed",
+          "39.71 deg", "swing", "met, 9.71 to spare", "Verification: all 2 checks passed",
           "Search: search: 32 starts, 3 local optima", "20 starts ended at the best one", "1.5%", "1234 evaluations",
-          "2 other designs, the next best with objective 39.7103"})
+          "2 other designs, the next best with objective 39.71"})
         expect_has(text, part);
     expect_has_not(text, "missed by");
     expect_has_not(text, "\x1b");
@@ -58,7 +58,7 @@ TEST(Summary, OfASolvedProblem) {
 TEST(Summary, OfAnInfeasibleProblemNamesTheObstacle) {
     Result result = result_of(Status::infeasible, crank_rocker_solution());
     result.verification.clear();
-    const std::string text = summary(problem_of(crank_rocker_text), result, false);
+    const std::string text = summary(problem_of(crank_rocker_text), result, {});
     expect_readable(text);
     expect_has(text, "Infeasible: no design that meets all requirements was found");
     expect_has(text, "not a proof");
@@ -66,7 +66,7 @@ TEST(Summary, OfAnInfeasibleProblemNamesTheObstacle) {
     expect_has(text, "missed by 1.413");
 
     result.search.proof = proof_by("the cubic has no root in the range", CountCertificate{});
-    const std::string proven = summary(problem_of(crank_rocker_text), result, false);
+    const std::string proven = summary(problem_of(crank_rocker_text), result, {});
     expect_readable(proven);
     expect_has(proven, "Infeasible: it is proven that no design meets all requirements.");
     expect_has(proven, "complete: the cubic has no root in the range.");
@@ -77,17 +77,17 @@ TEST(Summary, SaysAtLeastAndAtMost) {
     Problem problem = problem_of(crank_rocker_text);
     problem.requirements.erase(problem.requirements.begin());
     problem.requirements[0].min = 1.2;
-    expect_has(summary(problem, result_of(Status::infeasible, crank_rocker_solution()), false), "has to be at least");
+    expect_has(summary(problem, result_of(Status::infeasible, crank_rocker_solution()), {}), "has to be at least");
     problem.requirements[0].min = 0.1;
     problem.requirements[0].max = 0.2;
-    expect_has(summary(problem, result_of(Status::infeasible, crank_rocker_solution()), false), "has to be at most");
+    expect_has(summary(problem, result_of(Status::infeasible, crank_rocker_solution()), {}), "has to be at most");
 }
 
 TEST(Summary, OfADesignThatDoesNotAssemble) {
     Solution apart = crank_rocker_solution();
     apart.design.dimensions = {100, 10, 20, 30, 0, 0, 0, 0, 0};
     apart.objective = std::nan("");
-    const std::string text = summary(problem_of(crank_rocker_text), result_of(Status::infeasible, apart), false);
+    const std::string text = summary(problem_of(crank_rocker_text), result_of(Status::infeasible, apart), {});
     expect_readable(text);
     expect_has(text, "not defined");
     expect_has(text, "It does not assemble.");
@@ -98,7 +98,7 @@ TEST(Summary, OfAFailedVerificationShowsOnlyWhatFailed) {
     Result result = result_of(Status::unverified, path_solution());
     result.verification[1].passed = false;
     result.verification[1].detail = "point 3 is met before point 2";
-    const std::string text = summary(problem_of(path_text), result, false);
+    const std::string text = summary(problem_of(path_text), result, {});
     expect_readable(text);
     expect_has(text, "Unverified: a design was found, but its verification failed.");
     expect_has(text, "Verification: 1 of 2 checks FAILED");
@@ -109,19 +109,19 @@ TEST(Summary, OfAFailedVerificationShowsOnlyWhatFailed) {
 TEST(Summary, OfAnEarlyEnd) {
     Result result = result_of(Status::limit, path_solution());
     result.note = "The time limit of 60 s was reached.";
-    const std::string limit = summary(problem_of(path_text), result, false);
+    const std::string limit = summary(problem_of(path_text), result, {});
     expect_readable(limit);
     expect_has(limit,
                "Limit: stopped before the search ended; this is the best design so far.\nThe time limit of 60 s");
     result.status = Status::interrupted;
     result.best->feasible = false;
     result.best->violation = 0.125;
-    const std::string interrupted = summary(problem_of(path_text), result, false);
+    const std::string interrupted = summary(problem_of(path_text), result, {});
     expect_readable(interrupted);
     expect_has(interrupted, "Interrupted: stopped on request; no design so far meets all requirements");
     expect_has(interrupted, "0.125 (relative)");
     result.best.reset();
-    const std::string nothing = summary(problem_of(path_text), result, false);
+    const std::string nothing = summary(problem_of(path_text), result, {});
     expect_readable(nothing);
     expect_has(nothing, "no design was found so far");
     expect_has_not(nothing, "Design:");
@@ -130,7 +130,7 @@ TEST(Summary, OfAnEarlyEnd) {
 TEST(Summary, ShowsFewPathPointsAndNotMany) {
     Problem problem = problem_of(path_text);
     Solution solution = path_solution();
-    const std::string few = summary(problem, result_of(Status::solved, solution), false);
+    const std::string few = summary(problem, result_of(Status::solved, solution), {});
     expect_readable(few);
     expect_has(few, "Path: 3 points\n");
     expect_has(few, "reached x");
@@ -138,7 +138,7 @@ TEST(Summary, ShowsFewPathPointsAndNotMany) {
     problem.path->points.assign(13, {30, 30});
     problem.path->weights.assign(13, 1);
     solution.design.path_angles.assign(13, 0.5);
-    const std::string many = summary(problem, result_of(Status::solved, solution), false);
+    const std::string many = summary(problem, result_of(Status::solved, solution), {});
     expect_readable(many);
     expect_has(many, "Path: 13 points\n");
     expect_has_not(many, "reached x");
@@ -153,19 +153,19 @@ TEST(Summary, ObjectivesOfSeveralTerms) {
     problem.objective = Objective{{{index("total-length"), false, 2}, {index("velocity-ratio-max"), true, 1}}, false};
     Result result = result_of(Status::solved, crank_rocker_solution());
     result.best->objective = 627.5;
-    const std::string sum = summary(problem, result, false);
+    const std::string sum = summary(problem, result, {});
     expect_readable(sum);
     expect_has(sum, "Objective: a weighted sum");
     expect_has(sum, "weight 2");
     expect_has(sum, "sum: 627.5");
     problem.objective->worst = true;
-    expect_has(summary(problem, result, false), "Objective: the worst of several");
+    expect_has(summary(problem, result, {}), "Objective: the worst of several");
 }
 
 TEST(Summary, ColoursOnRequest) {
     const Result result = result_of(Status::solved, path_solution());
-    expect_has(summary(problem_of(path_text), result, true), "\x1b[1;32mSolved:\x1b[0m all requirements");
-    expect_has_not(summary(problem_of(path_text), result, false), "\x1b");
+    expect_has(summary(problem_of(path_text), result, {.colour = true}), "\x1b[1;32mSolved:\x1b[0m all requirements");
+    expect_has_not(summary(problem_of(path_text), result, {}), "\x1b");
 }
 
 TEST(Summary, TextOfTheFileCannotCommandTheTerminal) {
@@ -173,7 +173,7 @@ TEST(Summary, TextOfTheFileCannotCommandTheTerminal) {
     problem.title = "evil \x1b[2J title";
     problem.file = "evil\x1b.toml";
     problem.units.length = "m\x1bm";
-    expect_has_not(summary(problem, result_of(Status::solved, path_solution()), false), "\x1b");
+    expect_has_not(summary(problem, result_of(Status::solved, path_solution()), {}), "\x1b");
 }
 
 TEST(Summary, LongTitlesFold) {
@@ -181,11 +181,11 @@ TEST(Summary, LongTitlesFold) {
     problem.title.clear();
     for (int i = 0; i < 30; ++i)
         problem.title += "Übertragungswinkel ";
-    expect_readable(summary(problem, result_of(Status::solved, path_solution()), false));
+    expect_readable(summary(problem, result_of(Status::solved, path_solution()), {}));
 }
 
 TEST(AnalysisSummary, ListsQuantitiesAndMotion) {
-    const std::string text = analysis_summary(problem_of(crank_rocker_text), crank_rocker_solution(), false);
+    const std::string text = analysis_summary(problem_of(crank_rocker_text), crank_rocker_solution(), {.digits = 10});
     expect_readable(text);
     for (const char* part : {"Design: crank-rocker", "The crank turns fully.", "Quantities", "time-ratio", "1.2033",
                              "swing", "61.41306198", "deg", "total-length", "314.2", "missed by 1.413"})
@@ -197,11 +197,10 @@ TEST(AnalysisSummary, ListsQuantitiesAndMotion) {
 TEST(AnalysisSummary, SaysHowFarTheCrankTurns) {
     Problem problem = problem_of(crank_rocker_text);
     problem.crank_range = {0.5235987755982988, 3.141592653589793};
-    expect_has(analysis_summary(problem, crank_rocker_solution(), false),
-               "Motion: crank angles from 30 deg to 180 deg.");
+    expect_has(analysis_summary(problem, crank_rocker_solution(), {}), "Motion: crank angles from 30 deg to 180 deg.");
     Solution apart = crank_rocker_solution();
     apart.design.dimensions = {100, 10, 20, 30, 0, 0, 0, 0, 0};
-    expect_has(analysis_summary(problem_of(crank_rocker_text), apart, false), "does not assemble at any crank angle");
+    expect_has(analysis_summary(problem_of(crank_rocker_text), apart, {}), "does not assemble at any crank angle");
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ struct AnalyseOptions {
     bool json = false;
     bool quiet = false;
     std::optional<std::uint64_t> steps;
+    std::optional<std::uint64_t> digits;
     bool centres = false;
     std::string at;
 };
@@ -85,7 +86,7 @@ int analyse(const AnalyseOptions& options, Console& console) {
     else if (options.json)
         print(console, json_text(analysis_document(problem, given)));
     else
-        print(console, analysis_summary(problem, given, colour_wanted(console)));
+        print(console, analysis_summary(problem, given, style_of(console, options.digits)));
 
     const Motion motion = motion_of(problem, given.design);
     if (motion.from <= motion.to) return exit_code::solved;
@@ -110,6 +111,7 @@ Command add_analyse(CLI::App& program) {
         command->add_flag("--instant-centres", options->centres, "The instant centres of all pairs of links")
             ->excludes(csv);
     command->add_option("--at", options->at, "Crank angle of these")->option_text("NUMBER")->needs(centres);
+    add_digits(*command, options->digits);
     command->add_flag("--quiet", options->quiet, "No warnings");
     return {command, [options](Console& console) { return analyse(*options, console); }};
 }

@@ -3,6 +3,7 @@
 
 #include "synthesis/command_line/commands.h"
 #include "synthesis/command_line/exit_code.h"
+#include "synthesis/command_line/options.h"
 #include "synthesis/command_line/solving.h"
 #include "synthesis/report/json_text.h"
 #include "synthesis/report/text/comparison.h"
@@ -30,10 +31,11 @@ int compare(const CompareOptions& options, Console& console) {
     if (!options.solving.quiet)
         if (const std::string differences = differences_of_tasks(all); !differences.empty())
             console.err << "The tasks differ: " << differences << std::flush;
+    const TextStyle style = style_of(console, options.solving.digits);
     const std::vector<Compared> rows = ranked(std::move(all));
     print(console, options.solving.json ? json_text(comparison_json(rows))
                    : options.csv        ? comparison_csv(rows)
-                                        : comparison_table(rows, colour_wanted(console)));
+                                        : comparison_table(rows, style));
     return run.code;
 }
 

@@ -24,18 +24,19 @@ struct SolveOptions {
 int solve(const SolveOptions& options, Console& console) {
     nlohmann::ordered_json documents = nlohmann::ordered_json::array();
     NamedDocuments shown;
+    const TextStyle style = style_of(console, options.solving.digits);
     bool first = true;
-    SolvingRun run = solve_files(
-        options.solving, console,
-        [&](const Problem& problem, const Result& result, const auto& document, const SearchTrace* trace) {
-            documents.push_back(document);
-            if (options.report) shown.emplace_back(problem.file, document);
-            if (options.solving.json) return;
-            const std::string rule = first ? "" : "\n" + std::string(terminal_width, '-') + "\n\n";
-            print(console, rule + summary(problem, result, colour_wanted(console)) +
-                               (trace ? search_explained(problem, result, *trace, colour_wanted(console)) : ""));
-            first = false;
-        });
+    SolvingRun run =
+        solve_files(options.solving, console,
+                    [&](const Problem& problem, const Result& result, const auto& document, const SearchTrace* trace) {
+                        documents.push_back(document);
+                        if (options.report) shown.emplace_back(problem.file, document);
+                        if (options.solving.json) return;
+                        const std::string rule = first ? "" : "\n" + std::string(terminal_width, '-') + "\n\n";
+                        print(console, rule + summary(problem, result, style) +
+                                           (trace ? search_explained(problem, result, *trace, style) : ""));
+                        first = false;
+                    });
     if (!shown.empty()) {
         const std::string page = (std::filesystem::path(options.solving.out) / "report.html").string();
         run.code = exit_code::worse(run.code, write_page(page_on_results(shown), page, options.solving.quiet, console));

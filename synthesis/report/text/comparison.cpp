@@ -143,7 +143,7 @@ std::vector<Compared> ranked(std::vector<Compared> all) {
     return all;
 }
 
-std::string comparison_table(const std::vector<Compared>& all, bool colour) {
+std::string comparison_table(const std::vector<Compared>& all, const TextStyle& style) {
     Table table{{Align::left, Align::left, Align::point}, {{"", "mechanism", "objective"}, {"", "", ""}, {"", "", ""}}};
     if (same_objective(all)) table.rows[2][2] = objective_unit(all.front());
     for (const Compared& c : all) {
@@ -151,7 +151,7 @@ std::string comparison_table(const std::vector<Compared>& all, bool colour) {
         if (!has_design(c))
             objective = name_of(c.result.status);
         else if (c.problem.objective)
-            objective = number_text(c.result.best->objective, 6);
+            objective = objective_text(c.problem, *c.result.best, style.digits);
         table.rows.push_back({short_name(c), std::string(c.problem.mechanism->name), std::move(objective)});
     }
     for (const Column& column : compared_columns) {
@@ -164,14 +164,14 @@ std::string comparison_table(const std::vector<Compared>& all, bool colour) {
             common_unit(all, [&](const Compared& c) { return unit_of_quantity(c, column.quantity); }));
         for (std::size_t i = 0; i < all.size(); ++i) {
             const auto value = value_of(all[i], column.quantity);
-            table.rows[i + heading_rows].push_back(value ? number_text(*value, 5) : "-");
+            table.rows[i + heading_rows].push_back(value ? rounded_text(*value, style.digits) : "-");
         }
     }
     std::string text = to_text(table, 0);
     if (!same_objective(all) || !has_design(all.front())) return text;
-    text += '\n' + folded(emphasised("Best: ", Emphasis::good, colour),
+    text += '\n' + folded(emphasised("Best: ", Emphasis::good, style.colour),
                           fmt::format("{}, {} = {}{}{}", short_name(all.front()), objective_text(all.front()),
-                                      number_text(all.front().result.best->objective),
+                                      objective_text(all.front().problem, *all.front().result.best, style.digits),
                                       objective_unit(all.front()).empty() ? "" : std::string(1, tied_space),
                                       objective_unit(all.front())));
     return text;

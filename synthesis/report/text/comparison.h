@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "synthesis/program/result.h"
+#include "synthesis/report/text/numbers.h"
 
 namespace mechwright {
 
@@ -23,7 +24,7 @@ std::vector<Compared> ranked(std::vector<Compared> all);
 /// One row for each design: its file, mechanism, objective (or what became of it instead), size, transmission angle,
 /// time ratio, stroke and speed variation, of cams their size and pressure angle; columns in which no design has a
 /// value are left out. Below it, which design is the best by the common objective.
-std::string comparison_table(const std::vector<Compared>& all, bool colour);
+std::string comparison_table(const std::vector<Compared>& all, const TextStyle& style);
 
 /// The same as comma-separated values with all digits, in which missing values are empty.
 std::string comparison_csv(const std::vector<Compared>& all);

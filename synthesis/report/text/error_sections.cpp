@@ -24,21 +24,21 @@ std::string alternation_text(const Problem& problem, const InputTask& task, cons
 
 }  // namespace
 
-std::string extremes_text(const Problem& problem, const InputTask& task, const Design& design,
-                          const std::string& what) {
+std::string extremes_text(const Problem& problem, const InputTask& task, const Design& design, const std::string& what,
+                          int digits) {
     const ErrorExtremes extremes = error_extremes_of(problem, task, design);
     Table table{{Align::left, Align::point, Align::left, Align::point}, {}};
     for (const auto& e : extremes.all)
-        table.rows.push_back({what, number_text(place_of(problem, task, design, e.share), 6), "is",
-                              value_with_unit(e.error, task.unit(), problem.units)});
+        table.rows.push_back({what, rounded_text(place_of(problem, task, design, e.share), digits), "is",
+                              quantity_with_unit(e.error, task.unit(), problem, design, digits)});
     return to_text(table, 2) + alternation_text(problem, task, extremes);
 }
 
-std::string error_section(const Problem& problem, const Design& design, bool colour) {
+std::string error_section(const Problem& problem, const Design& design, const TextStyle& style) {
     std::string text;
     for (const InputTask& task : input_tasks(problem))
-        text += task.is_function() ? function_section(problem, task, design, colour)
-                                   : followed_section(problem, task, design, colour);
+        text += task.is_function() ? function_section(problem, task, design, style)
+                                   : followed_section(problem, task, design, style);
     return text;
 }
 

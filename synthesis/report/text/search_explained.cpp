@@ -55,7 +55,7 @@ std::string name_of(const Problem& problem, const Result& result, const Ends& en
     return chosen ? "the design" : "an optimum";
 }
 
-std::vector<std::string> row_of(const Problem& problem, const Result& result, const Ends& ends) {
+std::vector<std::string> row_of(const Problem& problem, const Result& result, const Ends& ends, int digits) {
     long evaluations = 0;
     double seconds = 0;
     for (const SearchEnd* end : ends.searches) {
@@ -65,7 +65,7 @@ std::vector<std::string> row_of(const Problem& problem, const Result& result, co
     const bool known = ends.best() && std::isfinite(ends.best()->violation);
     return {std::to_string(ends.searches.size()),
             name_of(problem, result, ends),
-            known && problem.objective ? number_text(ends.best()->objective) : "",
+            known && problem.objective ? objective_text(problem, *ends.best(), digits) : "",
             known ? fmt::format("{:.1e}", ends.best()->violation) : "",
             std::to_string(evaluations),
             fmt::format("{:.3f} s", seconds)};
@@ -84,13 +84,14 @@ std::string counted(const Ends& ends, std::string_view SearchEnd::*what) {
     return text;
 }
 
-std::string ends_section(const Problem& problem, const Result& result, const SearchTrace& trace, bool colour) {
+std::string ends_section(const Problem& problem, const Result& result, const SearchTrace& trace,
+                         const TextStyle& style) {
     const std::vector<Ends> groups = grouped(problem, trace.ends);
     Table table{{Align::right, Align::left, Align::point, Align::right, Align::right, Align::right},
                 {{"searches", "end", problem.objective ? "objective" : "", "violation", "evaluations", "time"}}};
     const std::size_t shown = std::min(groups.size(), most_rows);
     for (std::size_t i = 0; i < shown; ++i)
-        table.rows.push_back(row_of(problem, result, groups[i]));
+        table.rows.push_back(row_of(problem, result, groups[i], style.digits));
     std::string lines = to_text(table, 2), text;
     for (std::size_t i = 0, at = 0; i <= shown; ++i) {
         const std::size_t end = lines.find('\n', at) + 1;
@@ -106,11 +107,11 @@ std::string ends_section(const Problem& problem, const Result& result, const Sea
             others += groups[i].searches.size();
         text += fmt::format("  and {} more ends of {} searches\n", groups.size() - shown, others);
     }
-    return heading("Ends of local searches", colour) + text +
+    return heading("Ends of local searches", style) + text +
            folded("  ", "Objective and violation are evaluated again; what solvers say of themselves is only shown.");
 }
 
-std::string time_section(const Result& result, const SearchTrace& trace, bool colour) {
+std::string time_section(const Result& result, const SearchTrace& trace, const TextStyle& style) {
     Table table{{Align::left, Align::point}, {}};
     const auto add = [&](const char* what, double seconds) {
         table.rows.push_back({what, fmt::format("{:.4f} s", seconds)});
@@ -122,22 +123,23 @@ std::string time_section(const Result& result, const SearchTrace& trace, bool co
     if (trace.proving > 0) add("proving", trace.proving);
     add("verification", trace.verification);
     add("from beginning to end", result.search.seconds);
-    return heading("Time, of all threads together but for the last", colour) + to_text(table, 2);
+    return heading("Time, of all threads together but for the last", style) + to_text(table, 2);
 }
 
 }  // namespace
 
-std::string search_explained(const Problem& problem, const Result& result, const SearchTrace& trace, bool colour) {
+std::string search_explained(const Problem& problem, const Result& result, const SearchTrace& trace,
+                             const TextStyle& style) {
     if (trace.ends.empty())
-        return heading("Starts", colour) +
+        return heading("Starts", style) +
                folded("  ", fmt::format("None: the method {} has no local searches.", result.search.method)) +
-               time_section(result, trace, colour);
+               time_section(result, trace, style);
     std::string starts =
         fmt::format("{} candidates drawn and screened, {} starts optimised, {} searches taken to their end.",
                     trace.screened, trace.optimised, trace.ends.size());
     if (trace.cut_off > 0) starts += fmt::format(" {} cut off by the limit, or never begun.", trace.cut_off);
-    return heading("Starts", colour) + folded("  ", starts) + ends_section(problem, result, trace, colour) +
-           time_section(result, trace, colour);
+    return heading("Starts", style) + folded("  ", starts) + ends_section(problem, result, trace, style) +
+           time_section(result, trace, style);
 }
 
 }  // namespace mechwright

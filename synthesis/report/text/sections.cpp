@@ -20,6 +20,7 @@ namespace mechwright {
 namespace {
 
 constexpr std::size_t longest_title = 400;
+constexpr int digits_of_what_is_given = 6;
 
 /// What there is to say of a dimension beside its value.
 std::string remark_on(const DimensionRange& range, double value, Unit unit, const Units& units) {
@@ -35,80 +36,79 @@ std::string remark_on(const DimensionRange& range, double value, Unit unit, cons
 }
 
 /// A line of the requirement table. `shortfall` is positive where the limit is missed.
-std::vector<std::string> requirement_row(const Problem& problem, const Quantity& quantity, const Standing& standing,
-                                         std::string_view relation, double limit, double shortfall) {
+std::vector<std::string> requirement_row(const Problem& problem, const Quantity& quantity, const Design& design,
+                                         const Standing& standing, std::string_view relation, double limit,
+                                         double shortfall, int digits) {
     const auto outside = [&](double x) { return in_file_unit(x, quantity.unit, problem.units); };
     std::string judgement;
     if (!standing.value)
         judgement = "not defined";
     else if (shortfall > standing.allowed)
-        judgement = "missed by " + number_text(outside(shortfall), 4);
+        judgement = "missed by " + rounded_text(outside(shortfall), usual_digits);
     else if (relation == "=")
         judgement = "met";
     else if (is_active(shortfall, standing))
         judgement = "met, at its limit";
     else
-        judgement = "met, " + number_text(outside(-shortfall), 4) + " to spare";
+        judgement = "met, " + rounded_text(outside(-shortfall), usual_digits) + " to spare";
     return {std::string(quantity.name),
             std::string(relation),
-            number_text(outside(limit), 6),
-            standing.value ? number_text(outside(*standing.value)) : "",
+            rounded_text(outside(limit), std::max(digits, digits_of_what_is_given)),
+            standing.value ? quantity_text(*standing.value, quantity.unit, problem, design, digits) : "",
             unit_label(quantity.unit, problem.units),
             judgement};
 }
 
-std::string objective_value(const Solution& solution, const std::string& unit) {
-    if (!std::isfinite(solution.objective)) return "not defined";
-    return number_text(solution.objective) + (unit.empty() ? "" : " " + unit);
-}
-
 }  // namespace
 
-std::string heading(std::string_view text, bool colour) {
-    return fmt::format("\n{}\n", emphasised(text, Emphasis::strong, colour));
+std::string heading(std::string_view text, const TextStyle& style) {
+    return fmt::format("\n{}\n", emphasised(text, Emphasis::strong, style.colour));
 }
 
-std::string value_with_unit(double value, Unit unit, const Units& units) {
+std::string given_with_unit(double value, Unit unit, const Units& units) {
     const std::string label = unit_label(unit, units);
-    const std::string number = number_text(in_file_unit(value, unit, units));
+    const std::string number = number_text(in_file_unit(value, unit, units), digits_of_what_is_given);
     return label.empty() ? number : number + " " + label;
 }
 
-std::string title_section(const Problem& problem, bool colour) {
+std::string title_section(const Problem& problem, const TextStyle& style) {
     const std::string file = reading::printable(problem.file, longest_title);
     const std::string from = fmt::format("{} from {}\n", problem.mechanism->name, file);
-    if (problem.title.empty()) return emphasised(from, Emphasis::strong, colour);
+    if (problem.title.empty()) return emphasised(from, Emphasis::strong, style.colour);
     const std::string title = folded("", reading::printable(problem.title, longest_title));
-    return emphasised(std::string_view(title).substr(0, title.size() - 1), Emphasis::strong, colour) + "\n" + from;
+    return emphasised(std::string_view(title).substr(0, title.size() - 1), Emphasis::strong, style.colour) + "\n" +
+           from;
 }
 
-std::string design_section(const Problem& problem, const Design& design, bool colour) {
+std::string design_section(const Problem& problem, const Design& design, const TextStyle& style) {
     const Mechanism& mechanism = *problem.mechanism;
     Table table{{Align::left, Align::point, Align::left, Align::left}, {}};
+    const std::vector<std::string> values = dimension_texts(problem, design, style.digits);
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
         const Dimension& dimension = mechanism.dimensions[i];
         const double value = design.dimensions[i];
         if (!dimension.required && !problem.dimensions[i].named && value == 0) continue;
         const Unit unit = unit_of(dimension.kind);
-        table.rows.push_back({std::string(dimension.name), number_text(in_file_unit(value, unit, problem.units)),
-                              unit_label(unit, problem.units),
+        table.rows.push_back({std::string(dimension.name), values[i], unit_label(unit, problem.units),
                               remark_on(problem.dimensions[i], value, unit, problem.units)});
     }
     std::string kind = mechanism.describe(mechanism.form(0), design.dimensions);
     if (!mechanism.assemblies.empty()) kind += fmt::format(", {} assembly", mechanism.assemblies[design.assembly]);
-    std::string text = heading("Design: " + kind, colour) + to_text(table, 2);
+    std::string text = heading("Design: " + kind, style) + to_text(table, 2);
     if (is_cam(*problem.mechanism)) text += folded("  ", cam_choice_text(problem, design.assembly));
     return text;
 }
 
-std::string wishes_section(const Problem& problem, const Solution& solution, bool colour) {
+std::string wishes_section(const Problem& problem, const Solution& solution, const TextStyle& style) {
     if (problem.wishes.empty()) return {};
     Table table{{Align::left, Align::left, Align::point, Align::left, Align::point, Align::point},
                 {{"", "", "reached", "", "best", "allowed"}}};
     for (std::size_t i = 0; i < problem.wishes.size(); ++i) {
         const ObjectiveTerm& term = problem.wishes[i].term;
         const Quantity& quantity = problem.mechanism->quantities[term.quantity];
-        const auto outside = [&](double x) { return number_text(in_file_unit(x, quantity.unit, problem.units)); };
+        const auto outside = [&](double x) {
+            return quantity_text(x, quantity.unit, problem, solution.design, style.digits);
+        };
         const std::optional<double> value = quantity_value(problem, term.quantity, solution.design);
         const bool known = i < solution.wished.size();
         table.rows.push_back({term.maximize ? "maximize" : "minimize", std::string(quantity.name),
@@ -116,35 +116,35 @@ std::string wishes_section(const Problem& problem, const Solution& solution, boo
                               known ? outside(solution.wished[i].best) : "",
                               known ? outside(solution.wished[i].limit) : ""});
     }
-    return heading("First, in this order", colour) + to_text(table, 2);
+    return heading("First, in this order", style) + to_text(table, 2);
 }
 
-std::string objective_section(const Problem& problem, const Solution& solution, bool colour) {
+std::string objective_section(const Problem& problem, const Solution& solution, const TextStyle& style) {
     if (!problem.objective) return {};
     const Objective& objective = *problem.objective;
     const auto sense = [](const ObjectiveTerm& term) { return term.maximize ? "maximize" : "minimize"; };
     if (objective.terms.size() == 1) {
         const ObjectiveTerm& term = objective.terms.front();
         const Quantity& quantity = problem.mechanism->quantities[term.quantity];
-        const std::string label = unit_label(quantity.unit, problem.units);
-        const std::string value = objective_value(solution, label);
-        return heading(fmt::format("Objective: {} {}", sense(term), quantity.name), colour) + "  " + value + "\n";
+        const std::string value = objective_with_unit(problem, solution, style.digits);
+        return heading(fmt::format("Objective: {} {}", sense(term), quantity.name), style) + "  " + value + "\n";
     }
     Table table{{Align::left, Align::left, Align::point, Align::left, Align::left}, {}};
     for (const ObjectiveTerm& term : objective.terms) {
         const Quantity& quantity = problem.mechanism->quantities[term.quantity];
         const std::optional<double> value = quantity_value(problem, term.quantity, solution.design);
-        table.rows.push_back({sense(term), std::string(quantity.name),
-                              value ? number_text(in_file_unit(*value, quantity.unit, problem.units)) : "not defined",
-                              unit_label(quantity.unit, problem.units),
-                              term.weight == 1 ? "" : "weight " + number_text(term.weight)});
+        table.rows.push_back(
+            {sense(term), std::string(quantity.name),
+             value ? quantity_text(*value, quantity.unit, problem, solution.design, style.digits) : "not defined",
+             unit_label(quantity.unit, problem.units),
+             term.weight == 1 ? "" : "weight " + number_text(term.weight, digits_of_what_is_given)});
     }
-    const std::string value = objective_value(solution, "");
-    return heading(objective.worst ? "Objective: the worst of several" : "Objective: a weighted sum", colour) +
+    const std::string value = objective_with_unit(problem, solution, style.digits);
+    return heading(objective.worst ? "Objective: the worst of several" : "Objective: a weighted sum", style) +
            to_text(table, 2) + (objective.worst ? "  worst: " : "  sum: ") + value + "\n";
 }
 
-std::string requirement_section(const Problem& problem, const Design& design, bool colour) {
+std::string requirement_section(const Problem& problem, const Design& design, const TextStyle& style) {
     if (problem.requirements.empty()) return {};
     Table table{{Align::left, Align::left, Align::point, Align::point, Align::left, Align::left}, {}};
     table.rows.push_back({"", "", "required", "reached", "", ""});
@@ -153,18 +153,19 @@ std::string requirement_section(const Problem& problem, const Design& design, bo
         const Standing standing = standing_of(problem, requirement, design);
         const double reached = standing.value.value_or(0);
         const auto add = [&](std::string_view relation, double limit, double shortfall) {
-            table.rows.push_back(requirement_row(problem, quantity, standing, relation, limit, shortfall));
+            table.rows.push_back(
+                requirement_row(problem, quantity, design, standing, relation, limit, shortfall, style.digits));
         };
         if (requirement.equal) add("=", *requirement.equal, std::abs(reached - *requirement.equal));
         if (requirement.min) add(">=", *requirement.min, *requirement.min - reached);
         if (requirement.max) add("<=", *requirement.max, reached - *requirement.max);
     }
-    return heading("Requirements", colour) + to_text(table, 2);
+    return heading("Requirements", style) + to_text(table, 2);
 }
 
 std::string words_of_use(const Problem& problem) {
     const auto beyond = [&](double margin, std::string_view which) {
-        return margin > 0 ? fmt::format("{} {} the ", value_with_unit(margin, Unit::angle, problem.units), which)
+        return margin > 0 ? fmt::format("{} {} the ", given_with_unit(margin, Unit::angle, problem.units), which)
                           : "the ";
     };
     return fmt::format(
@@ -172,30 +173,30 @@ std::string words_of_use(const Problem& problem) {
         beyond(problem.use->before, "before"), beyond(problem.use->after, "after"), whole_suffix);
 }
 
-std::string quantity_section(const Problem& problem, const Design& design, bool colour) {
+std::string quantity_section(const Problem& problem, const Design& design, const TextStyle& style) {
     Table table{{Align::left, Align::point, Align::left}, {}};
     for (std::size_t i = 0; i < problem.mechanism->quantities.size(); ++i) {
         const Quantity& quantity = problem.mechanism->quantities[i];
         if (const std::optional<double> value = quantity_value(problem, i, design))
             table.rows.push_back({std::string(quantity.name),
-                                  number_text(in_file_unit(*value, quantity.unit, problem.units), 10),
+                                  quantity_text(*value, quantity.unit, problem, design, style.digits),
                                   unit_label(quantity.unit, problem.units)});
     }
     if (table.rows.empty()) return {};
-    return heading("Quantities", colour) + to_text(table, 2);
+    return heading("Quantities", style) + to_text(table, 2);
 }
 
-std::string verification_section(const std::vector<Check>& checks, bool colour) {
+std::string verification_section(const std::vector<Check>& checks, const TextStyle& style) {
     if (checks.empty()) return {};
     const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return !c.passed; });
     if (failed == 0)
         return fmt::format(
             "\nVerification: {} by recomputing in fifty digits.\n",
             checks.size() == 1 ? "the one check passed" : fmt::format("all {} checks passed", checks.size()));
-    std::string text = heading(fmt::format("Verification: {} of {} checks FAILED", failed, checks.size()), colour);
+    std::string text = heading(fmt::format("Verification: {} of {} checks FAILED", failed, checks.size()), style);
     for (const Check& check : checks)
         if (!check.passed)
-            text += folded("  " + emphasised("failed", Emphasis::bad, colour) + "  ",
+            text += folded("  " + emphasised("failed", Emphasis::bad, style.colour) + "  ",
                            check.name + (check.detail.empty() ? "" : ": " + check.detail));
     return text;
 }

@@ -53,9 +53,9 @@ Headline headline_of(const Result& result) {
     return {};
 }
 
-std::string status_section(const Result& result, bool colour) {
+std::string status_section(const Result& result, const TextStyle& style) {
     const Headline headline = headline_of(result);
-    const std::string word = emphasised(headline.word + ":", headline.emphasis, colour);
+    const std::string word = emphasised(headline.word + ":", headline.emphasis, style.colour);
     std::string text = '\n' + folded(word + " ", headline.sentence);
     const bool said_already = result.status == Status::infeasible && result.best;
     if (!result.note.empty() && !said_already) text += folded("", reading::printable(result.note, 2000));
@@ -77,7 +77,7 @@ const Requirement* most_missed(const Problem& problem, const Design& design) {
 }
 
 /// "swing, which has to be at least 70 deg and is 61 deg: off by 9 deg"
-std::string how_missed(const Problem& problem, const Requirement& requirement, const Design& design) {
+std::string how_missed(const Problem& problem, const Requirement& requirement, const Design& design, int digits) {
     const Quantity& quantity = problem.mechanism->quantities[requirement.quantity];
     const std::optional<double> value = standing_of(problem, requirement, design).value;
     if (!value) return fmt::format("{}, which is not defined for a motion like its", quantity.name);
@@ -85,7 +85,7 @@ std::string how_missed(const Problem& problem, const Requirement& requirement, c
     const double limit = requirement.equal ? *requirement.equal : too_low ? *requirement.min : *requirement.max;
     const char* relation = requirement.equal ? "" : too_low ? "at least " : "at most ";
     const auto shown = [&](double x) {
-        std::string text = value_with_unit(x, quantity.unit, problem.units);
+        std::string text = quantity_with_unit(x, quantity.unit, problem, design, digits);
         std::replace(text.begin(), text.end(), ' ', tied_space);
         return text;
     };
@@ -94,7 +94,7 @@ std::string how_missed(const Problem& problem, const Requirement& requirement, c
 }
 
 /// What stands in the way of a design that is not feasible.
-std::string obstacle(const Problem& problem, const Solution& best) {
+std::string obstacle(const Problem& problem, const Solution& best, int digits) {
     const Motion motion = motion_of(problem, best.design);
     std::string text = "The design below comes closest. ";
     if (!(motion.from <= motion.to))
@@ -102,7 +102,7 @@ std::string obstacle(const Problem& problem, const Solution& best) {
     else if (!assembles_over_range(problem, best.design))
         text += fmt::format("It does not assemble throughout the range of {}s.", input_word(*problem.mechanism));
     else if (const Requirement* worst = most_missed(problem, best.design))
-        text += fmt::format("It fails most at {}.", how_missed(problem, *worst, best.design));
+        text += fmt::format("It fails most at {}.", how_missed(problem, *worst, best.design, digits));
     else if (std::isfinite(best.violation))
         text += fmt::format("It leaves a range or a condition of its motion by {} (relative).",
                             number_text(best.violation, 3));
@@ -125,21 +125,28 @@ std::string counted(long count, std::string_view one, std::string_view many) {
 }
 
 /// Of the search among allowed values.
-std::string discrete_text(const DiscreteReport& discrete) {
+std::string discrete_text(const DiscreteReport& discrete, int digits) {
     std::string text =
         fmt::format(" Branch and bound over the allowed values, {}", counted(discrete.problems, "problem", "problems"));
     if (discrete.continuous)
-        text += fmt::format(": {} could be had with any values of the ranges", number_text(*discrete.continuous));
+        text +=
+            fmt::format(": {} could be had with any values of the ranges", rounded_text(*discrete.continuous, digits));
     return text + (discrete.gap > 0
                        ? fmt::format("; allowed values that were not looked at may be better by {}.",
-                                     number_text(discrete.gap, 4))
+                                     rounded_text(discrete.gap, digits))
                        : "; no allowed values are left that could be better, as far as these searches see.");
 }
 
-std::string search_section(const SearchReport& search, bool colour) {
+/// What a proof says, without the method's name before it: "closed form: ..." of closed-form.
+std::string_view without_name(std::string_view argument, std::string name) {
+    std::replace(name.begin(), name.end(), '-', ' ');
+    return argument.starts_with(name + ": ") ? argument.substr(name.size() + 2) : argument;
+}
+
+std::string search_section(const SearchReport& search, const TextStyle& style) {
     std::string how = search.method;
     if (search.proof) {
-        how += fmt::format(", complete: {}.", search.proof->argument);
+        how += fmt::format(", complete: {}.", without_name(search.proof->argument, search.method));
     } else if (search.starts > 0) {
         how += fmt::format(": {}, {}", counted(search.starts, "start", "starts"),
                            counted(search.local_optima, "local optimum", "local optima"));
@@ -153,7 +160,7 @@ std::string search_section(const SearchReport& search, bool colour) {
     if (search.free_numbers > 0)
         how += fmt::format(" A family of designs with {} does so; of those that were found the most compact is shown.",
                            counted(static_cast<long>(search.free_numbers), "free number", "free numbers"));
-    if (search.discrete) how += discrete_text(*search.discrete);
+    if (search.discrete) how += discrete_text(*search.discrete, style.digits);
     if (search.solutions) {
         const SolutionCounts& n = *search.solutions;
         how += fmt::format(" {}, {} at infinity, {} singular; {} real",
@@ -165,15 +172,15 @@ std::string search_section(const SearchReport& search, bool colour) {
         how += '.';
     }
     if (search.bound && !search.complete())
-        how += fmt::format(" No design has an objective below {}: {} boxes were examined.", number_text(*search.bound),
-                           search.boxes);
+        how += fmt::format(" No design has an objective below {}: {} boxes were examined.",
+                           rounded_text(*search.bound, style.digits), search.boxes);
     how += fmt::format(" {} in {}.", counted(search.evaluations, "evaluation", "evaluations"),
                        duration_text(search.seconds));
-    return '\n' + folded(emphasised("Search:", Emphasis::strong, colour) + " ", how);
+    return '\n' + folded(emphasised("Search:", Emphasis::strong, style.colour) + " ", how);
 }
 
 /// The solutions with a defect, a line for each.
-std::string excluded_section(const Problem& problem, const Result& result, bool colour) {
+std::string excluded_section(const Problem& problem, const Result& result, const TextStyle& style) {
     if (result.excluded.empty() || !result.search.solutions) return {};
     Table table{{Align::right, Align::right, Align::right, Align::right, Align::left}, {{}}};
     for (std::size_t i = 0; i < 4; ++i)
@@ -181,16 +188,16 @@ std::string excluded_section(const Problem& problem, const Result& result, bool 
     table.rows.front().emplace_back("defect");
     for (const ExcludedDesign& excluded : result.excluded) {
         std::vector<std::string> row;
-        for (std::size_t i = 0; i < 4; ++i)
-            row.push_back(number_text(excluded.solution.design.dimensions[i], 5));
+        const std::vector<std::string> values = dimension_texts(problem, excluded.solution.design, style.digits);
+        row.assign(values.begin(), values.begin() + 4);
         row.push_back(excluded.defect.substr(0, excluded.defect.find(':')));
         table.rows.push_back(std::move(row));
     }
-    return heading("Excluded", colour) + to_text(table, 2);
+    return heading("Excluded", style) + to_text(table, 2);
 }
 
 /// The best of the other designs, with what an engineer chooses by, in the units of the design above.
-std::string alternatives_table(const Problem& problem, const Result& result) {
+std::string alternatives_table(const Problem& problem, const Result& result, int digits) {
     constexpr std::size_t most_shown = 5;
     const Mechanism& mechanism = *problem.mechanism;
     Table table{{Align::right, Align::point, Align::point, Align::point, Align::left, Align::left},
@@ -207,11 +214,11 @@ std::string alternatives_table(const Problem& problem, const Result& result) {
     for (std::size_t i = 0; i < std::min(most_shown, result.alternatives.size()); ++i) {
         const Solution& solution = result.alternatives[i].solution;
         auto& row = table.rows.emplace_back();
-        row = {std::to_string(i + 1), problem.objective ? number_text(solution.objective, 6) : ""};
+        row = {std::to_string(i + 1), problem.objective ? objective_text(problem, solution, digits) : ""};
         for (const std::size_t q : chosen_by) {
             const auto value = quantity_value(problem, q, solution.design);
             const Unit unit = mechanism.quantities[q].unit;
-            row.push_back(value ? number_text(in_file_unit(*value, unit, problem.units), 6) : "-");
+            row.push_back(value ? quantity_text(*value, unit, problem, solution.design, digits) : "-");
         }
         row.push_back(mechanism.describe(mechanism.form(0), solution.design.dimensions));
         row.push_back(problem.assemblies.size() < 2 ? "" : mechanism.assemblies[solution.design.assembly]);
@@ -219,22 +226,22 @@ std::string alternatives_table(const Problem& problem, const Result& result) {
     return to_text(table, 2);
 }
 
-std::string alternatives_section(const Problem& problem, const Result& result) {
+std::string alternatives_section(const Problem& problem, const Result& result, int digits) {
     if (result.alternatives.empty()) return {};
     const auto cognates = std::count_if(result.alternatives.begin(), result.alternatives.end(),
                                         [](const VerifiedDesign& d) { return d.cognate_of.has_value(); });
     std::string text = counted(static_cast<long>(result.alternatives.size()), "other design", "other designs");
     if (problem.objective)
         text += fmt::format(", the next best with objective {}",
-                            number_text(result.alternatives.front().solution.objective));
+                            objective_text(problem, result.alternatives.front().solution, digits));
     if (cognates > 0)
         text += fmt::format("; {} of them {} of another", cognates, cognates == 1 ? "a cognate" : "cognates");
-    return folded("Alternatives: ", text + " (see --json or --out).") + alternatives_table(problem, result);
+    return folded("Alternatives: ", text + " (see --json or --out).") + alternatives_table(problem, result, digits);
 }
 
 /// What a search found and verification does not pass: the best of it by name, above all where it is better than the
 /// design.
-std::string set_aside_section(const Problem& problem, const Result& result) {
+std::string set_aside_section(const Problem& problem, const Result& result, int digits) {
     if (result.excluded.empty() || result.search.solutions) return {};
     const ExcludedDesign& first = result.excluded.front();
     std::string text =
@@ -242,13 +249,13 @@ std::string set_aside_section(const Problem& problem, const Result& result) {
     if (problem.objective) {
         const bool better = result.verified() && preferred(problem, first.solution, *result.best);
         text += fmt::format("; {} objective {}", better ? "one of them has the better" : "the first has the",
-                            number_text(first.solution.objective));
+                            objective_text(problem, first.solution, digits));
     }
     return folded("Set aside: ", text + ", but it fails a check: " + first.defect + ".");
 }
 
 /// The front between two objectives, a line for each design.
-std::string front_section(const Problem& problem, const Result& result, bool colour) {
+std::string front_section(const Problem& problem, const Result& result, const TextStyle& style) {
     if (problem.solver.pareto == 0) return {};
     const auto& terms = problem.objective->terms;
     Table table{{Align::right, Align::point, Align::point}, {{""}}};
@@ -263,15 +270,15 @@ std::string front_section(const Problem& problem, const Result& result, bool col
         for (const ObjectiveTerm& term : terms) {
             const Unit unit = problem.mechanism->quantities[term.quantity].unit;
             const auto value = quantity_value(problem, term.quantity, design);
-            table.rows.back().push_back(value ? number_text(in_file_unit(*value, unit, problem.units)) : "-");
+            table.rows.back().push_back(value ? quantity_text(*value, unit, problem, design, style.digits) : "-");
         }
     }
-    return heading("Front", colour) + to_text(table, 2) +
+    return heading("Front", style) + to_text(table, 2) +
            folded("  ", counted(static_cast<long>(result.front.size()), "design, verified.",
                                 "designs, each verified (see --json or --out)."));
 }
 
-std::string motion_line(const Problem& problem, const Design& design) {
+std::string motion_line(const Problem& problem, const Design& design, int digits) {
     const Motion motion = motion_of(problem, design);
     const std::string_view input = input_word(*problem.mechanism);
     const Unit unit = input_unit(*problem.mechanism);
@@ -280,8 +287,8 @@ std::string motion_line(const Problem& problem, const Design& design) {
     const std::string where = found ? fmt::format(", on branch {} of circuit {}", found->branch, found->circuit) : "";
     if (motion.full_turn) return fmt::format("\nThe crank turns fully{}.\n", where);
     const std::string range =
-        fmt::format("{}s from {} to {}{}", input, value_with_unit(motion.from, unit, problem.units),
-                    value_with_unit(motion.to, unit, problem.units), where);
+        fmt::format("{}s from {} to {}{}", input, quantity_with_unit(motion.from, unit, problem, design, digits),
+                    quantity_with_unit(motion.to, unit, problem, design, digits), where);
     return problem.use ? '\n' + folded("", fmt::format("Range of use: {}; {}", range, words_of_use(problem)))
                        : fmt::format("\nMotion: {}.\n", range);
 }
@@ -299,28 +306,29 @@ std::string warning_section(const Problem& problem, const Design& design) {
 
 }  // namespace
 
-std::string summary(const Problem& problem, const Result& result, bool colour) {
-    std::string text = title_section(problem, colour) + status_section(result, colour);
+std::string summary(const Problem& problem, const Result& result, const TextStyle& style) {
+    std::string text = title_section(problem, style) + status_section(result, style);
     if (result.best) {
         const Solution& best = *result.best;
-        if (!best.feasible) text += obstacle(problem, best);
-        text += design_section(problem, best.design, colour) + wishes_section(problem, best, colour) +
-                objective_section(problem, best, colour) + (problem.use ? motion_line(problem, best.design) : "") +
-                requirement_section(problem, best.design, colour) + path_section(problem, best.design, colour) +
-                error_section(problem, best.design, colour) + warning_section(problem, best.design) +
-                verification_section(result.verification, colour);
+        if (!best.feasible) text += obstacle(problem, best, style.digits);
+        text += design_section(problem, best.design, style) + wishes_section(problem, best, style) +
+                objective_section(problem, best, style) +
+                (problem.use ? motion_line(problem, best.design, style.digits) : "") +
+                requirement_section(problem, best.design, style) + path_section(problem, best.design, style) +
+                error_section(problem, best.design, style) + warning_section(problem, best.design) +
+                verification_section(result.verification, style);
     }
-    return text + front_section(problem, result, colour) + excluded_section(problem, result, colour) +
-           search_section(result.search, colour) + alternatives_section(problem, result) +
-           set_aside_section(problem, result);
+    return text + front_section(problem, result, style) + excluded_section(problem, result, style) +
+           search_section(result.search, style) + alternatives_section(problem, result, style.digits) +
+           set_aside_section(problem, result, style.digits);
 }
 
-std::string analysis_summary(const Problem& problem, const Solution& solution, bool colour) {
+std::string analysis_summary(const Problem& problem, const Solution& solution, const TextStyle& style) {
     const Design& design = solution.design;
-    return title_section(problem, colour) + design_section(problem, design, colour) + motion_line(problem, design) +
-           quantity_section(problem, design, colour) + requirement_section(problem, design, colour) +
-           path_section(problem, design, colour) + error_section(problem, design, colour) +
-           warning_section(problem, design);
+    return title_section(problem, style) + design_section(problem, design, style) +
+           motion_line(problem, design, style.digits) + quantity_section(problem, design, style) +
+           requirement_section(problem, design, style) + path_section(problem, design, style) +
+           error_section(problem, design, style) + warning_section(problem, design);
 }
 
 }  // namespace mechwright

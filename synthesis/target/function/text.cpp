@@ -9,13 +9,14 @@
 
 namespace mechwright {
 
-std::string function_section(const Problem& problem, const InputTask& task, const Design& design, bool colour) {
+std::string function_section(const Problem& problem, const InputTask& task, const Design& design,
+                             const TextStyle& style) {
     const FunctionTarget& f = *task.asked.function;
     const std::string what = f.expression.empty() ? fmt::format("{} samples", f.samples.size())
                                                   : fmt::format("{} from x = {} to {}", f.expression, f.from, f.to);
     const std::string called = task.asked.name.empty() ? "" : fmt::format(" '{}'", task.asked.name);
-    return heading(fmt::format("Function{}: {}", called, what), colour) +
-           extremes_text(problem, task, design, "error at x =");
+    return heading(fmt::format("Function{}: {}", called, what), style) +
+           extremes_text(problem, task, design, "error at x =", style.digits);
 }
 
 }  // namespace mechwright

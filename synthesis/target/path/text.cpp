@@ -16,17 +16,17 @@ namespace {
 
 constexpr std::size_t most_points_shown = 12;
 
-/// Digits after the point for six significant ones of the greatest coordinate.
-int decimals_of(const std::vector<Vector<double>>& points) {
+/// Digits after the point for so many significant ones of the greatest coordinate.
+int decimals_of(const std::vector<Vector<double>>& points, int digits) {
     double greatest = 0;
     for (const Vector<double>& p : points)
         greatest = std::max({greatest, std::abs(p.x), std::abs(p.y)});
     if (greatest == 0) return 3;
-    return std::clamp(5 - static_cast<int>(std::floor(std::log10(greatest))), 0, 9);
+    return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(greatest))), 0, 9);
 }
 
 std::string point_table(const Problem& problem, const Design& design, const PathValues& values,
-                        const PointRange& points) {
+                        const PointRange& points, int digits) {
     const bool body = problem.path->guides_body_at(points.first);
     Table table{{Align::right, Align::point, Align::point, Align::right, Align::right, Align::right, Align::point}, {}};
     table.rows.push_back({"#", "target x", "y", "reached x", "y", "crank", "distance"});
@@ -35,14 +35,15 @@ std::string point_table(const Problem& problem, const Design& design, const Path
                          Align::right, Align::right, Align::right, Align::point};
         table.rows.front() = {"#", "target x", "y", "angle", "reached x", "y", "angle", "crank", "distance"};
     }
-    const int decimals = decimals_of(problem.path->points);
+    const int decimals = decimals_of(problem.path->points, digits + 1);
     for (std::size_t i = points.first; i < points.end(); ++i) {
         const Vector<double>& target = problem.path->points[i];
         const Vector<double>& reached = values.reached[i];
         const double angle = in_file_unit(design.path_angles[i], Unit::angle, problem.units);
         table.rows.push_back({std::to_string(i - points.first + 1), number_text(target.x, 6), number_text(target.y, 6),
                               fixed_text(reached.x, decimals), fixed_text(reached.y, decimals),
-                              fixed_text(angle, problem.units.degrees ? 2 : 4), number_text(values.distances[i], 3)});
+                              fixed_text(angle, problem.units.degrees ? 2 : 4),
+                              quantity_text(values.distances[i], Unit::length, problem, design, digits)});
         if (!body) continue;
         auto& row = table.rows.back();
         const auto in_unit = [&](double a) { return in_file_unit(a, Unit::angle, problem.units); };
@@ -53,10 +54,10 @@ std::string point_table(const Problem& problem, const Design& design, const Path
     return to_text(table, 2);
 }
 
-std::string means_line(const PathMeans& means, const Units& units) {
+std::string means_line(const PathMeans& means, const Problem& problem, const Design& design, int digits) {
     return fmt::format("  distance: root mean square {}, greatest {}\n",
-                       value_with_unit(means.root_mean_square, Unit::length, units),
-                       value_with_unit(means.greatest, Unit::length, units));
+                       quantity_with_unit(means.root_mean_square, Unit::length, problem, design, digits),
+                       quantity_with_unit(means.greatest, Unit::length, problem, design, digits));
 }
 
 /// "Path: 5 points", "Poses: 3", of one of several with its name.
@@ -67,25 +68,27 @@ std::string title_of(bool body, const std::string& name, std::size_t count) {
 }
 
 std::string target_section(const Problem& problem, const Design& design, const PathValues& values,
-                           const std::string& name, const PointRange& points, const PathMeans& means, bool colour) {
-    std::string text = heading(title_of(problem.path->guides_body_at(points.first), name, points.count), colour);
-    if (points.count <= most_points_shown) text += point_table(problem, design, values, points);
-    return text + means_line(means, problem.units);
+                           const std::string& name, const PointRange& points, const PathMeans& means,
+                           const TextStyle& style) {
+    std::string text = heading(title_of(problem.path->guides_body_at(points.first), name, points.count), style);
+    if (points.count <= most_points_shown) text += point_table(problem, design, values, points, style.digits);
+    return text + means_line(means, problem, design, style.digits);
 }
 
 }  // namespace
 
-std::string path_section(const Problem& problem, const Design& design, bool colour) {
+std::string path_section(const Problem& problem, const Design& design, const TextStyle& style) {
     const std::optional<PathValues> values = path_values(problem, design);
     if (!values) return {};
     const std::vector<PathPart>& parts = problem.path->parts;
     if (parts.empty())
-        return target_section(problem, design, *values, {}, {0, values->distances.size()}, *values, colour);
+        return target_section(problem, design, *values, {}, {0, values->distances.size()}, *values, style);
     std::string text;
     for (std::size_t i = 0; i < parts.size(); ++i)
-        text += target_section(problem, design, *values, parts[i].name, parts[i].points, values->of_targets[i], colour);
+        text += target_section(problem, design, *values, parts[i].name, parts[i].points, values->of_targets[i], style);
     if (parts.size() > 1)
-        text += heading(fmt::format("All {} targets", parts.size()), colour) + means_line(*values, problem.units);
+        text += heading(fmt::format("All {} targets", parts.size()), style) +
+                means_line(*values, problem, design, style.digits);
     return text;
 }
 
