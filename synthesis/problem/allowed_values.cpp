@@ -49,6 +49,20 @@ bool end_with_step(DimensionRange& range, double step) {
     return true;
 }
 
+bool round_to(DimensionRange& range, double multiple) {
+    constexpr double within = 1e-9;  // of a multiple, what rounding leaves
+    const double first = std::ceil(range.min / multiple - within), last = std::floor(range.max / multiple + within);
+    if (!(multiple > 0) || !(first <= last) || last - first > most_steps) return false;
+    // A tenth is no double: 51 of them are 5.1 where they are divided by ten.
+    const double whole = std::round(1 / multiple);
+    const bool divides = whole >= 1 && std::abs(whole * multiple - 1) < within;
+    range.min = divides ? first / whole : first * multiple;
+    range.max = divides ? last / whole : last * multiple;
+    range.step = range.min == range.max ? 0 : multiple;
+    if (range.start) range.start = std::clamp(*range.start, range.min, range.max);
+    return true;
+}
+
 DimensionRange continuous(DimensionRange range) {
     range.choices.clear();
     range.step = 0;

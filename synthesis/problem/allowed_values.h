@@ -24,6 +24,10 @@ std::pair<double, double> allowed_around(const DimensionRange& range, double val
 /// more than most_steps.
 bool end_with_step(DimensionRange& range, double step);
 
+/// Makes the multiples of a number the only values of a range that are allowed; where there is one, it becomes that
+/// number. False, and nothing changes, where there is none or there are more than most_steps.
+bool round_to(DimensionRange& range, double multiple);
+
 /// The same range with any value of it allowed.
 DimensionRange continuous(DimensionRange range);
 

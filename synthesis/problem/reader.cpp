@@ -94,6 +94,7 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     set_crank_range(problem);
     read_settings(file, problem, messages);
     read_solver(file, problem, messages);
+    round_lengths(file, problem, messages);
     check_front(file, problem, messages);
     warn_of_accuracy_points(file, problem, messages);
     read_requirements(file, problem, messages);

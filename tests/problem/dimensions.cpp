@@ -150,4 +150,47 @@ TEST(Dimensions, WrongChoicesAndStepsAreErrors) {
     wrong("{ min = 20, max = 30, stp = 5 }", "p.toml:5:31", {"unknown key 'stp'", "did you mean 'step'"});
 }
 
+TEST(Dimensions, RoundLeavesMultiplesAlone) {
+    const ReadProblem one = read(with_line(5, "crank = { min = 20.2, max = 33.4, start = 20.3, round = 0.5 }"));
+    ASSERT_TRUE(accepted(one));
+    const DimensionRange& crank = one.problem.dimensions[1];
+    EXPECT_EQ(crank.min, 20.5);
+    EXPECT_EQ(crank.max, 33);
+    EXPECT_EQ(crank.step, 0.5);
+    EXPECT_EQ(crank.start, 20.5);
+    EXPECT_EQ(read(with_line(5, "crank = { min = 5.02, max = 6, round = 0.1 }")).problem.dimensions[1].min, 5.1);
+    EXPECT_TRUE(read(with_line(5, "crank = { min = 18, max = 23, round = 20 }")).problem.dimensions[1].fixed());
+
+    const auto wrong = [](const char* range, const char* place, std::initializer_list<std::string_view> words) {
+        EXPECT_TRUE(only_says(read(with_line(5, std::string("crank = ") + range)), place, words)) << range;
+    };
+    wrong("{ min = 21, max = 24, round = 5 }", "p.toml:5:39", {"no multiple of 'round' 5", "between 21 and 24"});
+    wrong("{ min = 20, max = 30, round = 0 }", "p.toml:5:39", {"'round' 0", "greater than 0"});
+    wrong("{ min = 20, max = 30, round = 1e-9 }", "p.toml:5:39", {"more than 1000000 values"});
+    wrong("{ min = 20, max = 30, step = 1, round = 1 }", "p.toml:5:41", {"'round' does not go with 'step'"});
+    wrong("{ choices = [20, 30], round = 4 }", "p.toml:5:31", {"'round'", "does not go with 'choices'"});
+}
+
+TEST(Dimensions, RoundOfTheSolverIsOfEveryLengthThatIsDesigned) {
+    const auto rounded = [](const std::string& round) {
+        return read(
+            "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 100.3\n"
+            "crank = { min = 5.2, max = 60.1 }\ncoupler = { min = 20, max = 300, step = 7 }\n"
+            "rocker = { of = \"crank\", times = 2 }\ntilt = { min = 0, max = 60 }\n[solver]\nround = " +
+            round + "\n");
+    };
+    const ReadProblem half = rounded("0.5");
+    ASSERT_TRUE(accepted(half));
+    const auto& ranges = half.problem.dimensions;
+    EXPECT_EQ(ranges[0].min, 100.3);
+    EXPECT_EQ(ranges[1].min, 5.5);
+    EXPECT_EQ(ranges[1].max, 60);
+    EXPECT_EQ(ranges[1].step, 0.5);
+    EXPECT_EQ(ranges[2].step, 7);
+    for (std::size_t i = 3; i < ranges.size(); ++i)
+        EXPECT_FALSE(ranges[i].discrete());
+    EXPECT_TRUE(only_says(rounded("80"), "p.toml:10:9", {"no multiple of 'round' 80", "the range of 'crank'"}));
+    EXPECT_TRUE(only_says(rounded("0"), "p.toml:10:9", {"'round'", "greater than 0, not 0"}));
+}
+
 }  // namespace mechwright::test

@@ -69,7 +69,7 @@ std::string dimension_text(const Expanding& e, const toml::node& node, std::stri
     if (!design || range == nullptr || range->contains("of")) return value_text(node);
     if (!e.put_in.as_starts) return fmt::format("{}", *design);
     std::string values;
-    for (const char* key : {"min", "max", "step", "choices"})
+    for (const char* key : {"min", "max", "step", "round", "choices"})
         if (const toml::node* value = range->get(key)) values += fmt::format("{} = {}, ", key, value_text(*value));
     return fmt::format("{{ {}start = {} }}", values, *design);
 }

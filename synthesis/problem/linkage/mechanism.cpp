@@ -436,6 +436,7 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     Section file{&table, "", {1, 1}, keys::of_file()};
     Messages once_more{.file = messages.file, .nodes = messages.nodes};  // these were reported
     read_solver(file, problem, once_more);
+    round_lengths(file, problem, messages);
     read_path(file, problem, messages);
     read_poses(file, problem, messages);
     read_range_of_use(file, problem, messages);

@@ -225,7 +225,14 @@ inline constexpr std::array solver{
         {},
         {0, 1e9, true}},
     Key{"tolerance", Shape::number, "Relative, on every requirement. Preset: 1e-9.", false, {}, {}, {0, 1e-2, true}},
-    Key{"pareto", Shape::whole_number, "Designs on the front between two objectives.", false, {}, {}, {2, 1000}}};
+    Key{"pareto", Shape::whole_number, "Designs on the front between two objectives.", false, {}, {}, {2, 1000}},
+    Key{"round",
+        Shape::number,
+        "Lengths that are designed are multiples of this, but for those with choices, step or round of their own.",
+        false,
+        {},
+        {},
+        positive}};
 
 inline constexpr std::array tie{Key{"of", Shape::name, "The dimension that it follows.", true},
                                 Key{"times", Shape::number, "How many times that. Preset: 1."},
@@ -234,7 +241,8 @@ inline constexpr std::array tie{Key{"of", Shape::name, "The dimension that it fo
 inline constexpr std::array dimension_range{
     Key{"min", Shape::number, "Least value.", true}, Key{"max", Shape::number, "Greatest value.", true},
     Key{"start", Shape::number, "Where one of the local searches begins."},
-    Key{"step", Shape::number, "It is the least value or whole steps more.", false, {}, {}, positive}};
+    Key{"step", Shape::number, "It is the least value or whole steps more.", false, {}, {}, positive},
+    Key{"round", Shape::number, "It is a multiple of this.", false, {}, {}, positive}};
 
 inline constexpr std::array dimension_choices{Key{"choices", Shape::numbers, "The values that it may have.", true},
                                               Key{"start", Shape::number, "Where one of the local searches begins."}};

@@ -26,7 +26,7 @@ std::optional<DimensionRange> read_choices(Section& range, Messages& messages) {
     read.named = true;
     read.start = read_number(range, "start", messages);
     auto choices = read_numbers(range, "choices", messages);
-    for (const char* key : {"min", "max", "step"})
+    for (const char* key : {"min", "max", "step", "round"})
         if (has(range, key)) {
             add_error(messages, key_place(range, key),
                       fmt::format("'{}' does not go with 'choices' in {}: leave out one of them", key, range.title));
@@ -62,7 +62,41 @@ void read_step(Section& range, DimensionRange& read, Messages& messages) {
                               : fmt::format("makes more than {} values: take a greater one", most_steps)));
 }
 
+void read_round(Section& range, DimensionRange& read, Messages& messages) {
+    const auto multiple = read_number(range, "round", messages);
+    if (!multiple) return;
+    if (has(range, "step"))
+        return add_error(messages, key_place(range, "round"),
+                         fmt::format("'round' does not go with 'step' in {}: leave out one of them", range.title));
+    if (const std::string fault = round_fault(read, *multiple); !fault.empty())
+        return add_error(messages, place_of(range, "round"), fmt::format("{} in {}", fault, range.title));
+    round_to(read, *multiple);
+}
+
 }  // namespace
+
+std::string round_fault(DimensionRange range, double multiple) {
+    if (!(multiple > 0)) return fmt::format("'round' {} must be greater than 0", multiple);
+    if (round_to(range, multiple)) return {};
+    return range.max - range.min < most_steps * multiple
+               ? fmt::format("no multiple of 'round' {} lies between {} and {}", multiple, range.min, range.max)
+               : fmt::format("'round' {} makes more than {} values: take a greater one", multiple, most_steps);
+}
+
+void round_lengths(const Section& file, Problem& problem, Messages& messages) {
+    const toml::node* node = file.table->at_path("solver.round").node();
+    const double multiple = node != nullptr ? node->value<double>().value_or(0) : 0;
+    if (problem.mechanism == nullptr || !(multiple > 0)) return;
+    for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
+        DimensionRange& range = problem.dimensions[i];
+        const Dimension& dimension = problem.mechanism->dimensions[i];
+        const bool is_free = !range.fixed() && !range.tied() && !range.discrete();
+        if (!is_free || dimension.kind != DimensionKind::length) continue;
+        if (const std::string fault = round_fault(range, multiple); !fault.empty())
+            add_error(messages, place_of(*node), fmt::format("{}, the range of '{}'", fault, dimension.name));
+        round_to(range, multiple);
+    }
+}
 
 std::optional<DimensionRange> to_range(const toml::table& table, std::string_view name, Messages& messages) {
     Section range{&table, fmt::format("the range of '{}'", name), place_of(table), keys::dimension_range};
@@ -80,8 +114,10 @@ std::optional<DimensionRange> to_range(const toml::table& table, std::string_vie
     else if (min && max) {
         check_start(range, read, messages);
         read_step(range, read, messages);
+        read_round(range, read, messages);
     } else {
         find(range, "step");
+        find(range, "round");
     }
     report_unknown_keys(range, messages);
     if (!min || !max || *min > *max) return {};

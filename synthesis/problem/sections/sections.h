@@ -68,6 +68,13 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
 /// What the messages of reading come to, at the end of reading.
 void conclude(ReadProblem& read, Messages&& messages);
 
+/// What is wrong with allowing multiples of a number alone in a range; empty if nothing is.
+std::string round_fault(DimensionRange range, double multiple);
+
+/// [solver] round: the lengths that are designed become multiples of it, but for those that have allowed values
+/// already.
+void round_lengths(const Section& file, Problem& problem, Messages& messages);
+
 /// { min, max } with or without start and step, or { choices } with or without start, in the file's unit; `name` is
 /// what it is of. What is wrong with it is reported.
 std::optional<DimensionRange> to_range(const toml::table& table, std::string_view name, Messages& messages);

@@ -114,6 +114,9 @@ void read_solver(Section& file, Problem& problem, Messages& messages) {
     solver.tolerance = read_positive(*section, "tolerance", solver.tolerance, messages);
     if (find(*section, "pareto") != nullptr)
         solver.pareto = static_cast<int>(read_bounded(*section, "pareto", solver.pareto, messages));
+    if (const auto round = read_number(*section, "round", messages); round && !(*round > 0))
+        add_error(messages, place_of(*section, "round"),
+                  fmt::format("{} must be greater than 0, not {}", name_of(*section, "round"), *round));
     report_unknown_keys(*section, messages);
 }
 
