@@ -93,6 +93,22 @@ Problem problem_of(const py::object& argument) {
     return std::move(problem.problem);
 }
 
+ReadLinkage linkage_of(const py::object& argument) {
+    const bool named = py::isinstance<py::tuple>(argument);
+    if (!named && !py::isinstance<py::dict>(argument)) {
+        const std::string file = problem_path(argument);
+        const py::gil_scoped_release release;
+        return read_linkage(file);
+    }
+    const auto [content, file] = named ? argument.cast<std::pair<py::object, py::object>>()
+                                       : std::pair<py::object, py::object>(argument, py::str(name_of_dict));
+    const std::string name = path_of(file, "name");
+    if (py::isinstance<py::dict>(content) && is_result(content)) refuse_result_for_problem(name);
+    const auto text = (py::isinstance<py::dict>(content) ? problem_text(content) : content).cast<std::string>();
+    const py::gil_scoped_release release;
+    return parse_linkage(text, name);
+}
+
 ProblemText problem_text_of(const py::object& argument) {
     if (!py::isinstance<py::dict>(argument) && !py::isinstance<py::tuple>(argument))
         return {std::nullopt, problem_path(argument)};

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "synthesis/problem/linkage/linkage.h"
 #include "synthesis/problem/problem.h"
 
 namespace mechwright::python {
@@ -20,6 +21,10 @@ inline constexpr const char* name_of_dict = "<dict>";
 /// Reads and checks a problem; warns of what is odd. Throws ProblemError with all that is wrong, OSError where a file
 /// cannot be read, TypeError or ValueError where the dict holds what no file can.
 Problem problem_of(const pybind11::object& argument);
+
+/// Reads a linkage from what names the mechanism "linkage", and does not say what is wrong with it. Throws OSError,
+/// TypeError and ValueError as problem_of does.
+ReadLinkage linkage_of(const pybind11::object& argument);
 
 /// Throws ProblemError with one message about a problem.
 [[noreturn]] void refuse_problem(const Problem& problem, const std::string& text);

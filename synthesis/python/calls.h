@@ -31,6 +31,13 @@ struct DrawOptions {
     std::int64_t width = 640;
 };
 
+/// Of a picture of what is described, before it is a design.
+struct SheetOptions {
+    std::string format;        ///< "svg", "png" or "pdf"
+    std::optional<double> at;  ///< of assemblies: the input, in the problem's unit
+    std::int64_t width = 640;
+};
+
 struct ExportOptions {
     std::string format;
     std::optional<double> at;
@@ -59,6 +66,9 @@ void read(const pybind11::object& problem);
 
 /// The bytes of a file: those of SolveSpace are not UTF-8.
 pybind11::bytes draw(const pybind11::object& design, const DrawOptions& options);
+pybind11::bytes draw_figure(const pybind11::object& problem, const SheetOptions& options);
+pybind11::bytes draw_assemblies(const pybind11::object& problem, const SheetOptions& options);
+pybind11::bytes draw_skeleton(const pybind11::object& problem, const SheetOptions& options);
 pybind11::bytes export_design(const pybind11::object& design, const ExportOptions& options);
 
 /// Pages of HTML.

@@ -33,6 +33,11 @@ py::bytes draw(const py::object& design, std::string format, std::optional<doubl
     return python::draw(design, {std::move(format), seconds, plots, alternative, width});
 }
 
+template <py::bytes (*draw_sheet)(const py::object&, const python::SheetOptions&)>
+py::bytes sheet(const py::object& problem, std::string format, std::optional<double> at, std::int64_t width) {
+    return draw_sheet(problem, {std::move(format), at, width});
+}
+
 py::bytes export_design(const py::object& design, std::string format, std::optional<double> at,
                         std::optional<double> fineness, std::int64_t alternative, std::int64_t steps) {
     return python::export_design(design, {std::move(format), at, fineness, alternative, steps});
@@ -52,6 +57,9 @@ PYBIND11_MODULE(_program, module) {
     module.def("check", &python::check);
     module.def("read", &python::read);
     module.def("draw", &draw);
+    module.def("draw_figure", &sheet<python::draw_figure>);
+    module.def("draw_assemblies", &sheet<python::draw_assemblies>);
+    module.def("draw_skeleton", &sheet<python::draw_skeleton>);
     module.def("export_design", &export_design);
     module.def("report_results", &python::report_results);
     module.def("report_study", &python::report_study);

@@ -50,6 +50,49 @@ class OfResults(unittest.TestCase):
         mechwright.draw(self.result, folder / "b.gif", animate=True, seconds=0.3, width=200)
         self.assertTrue((folder / "b.gif").read_bytes().startswith(b"GIF89a"))
 
+    def test_figures(self):
+        for source in ("four-bar", FILE, PROBLEMS / "linkage/scotch-yoke.toml"):
+            with self.subTest(source):
+                self.assertEqual(mechwright.draw(source, figure=True), run("draw", source, "--figure")[1])
+        self.assertIn("Dimensions: <dict>", mechwright.draw(given_linkage(), figure=True).replace("&lt;", "<").replace(
+            "&gt;", ">"))
+        file = Folder(self).path / "four-bar.png"
+        mechwright.draw("four-bar", file, figure=True, width=300)
+        self.assertTrue(file.read_bytes().startswith(b"\x89PNG"))
+        with self.assertRaisesRegex(ValueError, "'fourbar' is neither a mechanism nor a file; did you mean 'four-bar'"):
+            mechwright.draw("fourbar", figure=True)
+
+    def test_assemblies_and_skeletons(self):
+        file = PROBLEMS / "linkage/peaucellier.toml"
+        drawn = run("draw", file, "--assemblies", "--at", 20)[1]
+        self.assertEqual(mechwright.draw(file, assemblies=True, at=20), drawn)
+        self.assertEqual(mechwright.draw(mechwright.Problem(file), assemblies=True, at=20), drawn)
+        self.assertEqual(mechwright.draw(file, assemblies=True), run("draw", file, "--assemblies")[1])
+        drawn = run("draw", file, "--skeleton")[1]
+        self.assertEqual(mechwright.draw(file, skeleton=True), drawn)
+        self.assertEqual(mechwright.draw(dict(mechwright.Problem(file)), skeleton=True), drawn)
+        with self.assertRaisesRegex(mechwright.ProblemError, "does not close at this input; skeleton=True"):
+            mechwright.draw(file, assemblies=True, at=180)
+
+    def test_skeletons_of_what_is_wrong_are_drawn_with_a_warning(self):
+        file = Folder(self).path / "wrong.toml"
+        text = (PROBLEMS / "linkage/peaucellier.toml").read_text()
+        file.write_text(text + '\n[[require]]\nquantity = "nothing"\nmin = 1\n')
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            picture = mechwright.draw(file, skeleton=True)
+        self.assertEqual(picture, run("draw", file, "--skeleton")[1])
+        with self.assertRaises(mechwright.ProblemError):
+            mechwright.draw(self.result, skeleton=True)
+
+    def test_kinds_of_drawings_do_not_go_together(self):
+        for options in ({"figure": True, "skeleton": True}, {"figure": True, "animate": True}, {"at": 3},
+                        {"skeleton": True, "alternative": 1}, {"figure": True, "width": 1}):
+            with self.subTest(options), self.assertRaises(ValueError):
+                mechwright.draw(FILE, **options)
+        with self.assertRaisesRegex(ValueError, "out: it must end in .svg, .png or .pdf, not in '.gif'"):
+            mechwright.draw("four-bar", "a.gif", figure=True)
+
     def test_alternatives(self):
         result = mechwright.solve(PROBLEMS / "exact/three-poses-four-points.toml")
         file = Folder(self).path / "result.json"

@@ -101,26 +101,6 @@ Drawn draw_design(const DrawOptions& options, Console& console) {
     return {picture_of(shown, options, picture)};
 }
 
-/// An input at which the linkage closes, with all assemblies there: that which is asked for, or which the file names,
-/// else the one of a round of inputs at which most close.
-struct AssembledAt {
-    double master = 0;
-    std::vector<LinkageAssembly> assemblies;
-};
-
-AssembledAt find_assemblies(const Linkage& linkage, std::optional<double> at) {
-    const double named = at.value_or(usual_input(linkage));
-    AssembledAt best{named, assemblies_at(linkage, named)};
-    constexpr int inputs = 72;
-    if (at || !best.assemblies.empty() || linkage.structure.drives.front().of_slide) return best;
-    for (int i = 1; i < inputs; ++i) {
-        const double master = 2 * std::numbers::pi * i / inputs;
-        std::vector<LinkageAssembly> there = assemblies_at(linkage, master);
-        if (there.size() > best.assemblies.size()) best = {master, std::move(there)};
-    }
-    return best;
-}
-
 Drawn draw_assemblies(const DrawOptions& options, double width, Console& console) {
     std::optional<double> at;
     if (!options.at.empty()) {
@@ -139,7 +119,7 @@ Drawn draw_assemblies(const DrawOptions& options, double width, Console& console
         return {{}, exit_code::invalid_file};
     }
     if (at && linkage.units.degrees && !linkage.structure.drives.front().of_slide) *at *= std::numbers::pi / 180;
-    const auto [master, assemblies] = find_assemblies(linkage, at);
+    const auto [master, assemblies] = assembled_at(linkage, at);
     if (assemblies.empty()) {
         complain(console, options.file + ": the linkage does not close " + (at ? "at this input" : "at any input") +
                               "; --skeleton draws its links apart");

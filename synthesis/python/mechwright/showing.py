@@ -21,26 +21,48 @@ def draw(
     seconds: float = 4,
     plots: bool = False,
     alternative: Optional[int] = None,
-    width: int = 640,
+    figure: bool = False,
+    assemblies: bool = False,
+    skeleton: bool = False,
+    at: Optional[float] = None,
+    width: Optional[int] = None,
 ) -> Picture:
-    """Draws a design with its curves.
+    """Draws a design with its curves, or what a problem describes before it is a design.
 
     source       a result (Result, dict or the path of a .json file), or a problem that leaves no dimension open (Problem,
-                 dict or path)
+                 dict or path); of a figure a problem, or the name of a mechanism ('four-bar'); of assemblies and a
+                 skeleton a problem with links and joints of its own
     out          a file to write as well: .svg, .png, .pdf, or .gif with animate
     animate      moving for ever, one round in so many seconds
     plots        the curves of the motion below a picture that stands still (with gnuplot)
     alternative  of a result: this one of its alternatives, from 1 on
-    width        pixels, 100 to 10000
+    figure       where each dimension of a mechanism is
+    assemblies   all sides on which a linkage closes at an input, with what [assembly] says of them
+    skeleton     the links of a linkage apart, even where it does not close; what is wrong with it is warned of
+    at           of assemblies: the crank angle or displacement, in the problem's unit
+    width        pixels, 100 to 10000; 640, of figures 860
 
     Returns the SVG, a str that notebooks show.
 
     Raises ProblemError and ValueError for what has no design that can be shown, ValueError for options out of range,
     OSError for a file that cannot be written or a program (rsvg-convert, gnuplot) that is missing.
     """
-    options = (seconds if animate else None, plots, _alternative(alternative), width)
-    content = b"" if out is None else _program.draw(given(source), ending(out), *options)
-    picture = Picture(_program.draw(given(source), "svg", *options).decode())
+    sheets = [name for name, wanted in (("figure", figure), ("assemblies", assemblies), ("skeleton", skeleton)) if wanted]
+    if len(sheets) > 1 or sheets and (animate or plots or alternative is not None):
+        raise ValueError(f"{sheets[0]}: leave the other kinds of drawings and alternative out")
+    if at is not None and not assemblies:
+        raise ValueError("at: it is for assemblies")
+
+    def drawn(format: str) -> bytes:
+        if sheets:
+            sheet = getattr(_program, "draw_" + sheets[0])
+            return sheet(given(source), format, at, width or (860 if figure else 640))
+        return _program.draw(
+            given(source), format, seconds if animate else None, plots, _alternative(alternative), width or 640
+        )
+
+    content = b"" if out is None else drawn(ending(out))
+    picture = Picture(drawn("svg").decode())
     if out is not None:
         write(out, content)
     return picture

@@ -81,4 +81,17 @@ std::vector<LinkageAssembly> assemblies_at(const Linkage& linkage, double master
     return all;
 }
 
+AssembledAt assembled_at(const Linkage& linkage, std::optional<double> at) {
+    const double named = at.value_or(usual_input(linkage));
+    AssembledAt best{named, assemblies_at(linkage, named)};
+    constexpr int inputs = 72;
+    if (at || !best.assemblies.empty() || linkage.structure.drives.front().of_slide) return best;
+    for (int i = 1; i < inputs; ++i) {
+        const double master = 2 * std::numbers::pi * i / inputs;
+        std::vector<LinkageAssembly> there = assemblies_at(linkage, master);
+        if (there.size() > best.assemblies.size()) best = {master, std::move(there)};
+    }
+    return best;
+}
+
 }  // namespace mechwright

@@ -3,6 +3,7 @@
 /// All assemblies of a linkage at an input.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "analysis/linkage/placing/place.h"
@@ -28,5 +29,15 @@ std::vector<const linkage::Group*> chosen_dyads(const Linkage& linkage);
 /// left at their first side. Ranges of dimensions stand at their usual values. Of larger groups that are no triads
 /// those that are found.
 std::vector<LinkageAssembly> assemblies_at(const Linkage& linkage, double master);
+
+/// An input at which the linkage closes (radians, or a displacement), with all assemblies there.
+struct AssembledAt {
+    double master = 0;
+    std::vector<LinkageAssembly> assemblies;
+};
+
+/// At the input that is asked for, or else the one that the file names, or else the one of a round of inputs at which
+/// most assemblies close; none where it does not close there. Precondition: the linkage has a drive.
+AssembledAt assembled_at(const Linkage& linkage, std::optional<double> at);
 
 }  // namespace mechwright
