@@ -17,10 +17,10 @@ columns=4
     echo "What \`mechwright draw\` makes of every problem in [problems](../../problems), by \`results/gallery/make.sh\`."
 } >"$gallery/README.md"
 
-rm -f "$gallery"/*.svg
 for folder in problems/*/; do
     kind=$(basename "$folder")
     [ "$kind" = studies ] && continue
+    rm -f "$gallery/$kind"-*.svg # what else is in the folder was not made here
     printf '\n## %s\n\n|%s\n|%s\n' "$kind" "$(printf ' |%.0s' $(seq $columns))" "$(printf ' --- |%.0s' $(seq $columns))" \
         >>"$gallery/README.md"
     column=0

@@ -214,6 +214,7 @@ class Pictures(unittest.TestCase):
     def test_faults_are_named(self):
         for arguments, code, what in (
                 (("draw", results.result("crank-rocker"), "--out", "picture.bmp"), 2, "must end in .svg, .png, .pdf, or .gif"),
+                (("draw", results.result("crank-rocker"), "--out", "a.dxf"), 2, "; mechwright export writes .dxf"),
                 (("draw", "nowhere.json"), 6, "nowhere.json: "),
                 (("draw", results.result("crank-rocker"), "--alternative", 7), 2, "--alternative 7"),
                 (("draw", PROBLEMS / "four-bar/crank-rocker.toml"), 3, "leaves something to be designed"),

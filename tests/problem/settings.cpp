@@ -62,6 +62,17 @@ TEST(Motion, AnUnknownKeyIsAnErrorWithTheNearestName) {
     EXPECT_TRUE(only_says(read_motion("crank-range = [0, 9]"), "p.toml:9:1", {"'crank-range'", "'crank_range'"}));
 }
 
+TEST(Motion, WhatHasNoValueOverARangeIsToldTogetherWithAllElse) {
+    const ReadProblem both = read(
+        "schema = 1\nmechanism = \"slider-crank\"\n[dimensions]\ncrank = { min = 5, max = 60 }\nrod = -1\n"
+        "offset = 10\n[motion]\ncrank_range = [0, 90]\n[[require]]\nquantity = \"time-ratio\"\nequal = 1.2\n"
+        "[solver]\nstarts = 0\n");
+    EXPECT_EQ(both.messages.size(), 3u) << all_messages(both);
+    EXPECT_TRUE(says(both, "p.toml:5:7", {"'rod'", "greater than 0"}));
+    EXPECT_TRUE(says(both, "p.toml:8:15", {"'time-ratio'", "no value over crank_range"}));
+    EXPECT_TRUE(says(both, "p.toml:13:10", {"'starts'"}));
+}
+
 TEST(Solver, StartsAreWithinLimits) {
     EXPECT_TRUE(accepted(read_solver("starts = 1")));
     EXPECT_TRUE(accepted(read_solver("starts = 100000")));

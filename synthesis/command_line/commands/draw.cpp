@@ -16,6 +16,7 @@
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/drawing/drawn.h"
+#include "synthesis/report/drawing/exported.h"
 #include "synthesis/report/drawing/figure/figure.h"
 #include "synthesis/report/drawing/figure/problem_figure.h"
 #include "synthesis/report/drawing/linkage_sheets.h"
@@ -194,7 +195,10 @@ std::string why_not_together(const DrawOptions& options) {
 int draw(const DrawOptions& options, Console& console) {
     const std::optional<RasterFormat> format = raster_format_of(options.out);
     if (!options.out.empty() && !format && !options.out.ends_with(".svg") && !options.out.ends_with(".gif")) {
-        complain(console, "--out: '" + options.out + "' must end in .svg, .png, .pdf, or .gif for --animate");
+        const std::string ending = std::filesystem::path(options.out).extension().string();
+        const bool is_exported = !ending.empty() && export_format_fault(ending.substr(1)).empty();
+        complain(console, "--out: '" + options.out + "' must end in .svg, .png, .pdf, or .gif for --animate" +
+                              (is_exported ? "; mechwright export writes " + ending : ""));
         return exit_code::wrong_usage;
     }
     if (const std::string why = why_not_together(options); !why.empty()) {

@@ -198,7 +198,10 @@ void read_requirements(Section& file, Problem& problem, Messages& messages) {
 void check_quantities_over_range(const Section& file, const Problem& problem, Messages& messages) {
     const toml::table* motion = (*file.table)["motion"].as_table();
     const toml::node* range = motion == nullptr ? nullptr : motion->get("crank_range");
-    if (range == nullptr || problem.mechanism == nullptr || messages.failed) return;
+    if (range == nullptr || problem.mechanism == nullptr || !problem.crank_range) return;
+    // These have been told, and a cam that is wrong has no model to ask.
+    const bool risen = problem.crank_range->x < problem.crank_range->y;
+    if (!risen || std::ranges::all_of(problem.mechanism->families, &Family::full_turn)) return;
     std::set<std::size_t> asked;
     for (const Requirement& requirement : problem.requirements)
         asked.insert(requirement.quantity);
