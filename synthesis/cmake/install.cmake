@@ -17,7 +17,10 @@ list(TRANSFORM synthesis_headers PREPEND ${PROJECT_SOURCE_DIR}/synthesis/)
 target_sources(mechwright_analysis INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${analysis_headers})
 target_sources(mechwright_synthesis PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${synthesis_headers})
 
-install(TARGETS mechwright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS mechwright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+# Where an archive has the libraries. The old kind of path holds for what they need themselves, too.
+set_target_properties(mechwright PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/mechwright" BUILD_WITH_INSTALL_RPATH ON)
+target_link_options(mechwright PRIVATE -Wl,--disable-new-dtags)
 if(TARGET mechwright-bench)
     install(TARGETS mechwright-bench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
@@ -33,8 +36,9 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/mechwrightConfig.cmake.i
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/mechwrightConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mechwrightConfig.cmake ${PROJECT_BINARY_DIR}/mechwrightConfigVersion.cmake
         DESTINATION ${package_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/problems DESTINATION ${CMAKE_INSTALL_DATADIR}/mechwright)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/problems DESTINATION ${CMAKE_INSTALL_DATADIR}/mechwright COMPONENT program)
 
 # What shells and man read comes from the program itself.
 set(shell_dir ${PROJECT_BINARY_DIR}/shell)
@@ -50,7 +54,9 @@ foreach(made "mechwright.bash;completion;bash" "_mechwright;completion;zsh" "mec
 endforeach()
 add_custom_target(mechwright_shell ALL DEPENDS ${shell_files})
 install(FILES ${shell_dir}/mechwright.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
-        RENAME mechwright)
-install(FILES ${shell_dir}/_mechwright DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-install(FILES ${shell_dir}/mechwright.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
-install(FILES ${shell_dir}/mechwright.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+        RENAME mechwright COMPONENT program)
+install(FILES ${shell_dir}/_mechwright DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
+        COMPONENT program)
+install(FILES ${shell_dir}/mechwright.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+        COMPONENT program)
+install(FILES ${shell_dir}/mechwright.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
