@@ -64,6 +64,11 @@ void add_warning(Messages& messages, FilePlace place, std::string text) {
     add(messages, place, message_at(messages, place, std::move(text), true));
 }
 
+bool has_error_at(const Messages& messages, FilePlace place) {
+    return std::any_of(messages.entries.begin(), messages.entries.end(),
+                       [&](const Entry& entry) { return entry.order == place && !entry.message.warning; });
+}
+
 std::string place_text(const Messages& messages, FilePlace place) {
     if (messages.nodes == nullptr) return fmt::format("in line {}", place.line);
     return message_at(messages, place, {}, false).name;

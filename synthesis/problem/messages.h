@@ -51,6 +51,9 @@ struct Messages {
 void add_error(Messages& messages, FilePlace place, std::string text);
 void add_warning(Messages& messages, FilePlace place, std::string text);
 
+/// Whether an error has been told at a place already.
+bool has_error_at(const Messages& messages, FilePlace place);
+
 /// How a message speaks of another place: "in line 7", or the name of the value that stands there.
 std::string place_text(const Messages& messages, FilePlace place);
 

@@ -30,7 +30,7 @@ constexpr std::array<SignalWord, 13> kinds{{
     {"transmission-angle", "{ transmission-angle = \"C\" }", "of the dyad that is closed at a pin, in (0, 180) deg"},
     {"sum", "{ sum = { swing = 1, other = -0.5 } }", "of other signals of one unit, times numbers"},
     {"ratio", "{ ratio = [\"a\", \"b\"] }", "of one signal to another"},
-    {"signals", "[signals]", "what is measured along the motion of a linkage, each with a name of its own"},
+    {"signals", "[signals]", "what is measured along the motion of a mechanism of links, each with a name of its own"},
 }};
 
 constexpr std::array<SignalWord, 8> reductions{{
@@ -128,7 +128,7 @@ std::string explained_room(std::string_view name) {
 
 std::string explained_signal(std::string_view name) {
     if (name == "signals")
-        return "signals: what is measured along the motion of a linkage\n\n" +
+        return "signals: what is measured along the motion of a mechanism of links\n\n" +
                listed(std::span(kinds).first(kinds.size() - 1)) + "\n" + words_of_signals();
     const std::size_t dot = name.find('.');
     if (dot != std::string_view::npos && dot > 0) {

@@ -195,7 +195,9 @@ std::optional<std::size_t> find_slide(LinkageReading& reading, const toml::node&
         if (!slide.empty()) known.push_back(slide);
     add_error(reading.messages, place_of(node),
               fmt::format("{}: there is no slide {}; {}", what, reading::quoted(*name),
-                          known.empty() ? "give a [[slide]] this name" : remedy(*name, known)));
+                          made.slides.empty() ? "the mechanism has none"
+                          : known.empty()     ? "give a [[slide]] this name"
+                                              : remedy(*name, known)));
     return {};
 }
 

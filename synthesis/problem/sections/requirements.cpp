@@ -151,7 +151,8 @@ std::string why_not_whole(const Problem& problem, std::size_t quantity) {
 
 std::optional<std::size_t> to_quantity(const toml::node& node, std::string_view what, const Section& file,
                                        const Problem& problem, Messages& messages) {
-    if (problem.mechanism == nullptr) return {};
+    // What is no quantity of a signal, room or region has been told with these.
+    if (problem.mechanism == nullptr || has_error_at(messages, place_of(node))) return {};
     const auto& quantities = whole_of(*problem.mechanism).quantities;
     std::vector<std::string_view> names;
     for (const Quantity& quantity : quantities)
