@@ -13,7 +13,7 @@
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/affine.h"
 #include "synthesis/problem/allowed_values.h"
-#include "synthesis/problem/linkage/measures_of_kind.h"
+#include "synthesis/problem/linkage/of_kinds/measures_of_kind.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/target/over_input/document.h"

@@ -13,8 +13,8 @@
 #include "synthesis/problem/affine.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/program/singular.h"
-#include "synthesis/program/standing.h"
+#include "synthesis/program/standing/singular.h"
+#include "synthesis/program/standing/standing.h"
 #include "synthesis/target/over_input/document.h"
 #include "synthesis/target/path/document.h"
 

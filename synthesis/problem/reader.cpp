@@ -5,8 +5,8 @@
 #include <exception>
 
 #include "synthesis/problem/bytes.h"
-#include "synthesis/problem/linkage/measures_of_kind.h"
 #include "synthesis/problem/linkage/mechanism.h"
+#include "synthesis/problem/linkage/of_kinds/measures_of_kind.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/varied_problem.h"

@@ -8,8 +8,8 @@
 #include "synthesis/problem/allowed_values.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/program/standing.h"
-#include "synthesis/program/validity.h"
+#include "synthesis/program/standing/standing.h"
+#include "synthesis/program/standing/validity.h"
 #include "synthesis/target/path/rows/nearest_point.h"
 
 namespace mechwright {

@@ -24,6 +24,13 @@ double unseen_share(int searches, int optima) {
     return std::min(1.0, w * (w + 1) / (n * (n - 1)));
 }
 
+void SearchEnds::add(double value) {
+    ++searches_;
+    const bool known = std::any_of(values_.begin(), values_.end(),
+                                   [&](double end) { return std::abs(value - end) <= same_within_ * end; });
+    if (!known) values_.push_back(value);
+}
+
 bool same_design(const Problem& problem, const Design& a, const Design& b, double within) {
     if (a.assembly != b.assembly) return false;
     double size = 0;

@@ -13,6 +13,22 @@ namespace mechwright {
 /// Mathematical Programming 37, 1987).
 double unseen_share(int searches, int optima);
 
+/// The different values that searches which were run to their end came to. Searches that were given up half way tell
+/// nothing of optima.
+class SearchEnds {
+public:
+    /// Values that agree to this part of the known one are one end.
+    explicit SearchEnds(double same_within) : same_within_(same_within) {}
+    void add(double value);
+    /// What is said by unseen_share.
+    double unseen() const { return unseen_share(searches_, static_cast<int>(values_.size())); }
+
+private:
+    double same_within_;
+    int searches_ = 0;
+    std::vector<double> values_{};
+};
+
 /// Whether the dimensions of two designs agree to a part of the longest length, angles to that part of a radian.
 bool same_design(const Problem& problem, const Design& a, const Design& b, double within);
 

@@ -101,11 +101,10 @@ struct Search {
     std::optional<Solution> best_before;  ///< when hits were counted last
     SearchReport report;
     long hessians = 0;
-    int ended = 0;                   ///< searches from screened starts that were run to their end
-    std::vector<double> end_sums{};  ///< the different sums of squares that they came to
-    int hits = 0;                    ///< on the best so far
-    int rounds_on_best = 0;          ///< rounds that ended at the best so far
-    double least_sum = unlimited;    ///< of a feasible design, by least squares alone
+    SearchEnds known_ends{same_sum_within};  ///< sums of squares of the searches from screened starts run to their end
+    int hits = 0;                            ///< on the best so far
+    int rounds_on_best = 0;                  ///< rounds that ended at the best so far
+    double least_sum = unlimited;            ///< of a feasible design, by least squares alone
     int starts_of_round;
     int thoroughness;  ///< so many times the starts of a round are asked for
     int most_rounds;
@@ -287,7 +286,7 @@ struct Search {
     void count_hits(const std::vector<Trial>& trials, const std::optional<Solution>& best_of_round) {
         if (!least_squares) hits = hits_on_best();
         for (const Trial& trial : trials)
-            if (led && !trial.nearby) count_end(trial.outcome.objective);
+            if (led && !trial.nearby) known_ends.add(trial.outcome.objective);
         for (const Trial& trial : trials) {
             const double sum = trial.outcome.objective;
             if (!least_squares || sum > (1 + same_sum_within) * least_sum || !assessed(trial).feasible) continue;
@@ -301,17 +300,6 @@ struct Search {
         if (as_good_as_best(*best_of_round)) ++rounds_on_best;
     }
 
-    void count_end(double sum) {
-        ++ended;
-        const bool known = std::any_of(end_sums.begin(), end_sums.end(),
-                                       [&](double end) { return std::abs(sum - end) <= same_sum_within * end; });
-        if (!known) end_sums.push_back(sum);
-    }
-
-    /// Of a path in any order, by the searches that were run to their end: most are given up half way, and tell nothing
-    /// of optima.
-    double share_not_seen() const { return unseen_share(ended, static_cast<int>(end_sums.size())); }
-
     bool as_good_as_best(const Solution& s) const {
         return s.feasible &&
                std::abs(s.objective - best->objective) <= same_objective_within * std::abs(best->objective);
@@ -323,7 +311,7 @@ struct Search {
     bool enough(int rounds) const {
         if (best_is_exact()) return true;
         if (rounds < least_rounds) return false;
-        if (led && problem.path->any_order && share_not_seen() > most_share_unseen) return false;
+        if (led && problem.path->any_order && known_ends.unseen() > most_share_unseen) return false;
         return hits >= enough_hits * thoroughness || (led && rounds_on_best >= enough_rounds_on_best * thoroughness);
     }
 
@@ -441,7 +429,7 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     result.report = search.report;
     result.optima = distinct_optima(problem, all, result.report);
     if (search.least_squares) result.report.hits = std::max(result.report.hits, search.hits);
-    if (search.led && problem.path->any_order) result.report.missed_chance = search.share_not_seen();
+    if (search.led && problem.path->any_order) result.report.missed_chance = search.known_ends.unseen();
     result.stopped = search.limits.reached();
     if (search.best_is_exact()) {
         result.report.proof = proof_by_zero(problem);

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "synthesis/document/claimed_problem.h"
-#include "synthesis/program/singular.h"
+#include "synthesis/program/standing/singular.h"
 #include "synthesis/verify/alternation.h"
 #include "synthesis/verify/rebuilt.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/four_bar.h"
-#include "synthesis/program/validity.h"
+#include "synthesis/program/standing/validity.h"
 #include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 

@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "synthesis/document/document.h"
-#include "synthesis/problem/linkage/expand.h"
+#include "synthesis/problem/linkage/of_kinds/expand.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"

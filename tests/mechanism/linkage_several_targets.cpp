@@ -14,7 +14,7 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/program/validity.h"
+#include "synthesis/program/standing/validity.h"
 #include "synthesis/solve/solve.h"
 #include "synthesis/target/path/rows/stretch.h"
 #include "tests/checked.h"

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "synthesis/problem/linkage/expand.h"
+#include "synthesis/problem/linkage/of_kinds/expand.h"
 #include "synthesis/solve/solve.h"
 #include "tests/mechanism/kinds_with_rooms.h"
 

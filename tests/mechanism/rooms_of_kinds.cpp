@@ -3,7 +3,7 @@
 
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/whole_quantities.h"
-#include "synthesis/problem/linkage/expand.h"
+#include "synthesis/problem/linkage/of_kinds/expand.h"
 #include "tests/mechanism/kinds_with_rooms.h"
 
 namespace mechwright::linkage_scans {

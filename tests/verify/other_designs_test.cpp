@@ -12,7 +12,7 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/program/singular.h"
+#include "synthesis/program/standing/singular.h"
 #include "synthesis/report/text/summary.h"
 #include "synthesis/solve/solve.h"
 #include "synthesis/verify/asked.h"

@@ -1,6 +1,6 @@
 // mechwright expand: a problem of a built-in kind, as the linkage that it is.
 
-#include "synthesis/problem/linkage/expand.h"
+#include "synthesis/problem/linkage/of_kinds/expand.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>

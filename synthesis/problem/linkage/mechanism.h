@@ -19,11 +19,6 @@ namespace mechwright {
 std::shared_ptr<const Mechanism> mechanism_of(const Linkage& linkage, std::string sections,
                                               std::span<const std::string> quantities);
 
-/// The dimensions of that mechanism, and what it is made of but the sides of its assemblies, starts of larger groups
-/// and the turns of its cycle. Lengths are those of the file, angles radians.
-std::vector<Dimension> dimensions_of(const Linkage& linkage);
-LinkageModel model_of(const Linkage& linkage);
-
 /// Why no mechanism can be made of a linkage yet; empty if one can.
 std::string why_no_mechanism(const Linkage& linkage);
 

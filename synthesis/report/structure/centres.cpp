@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "synthesis/mechanism/linkage/drawing/centres.h"
-#include "synthesis/problem/linkage/expand.h"
+#include "synthesis/problem/linkage/of_kinds/expand.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/text/table.h"
 

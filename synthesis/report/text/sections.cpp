@@ -12,7 +12,7 @@
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
-#include "synthesis/program/standing.h"
+#include "synthesis/program/standing/standing.h"
 #include "synthesis/report/text/table.h"
 
 namespace mechwright {

@@ -6,7 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "synthesis/problem/linkage/expanding.h"
+#include "synthesis/problem/linkage/of_kinds/expanding.h"
 #include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/units.h"
 

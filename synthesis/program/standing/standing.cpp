@@ -1,4 +1,4 @@
-#include "synthesis/program/standing.h"
+#include "synthesis/program/standing/standing.h"
 
 #include <algorithm>
 #include <cmath>

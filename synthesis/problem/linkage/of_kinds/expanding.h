@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "synthesis/problem/linkage/expand.h"
+#include "synthesis/problem/linkage/of_kinds/expand.h"
 #include "synthesis/problem/toml/in_order.h"
 #include "synthesis/problem/toml/section.h"
 

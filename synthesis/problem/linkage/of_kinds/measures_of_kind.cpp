@@ -1,4 +1,4 @@
-#include "synthesis/problem/linkage/measures_of_kind.h"
+#include "synthesis/problem/linkage/of_kinds/measures_of_kind.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,8 @@
 
 #include "synthesis/mechanism/linkage/with_measures.h"
 #include "synthesis/mechanism/whole_quantities.h"
-#include "synthesis/problem/linkage/expand.h"
+#include "synthesis/problem/linkage/model.h"
+#include "synthesis/problem/linkage/of_kinds/expand.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"

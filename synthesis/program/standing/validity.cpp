@@ -1,4 +1,4 @@
-#include "synthesis/program/validity.h"
+#include "synthesis/program/standing/validity.h"
 
 #include <algorithm>
 #include <array>

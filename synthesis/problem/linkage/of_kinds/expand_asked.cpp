@@ -9,7 +9,7 @@
 
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/whole_quantities.h"
-#include "synthesis/problem/linkage/expanding.h"
+#include "synthesis/problem/linkage/of_kinds/expanding.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/units.h"

@@ -1,4 +1,4 @@
-#include "synthesis/program/singular.h"
+#include "synthesis/program/standing/singular.h"
 
 #include <fmt/format.h>
 

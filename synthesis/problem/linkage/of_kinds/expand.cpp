@@ -1,4 +1,4 @@
-#include "synthesis/problem/linkage/expand.h"
+#include "synthesis/problem/linkage/of_kinds/expand.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "synthesis/problem/linkage/expanding.h"
+#include "synthesis/problem/linkage/of_kinds/expanding.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml/made_table.h"
