@@ -64,7 +64,7 @@ std::vector<Row> path_row(const PublishedPath& peer, const Effort& effort) {
     if (!result.best) return {};
     const auto& search = result.search;
     return {{std::string(peer.problem), std::string(peer.peer), peer.error, known(peer.evaluations),
-             known(peer.seconds), result.best->objective, static_cast<double>(search.evaluations + search.screened),
+             known(peer.seconds), result.best->objective, static_cast<double>(search.evaluations + search.drawn),
              search.seconds, Cell(), Cell(), Cell()}};
 }
 

@@ -287,6 +287,11 @@ Json search_of(const Problem& problem, const SearchReport& search) {
         json[of_search("argument")] = search.proof->argument;
         json[of_search("certificate")] = certificate_document(problem, search.proof->certificate);
     }
+    if (search.drawn > 0) {
+        json[of_search("drawn")] = search.drawn;
+        json[of_search("assembled")] = search.assembled;
+        json[of_search("optimised")] = search.optimised;
+    }
     json[of_search("starts")] = search.starts;
     json[of_search("local_optima")] = search.local_optima;
     json[of_search("hits")] = search.hits;

@@ -20,6 +20,9 @@ constexpr double rows_within = 1e-9;
 constexpr double gain_beside_rows = 1e-3;
 constexpr int most_multipliers = 12;
 constexpr double most_damping = 1e20;
+/// Its root is what slopes along a valley are weighed against: of linkages whose points hardly change along one they
+/// are 1e-8 of the others.
+constexpr double least_damping = 1e-24;
 
 struct Descent {
     PathFit& fit;
@@ -33,13 +36,18 @@ struct Descent {
 
     /// Steps until they gain too little. The point that follows is kept in `next`, so that its memory is there.
     void go_down(PathPlace& at, PathPlace& next) {
-        double growth = 2;
+        double growth = 2, promised = 0;
         int small_gains = 0;
         while (!over() && at.merit > negligible && small_gains < most_small_gains && damping < most_damping) {
             while (evaluations < limits.most_evaluations && damping < most_damping) {
-                next.x = within_bounds(program, at.x + fit.step(at, damping));
-                const double promised = fit.promised(at, next.x - at.x);
+                const VectorXd step = fit.step(at, damping);
+                next.x = within_bounds(program, at.x + step);
+                promised = fit.promised(at, next.x - at.x);
                 ++evaluations;
+                if (limits.follows_valleys) {
+                    next.x = within_bounds(program, at.x + fit.bent(at, step, damping));
+                    ++evaluations;
+                }
                 if (!fit.evaluate(next)) next.merit = unlimited;
                 if (next.merit < at.merit) break;
                 damping *= growth;
@@ -48,9 +56,9 @@ struct Descent {
                 if (limits.reached()) break;
             }
             if (!(next.merit < at.merit)) break;
-            const double gain = (at.merit - next.merit) / (at.merit - fit.promised(at, next.x - at.x));
+            const double gain = (at.merit - next.merit) / (at.merit - promised);
             damping *= std::clamp(1 - std::pow(2 * gain - 1, 3), 1.0 / 9, 2.0);
-            damping = std::max(damping, 1e-14);
+            damping = std::max(damping, least_damping);
             growth = 2;
             const double enough =
                 fit.greatest_excess(next) > rows_within ? gain_beside_rows : std::max(limits.tolerance, least_gain);

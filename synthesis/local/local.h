@@ -19,6 +19,8 @@ struct LocalLimits {
     /// Whether the start is close to an optimum: an interior point method then does not first move far away from the
     /// constraints.
     bool near_optimum = false;
+    /// Whether least squares bend their steps along valleys, for one more evaluation of residuals each.
+    bool follows_valleys = false;
     std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
     const std::atomic<bool>* stop = nullptr;
     std::atomic<double>* polishing = nullptr;  ///< seconds that polishing takes are added here

@@ -147,7 +147,27 @@ PathFit::Columns PathFit::columns(const PathPlace& at) const {
     return free;
 }
 
-VectorXd PathFit::step(const PathPlace& at, double damping) {
+VectorXd PathFit::step(const PathPlace& at, double damping) { return solved(at, damping, at.path.value, at.missed); }
+
+/// What the residuals change by along a step, as far as they are linear.
+VectorXd PathFit::change_of_residuals(const PathPlace& at, const VectorXd& step) const {
+    VectorXd change = at.path.jacobian * step.head(dimensions_);
+    for (Index i = 0; untimed_ && i < points_; ++i)
+        change.segment(each_ * i, each_) += step[angle_variable(i)] * at.path.by_angle.segment(each_ * i, each_);
+    return change;
+}
+
+VectorXd PathFit::bent(const PathPlace& at, const VectorXd& step, double damping) {
+    constexpr double part = 0.1, most_bent = 0.75;
+    if (!path_residuals(program_, at.x + part * step, false, ahead_)) return step;
+    const VectorXd second = (2 / part) * ((ahead_.value - at.path.value) / part - change_of_residuals(at, step));
+    const VectorXd acceleration = solved(at, damping, second, VectorXd::Zero(at.missed.size()));
+    if (!(2 * scaled_norm(acceleration) <= most_bent * scaled_norm(step))) return step;
+    return step + acceleration / 2;
+}
+
+/// The least-squares problem with any right-hand side: residuals, and what the rows beside the path miss.
+VectorXd PathFit::solved(const PathPlace& at, double damping, const VectorXd& residuals, const VectorXd& missed) {
     const Columns free = columns(at);
     const auto n = static_cast<Index>(free.dense.size());
     const double root = std::sqrt(damping);
@@ -163,7 +183,7 @@ VectorXd PathFit::step(const PathPlace& at, double damping) {
         for (Index c = 0; c < each_; ++c) {
             for (Index k = 0; k < n; ++k)
                 rows(c, k) = entry(at, each_ * i + c, variable(k));
-            rows(c, n) = -at.path.value[each_ * i + c];
+            rows(c, n) = -residuals[each_ * i + c];
         }
         if (!untimed_ || !free.eliminated[static_cast<std::size_t>(i)]) continue;
         // A reflection that turns the column of the angle into its first component; the other rows are rid of it.
@@ -188,28 +208,26 @@ VectorXd PathFit::step(const PathPlace& at, double damping) {
         if (at.missed[r] == 0) continue;
         for (Index k = 0; k < n; ++k)
             stacked_(next, k) = root_of_weight * at.beside.jacobian(r, variable(k));
-        stacked_(next++, n) = -root_of_weight * at.missed[r];
+        stacked_(next++, n) = -root_of_weight * missed[r];
     }
     for (Index k = 0; k < n; ++k)
         stacked_(next + k, k) = root * scale_[variable(k)];
 
     triangularise(stacked_);
-    const VectorXd solved = stacked_.topLeftCorner(n, n).triangularView<Eigen::Upper>().solve(stacked_.col(n).head(n));
+    const VectorXd of_dense =
+        stacked_.topLeftCorner(n, n).triangularView<Eigen::Upper>().solve(stacked_.col(n).head(n));
 
     VectorXd change = VectorXd::Zero(at.x.size());
     for (Index k = 0; k < n; ++k)
-        change[variable(k)] = solved[k];
+        change[variable(k)] = of_dense[k];
     for (Index i = 0; i < angle_rows.rows(); ++i)
         if (free.eliminated[static_cast<std::size_t>(i)])
-            change[angle_variable(i)] = (angle_rows(i, n) - angle_rows.row(i).head(n).dot(solved)) / angle_pivots[i];
+            change[angle_variable(i)] = (angle_rows(i, n) - angle_rows.row(i).head(n).dot(of_dense)) / angle_pivots[i];
     return change;
 }
 
 double PathFit::promised(const PathPlace& at, const VectorXd& change) const {
-    VectorXd r = at.path.value + at.path.jacobian * change.head(dimensions_);
-    for (Index i = 0; untimed_ && i < points_; ++i)
-        r.segment(each_ * i, each_) += change[angle_variable(i)] * at.path.by_angle.segment(each_ * i, each_);
-    double sum = r.squaredNorm();
+    double sum = (at.path.value + change_of_residuals(at, change)).squaredNorm();
     for (Index k = 0; k < at.missed.size(); ++k)
         if (at.missed[k] != 0) sum += weight_ * std::pow(at.missed[k] + at.beside.jacobian.row(k).dot(change), 2);
     return sum;

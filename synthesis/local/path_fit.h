@@ -34,6 +34,12 @@ public:
     /// the ends of the stretch where a row depends on them.
     Eigen::VectorXd step(const PathPlace& at, double damping);
 
+    /// A step with half the acceleration of the path of least squares that begins with it, where that is short against
+    /// it: geodesic acceleration (Transtrum and Sethna, Improvements to the Levenberg-Marquardt algorithm for nonlinear
+    /// least-squares minimization, 2012). The second derivative of the residuals along the step is that of a
+    /// difference.
+    Eigen::VectorXd bent(const PathPlace& at, const Eigen::VectorXd& step, double damping);
+
     /// The merit that the linearised residuals promise after a change.
     double promised(const PathPlace& at, const Eigen::VectorXd& change) const;
 
@@ -52,6 +58,10 @@ private:
     };
 
     Columns columns(const PathPlace& at) const;
+    Eigen::VectorXd solved(const PathPlace& at, double damping, const Eigen::VectorXd& residuals,
+                           const Eigen::VectorXd& missed);
+    Eigen::VectorXd change_of_residuals(const PathPlace& at, const Eigen::VectorXd& step) const;
+    double scaled_norm(const Eigen::VectorXd& step) const { return step.cwiseProduct(scale_).norm(); }
     std::vector<bool> kept_angles(const PathPlace& at) const;
     double entry(const PathPlace& at, Eigen::Index residual, Eigen::Index variable) const;
     bool held(Eigen::Index variable, double x, double slope) const;
@@ -70,6 +80,7 @@ private:
     double excess_before_ = unlimited;
     Eigen::VectorXd scale_;    ///< by variable: the greatest norm of its column so far
     Eigen::MatrixXd stacked_;  ///< rows of the linear problem, right-hand side last
+    PathResiduals ahead_;      ///< a part of a step ahead
 };
 
 }  // namespace mechwright

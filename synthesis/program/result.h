@@ -71,7 +71,9 @@ struct SearchReport {
     double missed_chance = 1;              ///< estimated chance that a better local optimum was not seen
     long evaluations = 0;                  ///< of the program's functions, over all local searches
     double seconds = 0;
-    long screened = 0;                          ///< candidates that were ranked to find starts
+    long drawn = 0;                             ///< candidates for starts
+    long assembled = 0;                         ///< of these they close where they have to, and were ranked
+    long optimised = 0;                         ///< of these local searches began at them, most cut short
     std::optional<double> bound{};              ///< no design has a better objective than this
     long boxes = 0;                             ///< that were examined for it
     std::optional<SolutionCounts> solutions{};  ///< of an exact method

@@ -25,8 +25,6 @@ using Seconds = std::atomic<double>;
 
 /// Times are sums over all threads.
 struct SearchTrace {
-    long screened = 0;            ///< candidates that were drawn and ranked
-    long optimised = 0;           ///< starts from which a local search began
     long cut_off = 0;             ///< of these and of the starts asked for: cut off or never begun
     std::vector<SearchEnd> ends;  ///< in the order of the starts, whatever the threads did
     double reading = 0;           ///< of the file

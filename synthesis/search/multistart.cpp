@@ -24,6 +24,7 @@ struct Slot {
     std::optional<Solution> solution;
     long evaluations = 0;
     long hessians = 0;
+    DrawCounts counts{};
     bool done = false;
     std::vector<SearchEnd> ends{};  ///< where a trace is kept
 };
@@ -50,11 +51,11 @@ LocalOutcome search_nearly_feasible(const Program& program, const Eigen::VectorX
     return outcome;
 }
 
-std::vector<Milestone> milestones_of(const Problem& problem, const std::vector<Slot>& slots, int candidates) {
+std::vector<Milestone> milestones_of(const Problem& problem, const std::vector<Slot>& slots) {
     std::vector<Milestone> all;
     Milestone so_far;
     for (const Slot& slot : slots) {
-        so_far.screened += candidates;
+        so_far.screened += slot.counts.drawn;
         so_far.evaluations += slot.evaluations;
         so_far.hessians += slot.hessians;
         if (slot.solution && (!so_far.best || preferred(problem, *slot.solution, *so_far.best)))
@@ -64,10 +65,8 @@ std::vector<Milestone> milestones_of(const Problem& problem, const std::vector<S
     return all;
 }
 
-void keep(const std::vector<Slot>& slots, int candidates, SearchTrace& trace) {
+void keep(const std::vector<Slot>& slots, SearchTrace& trace) {
     for (const Slot& slot : slots) {
-        trace.screened += slot.ends.empty() ? 0 : candidates;
-        trace.optimised += slot.ends.empty() ? 0 : 1;
         trace.cut_off += slot.done ? 0 : 1;
         trace.ends.insert(trace.ends.end(), slot.ends.begin(), slot.ends.end());
     }
@@ -112,6 +111,7 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
             const auto variant = static_cast<std::size_t>(task % count);
             Slot& slot = slots[static_cast<std::size_t>(task)];
             const Start start = random_start(programs[variant], task / count);
+            slot.counts = start.counts;
             const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
             LocalOutcome outcome = search(programs[variant], start.x);
             slot.evaluations += outcome.evaluations;
@@ -150,15 +150,18 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     for (const Slot& slot : slots) {
         result.report.starts += slot.done ? 1 : 0;
         result.report.evaluations += slot.evaluations;
+        result.report.drawn += slot.counts.drawn;
+        result.report.assembled += slot.counts.assembled;
+        result.report.optimised += slot.counts.drawn > 0 ? 1 : 0;
         result.stopped = result.stopped || !slot.done;
     }
-    if (options.trace) keep(slots, candidates, *options.trace);
+    if (options.trace) keep(slots, *options.trace);
     std::vector<const Solution*> found;
     for (const Slot& slot : slots)
         if (slot.solution) found.push_back(&*slot.solution);
     result.optima = distinct_optima(problem, found, result.report);
     if (result.report.proof) result.report.missed_chance = 0;
-    result.milestones = milestones_of(problem, slots, candidates);
+    result.milestones = milestones_of(problem, slots);
     return result;
 }
 

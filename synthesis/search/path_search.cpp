@@ -13,6 +13,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/search_trace.h"
+#include "synthesis/program/without_margins.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/optima.h"
@@ -33,6 +34,9 @@ using Eigen::VectorXd;
 constexpr int groups_per_short_search = 24;
 constexpr int short_searches_per_start = 6;
 constexpr int evaluations_of_short_search = 25;
+/// So many tasks of short searches at a time; after them it is seen whether the best comes to all points exactly.
+constexpr int tasks_of_wave = 4;
+constexpr int looked_at_in_wave = 2;
 constexpr int evaluations_of_long_search = 100;
 constexpr int evaluations_of_whole_search = 600;
 /// Of the searches of a round so many are the best that are run to the very end.
@@ -60,6 +64,8 @@ constexpr int most_polished = 4;
 constexpr int most_polished_on = 8;
 constexpr std::size_t most_polished_variables = 60;
 constexpr int evaluations_of_great_program = 60;
+/// Where a few points hardly hold a design, the way along a valley to where all are met takes thousands.
+constexpr int evaluations_along_valley = 6000;
 /// The search ends once the best design was hit this often, or so many rounds came to it, each by itself; as many times
 /// more as the problem asks for more starts; and not before this many rounds.
 constexpr int enough_hits = 10;
@@ -91,7 +97,8 @@ struct Search {
     const Problem& problem;
     const RunOptions& options;
     std::vector<Program> programs;
-    std::vector<ScreenedStarts> starts;  ///< by program
+    std::vector<Program> free_of_margins;  ///< by program, for the first steps; none where margins cost little
+    std::vector<ScreenedStarts> starts;    ///< by program
     LocalLimits limits;
     bool least_squares;                  ///< the sum of squares is all that counts
     bool led;                            ///< least squares lead to the objective
@@ -105,6 +112,7 @@ struct Search {
     int hits = 0;                            ///< on the best so far
     int rounds_on_best = 0;                  ///< rounds that ended at the best so far
     double least_sum = unlimited;            ///< of a feasible design, by least squares alone
+    bool met_exactly = false;                ///< a short search came to all points exactly
     int starts_of_round;
     int thoroughness;  ///< so many times the starts of a round are asked for
     int most_rounds;
@@ -121,6 +129,9 @@ struct Search {
             programs.push_back(build_program(p, variant));
         for (const Program& program : programs)
             starts.emplace_back(program, p.solver.seed);
+        if (std::all_of(programs.begin(), programs.end(), has_margins_of_motion))
+            for (const Program& program : programs)
+                free_of_margins.push_back(without_margins(program));
         for (std::size_t i = 0; i < programs.size(); ++i)
             fitted_as.push_back(widest(i));
         limits.deadline = deadline;
@@ -139,9 +150,33 @@ struct Search {
         return at == programs.end() ? program : static_cast<std::size_t>(at - programs.begin());
     }
 
-    std::vector<VectorXd> screened(std::size_t program, int number, int keep) const {
+    std::vector<VectorXd> screened(std::size_t program, int number, int keep, DrawCounts& counts) const {
         const Timed timed(seconds_of(options.trace, &SearchTrace::screening));
-        return starts[program].of_round(number, keep * groups_per_short_search, keep);
+        return starts[program].of_round(number, keep * groups_per_short_search, keep, counts);
+    }
+
+    /// A few steps from a start. What keeps a linkage closed over its motion is looked at later.
+    LocalOutcome short_search(std::size_t program, const VectorXd& start, const LocalLimits& few) const {
+        const Program& quick = free_of_margins.empty() ? programs[program] : free_of_margins[program];
+        return levenberg_marquardt(quick, start, few);
+    }
+
+    /// A search by least squares: first without what keeps a linkage closed over its motion, which is nearly always
+    /// met where it ends, then with it.
+    LocalOutcome long_search(std::size_t program, const VectorXd& start, const LocalLimits& whole) const {
+        if (free_of_margins.empty()) return levenberg_marquardt(programs[program], start, whole);
+        LocalLimits along_valleys = whole;
+        along_valleys.follows_valleys = true;
+        LocalOutcome outcome = levenberg_marquardt(free_of_margins[program], start, along_valleys);
+        if (outcome.x.size() == 0) return outcome;
+        ProgramValues values;
+        evaluate(programs[program], outcome.x, false, values);
+        ++outcome.evaluations;
+        outcome.violation = violation(programs[program], outcome.x, values);
+        if (outcome.violation <= LocalOutcome::feasible_below) return outcome;
+        LocalOutcome closed = levenberg_marquardt(programs[program], outcome.x, whole);
+        closed.evaluations += outcome.evaluations;
+        return closed;
     }
 
     /// The best starts of every variant, each taken a little way.
@@ -151,33 +186,68 @@ struct Search {
         // Tasks of a few starts each, so that the work can be shared evenly.
         constexpr int per_task = 4;
         const int tasks_per_variant = (each + per_task - 1) / per_task;
-        std::vector<std::vector<Trial>> tried(static_cast<std::size_t>(tasks_per_variant * variants_count));
+        const int tasks = tasks_per_variant * variants_count;
+        std::vector<std::vector<Trial>> tried(static_cast<std::size_t>(tasks));
+        std::vector<DrawCounts> counts(static_cast<std::size_t>(tasks));
         LocalLimits few = limits;
         few.most_evaluations = evaluations_of_short_search;
-        share_work(static_cast<int>(tried.size()), options.jobs, [&](int task) {
-            if (limits.reached()) return;
-            const auto p = static_cast<std::size_t>(task % variants_count);
-            const int number = round * tasks_per_variant + task / variants_count;
-            for (const VectorXd& start : screened(p, number, per_task)) {
-                const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
-                Trial trial{fitted_as[p], levenberg_marquardt(programs[fitted_as[p]], start, few)};
-                trial.evaluations = trial.outcome.evaluations;
-                trial.seconds = timed.seconds();
-                if (trial.outcome.x.size() > 0) tried[static_cast<std::size_t>(task)].push_back(std::move(trial));
-            }
-        });
         std::vector<Trial> all;
-        for (auto& some : tried)
-            std::move(some.begin(), some.end(), std::back_inserter(all));
+        const int of_wave = may_end_early() ? tasks_of_wave : tasks;
+        for (int first = 0; first < tasks && !met_exactly; first += of_wave) {
+            share_work(std::min(of_wave, tasks - first), options.jobs, [&](int i) {
+                if (limits.reached()) return;
+                const int task = first + i;
+                const auto p = static_cast<std::size_t>(task % variants_count);
+                const int number = round * tasks_per_variant + task / variants_count;
+                for (const VectorXd& start : screened(p, number, per_task, counts[static_cast<std::size_t>(task)])) {
+                    const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
+                    Trial trial{fitted_as[p], short_search(fitted_as[p], start, few)};
+                    trial.evaluations = trial.outcome.evaluations;
+                    trial.seconds = timed.seconds();
+                    if (trial.outcome.x.size() > 0) tried[static_cast<std::size_t>(task)].push_back(std::move(trial));
+                }
+            });
+            std::vector<Trial> wave;
+            for (int task = first; task < std::min(first + of_wave, tasks); ++task) {
+                auto& some = tried[static_cast<std::size_t>(task)];
+                std::move(some.begin(), some.end(), std::back_inserter(wave));
+            }
+            met_exactly = may_end_early() && ends_at_zero(wave);
+            std::move(wave.begin(), wave.end(), std::back_inserter(all));
+        }
         sort_by_sum(all);
         for (const Trial& trial : all)
-            report.evaluations += trial.outcome.evaluations;
-        report.screened += static_cast<long>(tried.size()) * per_task * groups_per_short_search * 8;
-        if (options.trace) {
-            options.trace->screened += static_cast<long>(tried.size()) * per_task * groups_per_short_search * 8;
-            options.trace->optimised += static_cast<long>(all.size());
+            report.evaluations += trial.evaluations;
+        for (const DrawCounts& of_task : counts) {
+            report.drawn += of_task.drawn;
+            report.assembled += of_task.assembled;
         }
+        report.optimised += static_cast<long>(all.size());
         return all;
+    }
+
+    /// Whether a round can end at the first search that comes to all points exactly.
+    bool may_end_early() const { return least_squares && !free_of_margins.empty(); }
+
+    /// Whether the best of some short searches, taken farther, comes to all points exactly: then nothing else is looked
+    /// for.
+    bool ends_at_zero(std::vector<Trial>& wave) const {
+        sort_by_sum(wave);
+        LocalLimits some = limits;
+        some.most_evaluations = evaluations_of_long_search;
+        share_work(std::min(looked_at_in_wave, static_cast<int>(wave.size())), options.jobs, [&](int i) {
+            Trial& trial = wave[static_cast<std::size_t>(i)];
+            LocalOutcome outcome = long_search(trial.program, trial.outcome.x, some);
+            trial.evaluations += outcome.evaluations;
+            if (outcome.x.size() > 0) trial.outcome = std::move(outcome);
+        });
+        sort_by_sum(wave);
+        return best_meets_all(wave);
+    }
+
+    /// Whether the first of sorted trials comes to all points exactly, where the round can end with that.
+    bool best_meets_all(const std::vector<Trial>& sorted) const {
+        return may_end_early() && !sorted.empty() && is_at_zero(problem, assessed(sorted.front()));
     }
 
     /// The most promising ones, of those that have come to about the same sum of squares only the first few.
@@ -228,7 +298,7 @@ struct Search {
                     mixed(problem.solver.seed + static_cast<std::uint64_t>(round * hops + hop));
                 const Program& program = programs[from.program];
                 const VectorXd start = start_nearby(program, from.outcome.x, spreads[k % hops], mixed(number + k));
-                tried[k] = {from.program, levenberg_marquardt(program, start, few), true};
+                tried[k] = {from.program, short_search(from.program, start, few), true};
                 tried[k].evaluations = tried[k].outcome.evaluations;
                 tried[k].seconds = timed.seconds();
             });
@@ -243,6 +313,7 @@ struct Search {
             sort_by_sum(trials);
             const double least_before = elites.front().outcome.objective;
             elites = elites_of(trials);
+            if (best_meets_all(trials)) break;
             const bool gained = elites.front().outcome.objective < (1 - same_sum_within) * least_before;
             if (!gained && hop > 0) break;
         }
@@ -260,7 +331,7 @@ struct Search {
             const Program& program = programs[trial.program];
             for (int pass = 0; pass < (problem.path->any_order ? most_passes : 1); ++pass) {
                 if (trial.outcome.x.size() == 0) break;
-                LocalOutcome outcome = levenberg_marquardt(program, trial.outcome.x, whole);
+                LocalOutcome outcome = long_search(trial.program, trial.outcome.x, whole);
                 used[static_cast<std::size_t>(i)] += outcome.evaluations;
                 if (outcome.x.size() == 0) break;
                 const bool settled = pass > 0 && outcome.objective > (1 - same_sum_within) * trial.outcome.objective;
@@ -329,10 +400,23 @@ struct Search {
         Solution solution = assessed(trial);
         const Program& program = programs[trial.program];
         if (least_squares && solution.feasible && program.size() > most_polished_variables) return solution;
-        const VectorXd x = point_of(program, solution.design);
+        VectorXd x = point_of(program, solution.design);
         LocalLimits some = limits;
         if (program.size() > most_polished_variables) some.most_evaluations = evaluations_of_great_program;
+        if (may_end_early()) {
+            // Long valleys are what least squares that bend their steps get through, and slsqp does not.
+            if (is_at_zero(problem, solution)) return solution;
+            some.most_evaluations = evaluations_along_valley;
+            outcome = long_search(trial.program, x, some);
+            if (outcome.x.size() > 0)
+                solution = better(std::move(solution), assess(problem, design_at(program, outcome.x)));
+            if (is_at_zero(problem, solution)) return solution;
+            x = point_of(program, solution.design);
+            some.most_evaluations = evaluations_of_great_program;
+        }
+        const long before = outcome.evaluations;
         outcome = polished_search(program, x, slsqp, some);
+        outcome.evaluations += before;
         if (outcome.x.size() == 0) return solution;
         return better(std::move(solution), assess(problem, design_at(program, outcome.x)));
     }
@@ -412,17 +496,21 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     if (search.programs.empty()) return result;
     for (int round = 0; round < search.most_rounds && !search.limits.reached(); ++round) {
         std::vector<Trial> trials = search.short_searches(round);
+        if (search.met_exactly) trials.resize(1);
         search.keep_different(trials);
         search.report.starts += static_cast<int>(trials.size());
-        if (search.led) {
+        if (search.led && !search.met_exactly) {
             search.run_to_end(trials);
-            search.search_nearby(round, trials);
+            if (!search.best_meets_all(trials)) search.search_nearby(round, trials);
         }
         const std::optional<Solution> best_of_round = search.finish(trials);
         search.count_hits(trials, best_of_round);
-        result.milestones.push_back({search.report.screened, search.report.evaluations, search.hessians, search.best});
+        result.milestones.push_back({search.report.drawn, search.report.evaluations, search.hessians, search.best});
         if (search.enough(round + 1)) break;
     }
+    // Beside a design that meets all points others that miss them are none to choose from.
+    if (search.may_end_early() && search.best_is_exact())
+        std::erase_if(search.found, [&](const Solution& s) { return !is_at_zero(problem, s); });
     std::vector<const Solution*> all;
     for (const Solution& s : search.found)
         all.push_back(&s);

@@ -28,6 +28,9 @@ constexpr int most_draws = 60;
 /// Where lengths or guided point are given, starts are drawn among so many for each variable: few variables are filled
 /// by few.
 constexpr int candidates_per_variable = 12;
+/// Where few random designs close, for each start that is kept: draws go on until so many assemble, and end at so many.
+constexpr int enough_assembled = 40;
+constexpr int most_drawn = 2000;
 
 bool is_free(const Program& program, std::size_t dimension) {
     return dimension != no_dimension && program.variable_of[dimension] >= 0;
@@ -175,14 +178,23 @@ bool ScreenedStarts::stays_assembled(const VectorXd& x) const {
     return out.value.segment(static_cast<Index>(block->first), static_cast<Index>(block->count)).minCoeff() >= 0;
 }
 
-std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) const {
+std::vector<VectorXd> ScreenedStarts::one_by_one(int round, int groups, int keep, DrawCounts& counts) const {
+    if (program_.problem->mechanism->families[program_.variant.family].assembly_margin)
+        return DrawnStarts(program_, seed_).of_round(round, keep, enough_assembled, most_drawn, counts);
     std::vector<VectorXd> starts;
-    if (!can_screen_) {
-        const int candidates = std::min(groups, 1 + candidates_per_variable * random_variables());
-        for (int i = 0; i < keep; ++i)
-            starts.push_back(start_point(program_, seed_, round * keep + i, candidates));
-        return starts;
+    const int candidates = std::min(groups, 1 + candidates_per_variable * random_variables());
+    for (int i = 0; i < keep; ++i) {
+        Start start = screened_start(program_, seed_, round * keep + i, candidates);
+        counts += start.counts;
+        starts.push_back(std::move(start.x));
     }
+    return starts;
+}
+
+std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep, DrawCounts& counts) const {
+    if (!can_screen_) return one_by_one(round, groups, keep, counts);
+    std::vector<VectorXd> starts;
+    counts.drawn += 8L * groups;
     const LowDiscrepancy of_timing(path_timing_numbers, seed_, stream_);
     const InstructionSet set = widest_instruction_set();
     const auto first = static_cast<std::uint64_t>(round) * static_cast<std::uint64_t>(groups);
@@ -209,6 +221,7 @@ std::vector<VectorXd> ScreenedStarts::of_round(int round, int groups, int keep) 
             const double size = screened.size[lane];
             const double beyond = beyond_range(shape(lane), size);
             const double score = screened.score[lane] * beyond * beyond;
+            if (screened.score[lane] < unlimited) ++counts.assembled;
             if (!(score < kept.score)) continue;
             kept.score = score;
             for (std::size_t i = 0; i < lengths_; ++i)

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "synthesis/program/program.h"
+#include "synthesis/search/drawn_starts.h"
 
 namespace mechwright {
 
@@ -19,8 +19,9 @@ public:
     ScreenedStarts(const Program& program, std::uint64_t seed);
 
     /// The best starts of a round: one from each of `groups` groups of eight candidates that share their crank angles,
-    /// the best `keep` of them, best first. A function of (program, seed, round) alone.
-    std::vector<Eigen::VectorXd> of_round(int round, int groups, int keep) const;
+    /// the best `keep` of them, best first. Where a mechanism cannot be screened so, they are drawn one by one
+    /// (drawn_starts.h). A function of (program, seed, round) alone; `counts` are added to.
+    std::vector<Eigen::VectorXd> of_round(int round, int groups, int keep, DrawCounts& counts) const;
 
 private:
     static constexpr std::size_t most_lengths = 8;
@@ -30,6 +31,7 @@ private:
 
     bool meets_conditions(const Lengths& x) const;
     int random_variables() const;
+    std::vector<Eigen::VectorXd> one_by_one(int round, int groups, int keep, DrawCounts& counts) const;
     void draw_shapes();
     std::optional<Eigen::MatrixXd> lengths_of_margins() const;
     double beyond_range(const Lengths& x, double size) const;

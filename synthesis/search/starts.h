@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "synthesis/program/program.h"
+#include "synthesis/search/draws.h"
 
 namespace mechwright {
 
@@ -16,6 +16,7 @@ int start_candidates(const Problem& problem);
 struct Start {
     Eigen::VectorXd x;
     bool preferred = false;  ///< the preferred values
+    DrawCounts counts{};     ///< what it was chosen from
 };
 
 /// Start number `index` of a program, a function of (seed, index) alone: the best of `candidates` screened points.

@@ -19,7 +19,9 @@ RunOptions quiet(RunOptions options) {
 
 void add_work(SearchReport& whole, const SearchReport& part) {
     whole.starts += part.starts;
-    whole.screened += part.screened;
+    whole.drawn += part.drawn;
+    whole.assembled += part.assembled;
+    whole.optimised += part.optimised;
     whole.evaluations += part.evaluations;
 }
 

@@ -238,9 +238,10 @@ TEST(Document, SearchSaysHowThoroughItWas) {
     Problem problem = problem_of(path_text);
     problem.solver.seed = 7;
     Result result = result_of(Status::solved, path_solution());
+    result.search.drawn = 9;
     EXPECT_EQ(names_of(document(problem, result)["search"]),
-              (std::vector<std::string>{"method", "complete", "starts", "local_optima", "hits", "missed_chance",
-                                        "evaluations", "seed", "seconds"}));
+              (std::vector<std::string>{"method", "complete", "drawn", "assembled", "optimised", "starts",
+                                        "local_optima", "hits", "missed_chance", "evaluations", "seed", "seconds"}));
     result.search.proof = proof_by("every solution of a cubic", CountCertificate{});
     const Json search = document(problem, result)["search"];
     EXPECT_EQ(search["argument"], "every solution of a cubic");

@@ -134,9 +134,10 @@ std::string search_explained(const Problem& problem, const Result& result, const
         return heading("Starts", style) +
                folded("  ", fmt::format("None: the method {} has no local searches.", result.search.method)) +
                time_section(result, trace, style);
-    std::string starts =
-        fmt::format("{} candidates drawn and screened, {} starts optimised, {} searches taken to their end.",
-                    trace.screened, trace.optimised, trace.ends.size());
+    std::string starts = fmt::format(
+        "{} candidates drawn, of which {} assembled and were screened, {} starts optimised, {} searches "
+        "taken to their end.",
+        result.search.drawn, result.search.assembled, result.search.optimised, trace.ends.size());
     if (trace.cut_off > 0) starts += fmt::format(" {} cut off by the limit, or never begun.", trace.cut_off);
     return heading("Starts", style) + folded("  ", starts) + ends_section(problem, result, trace, style) +
            time_section(result, trace, style);

@@ -157,6 +157,9 @@ std::string search_section(const SearchReport& search, const TextStyle& style) {
     } else {
         how += '.';
     }
+    if (search.drawn > 0)
+        how += fmt::format(" {} drawn, {} of them assembled, searches began at {}.",
+                           counted(search.drawn, "candidate", "candidates"), search.assembled, search.optimised);
     if (search.free_numbers > 0)
         how += fmt::format(" A family of designs with {} does so; of those that were found the most compact is shown.",
                            counted(static_cast<long>(search.free_numbers), "free number", "free numbers"));

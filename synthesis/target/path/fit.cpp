@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -103,7 +104,7 @@ struct GuidingLink {
 };
 
 /// Nothing where the mechanism does not assemble.
-std::optional<GuidingLink> guiding_link(const Program& program, std::size_t target, std::vector<double> dimensions,
+std::optional<GuidingLink> guiding_link(const Program& program, std::size_t target, std::vector<double>& dimensions,
                                         double crank_angle) {
     const PathRoles& roles = roles_of(program, target);
     const Mechanism& mechanism = *program.problem->mechanism;
@@ -117,20 +118,33 @@ std::optional<GuidingLink> guiding_link(const Program& program, std::size_t targ
         margin = miss.margin;
         return -Complex(miss.miss.x, miss.miss.y);
     };
-    const Complex point = guided_point(0), next = guided_point(1);
+    const Complex point = guided_point(0);
     if (!(margin >= 0)) return std::nullopt;
-    return GuidingLink{point, next - point};
+    return GuidingLink{point, roles.along == no_dimension ? Complex(0) : guided_point(1) - point};
+}
+
+/// Numbers from 0 to n - 1, each once, those next to each other far apart: steps of nearly the golden section of n.
+std::vector<std::size_t> spread_out(std::size_t n) {
+    constexpr double golden = 0.6180339887498949;
+    auto step = std::max<std::size_t>(1, static_cast<std::size_t>(golden * static_cast<double>(n)));
+    while (std::gcd(step, n) != 1)
+        ++step;
+    std::vector<std::size_t> all(n);
+    for (std::size_t i = 0; i < n; ++i)
+        all[i] = i * step % n;
+    return all;
 }
 
 /// The guiding link at every target; empty where the mechanism does not assemble at one of them.
 std::vector<GuidingLink> guiding_links(const Program& program, const std::vector<double>& dimensions,
                                        const VectorXd& x) {
-    std::vector<GuidingLink> all;
-    for (std::size_t k = 0; k < program.targets.size(); ++k) {
-        const auto link = guiding_link(program, program.problem->path->target_of(k), dimensions,
+    std::vector<GuidingLink> all(program.targets.size());
+    std::vector<double> own = dimensions;
+    for (const std::size_t k : spread_out(all.size())) {
+        const auto link = guiding_link(program, program.problem->path->target_of(k), own,
                                        path_angle(program, dimensions, x, k).angle);
         if (!link) return {};
-        all.push_back(*link);
+        all[k] = *link;
     }
     return all;
 }
@@ -205,18 +219,17 @@ bool has_poses(const PathTarget& path, std::size_t target) {
     return path.parts.empty() ? path.guides_body() : path.parts[target].guides_body;
 }
 
-}  // namespace
-
-void fit_placement(const Program& program, VectorXd& x) {
+/// Whether the numbers of a placement that are free can be told from so many targets.
+bool can_fit(const Program& program, const Fitted& fitted) {
     const PathRoles& roles = roles_of(program);
-    const std::vector<double> dimensions = dimensions_at(program, x);
-    const Fitted fitted = fitted_of(program, dimensions);
-    const auto n = static_cast<Index>(program.targets.size());
     const bool is_placed =
         roles.origin_x != no_dimension && roles.origin_y != no_dimension && roles.tilt != no_dimension;
-    if (!is_placed || fitted.count() == 0 || n < fitted.count()) return;
-    const std::vector<GuidingLink> links = guiding_links(program, dimensions, x);
-    if (links.empty()) return;
+    return is_placed && fitted.count() > 0 && static_cast<Index>(program.targets.size()) >= fitted.count();
+}
+
+void fit_to(const Program& program, const std::vector<double>& dimensions, const Fitted& fitted,
+            const std::vector<GuidingLink>& links, VectorXd& x) {
+    const PathRoles& roles = roles_of(program);
     const Placement now = placement_of(program, dimensions);
     const Eigen::VectorXcd solved = solved_placement(program, fitted, now, links);
     if (!solved.real().allFinite() || !solved.imag().allFinite()) return;
@@ -245,6 +258,25 @@ void fit_placement(const Program& program, VectorXd& x) {
         set_length(program, own.along, point.real(), x);
         set_length(program, own.across, point.imag(), x);
     }
+}
+
+}  // namespace
+
+void fit_placement(const Program& program, VectorXd& x) {
+    const std::vector<double> dimensions = dimensions_at(program, x);
+    const Fitted fitted = fitted_of(program, dimensions);
+    if (!can_fit(program, fitted)) return;
+    const std::vector<GuidingLink> links = guiding_links(program, dimensions, x);
+    if (!links.empty()) fit_to(program, dimensions, fitted, links, x);
+}
+
+bool fit_assembled(const Program& program, VectorXd& x) {
+    const std::vector<double> dimensions = dimensions_at(program, x);
+    const std::vector<GuidingLink> links = guiding_links(program, dimensions, x);
+    if (links.empty()) return false;
+    const Fitted fitted = fitted_of(program, dimensions);
+    if (can_fit(program, fitted)) fit_to(program, dimensions, fitted, links, x);
+    return true;
 }
 
 }  // namespace mechwright

@@ -14,4 +14,8 @@ namespace mechwright {
 /// angles; O, Z and Y the unknowns.
 void fit_placement(const Program& program, Eigen::VectorXd& x);
 
+/// The same for random candidates, most of which do not close: false, and x as it was, at the first target at which the
+/// mechanism does not assemble. Targets far from each other are looked at first.
+bool fit_assembled(const Program& program, Eigen::VectorXd& x);
+
 }  // namespace mechwright

@@ -1,0 +1,78 @@
+#include "synthesis/search/drawn_starts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "synthesis/target/path/fit.h"
+
+namespace mechwright {
+
+namespace {
+
+using Eigen::VectorXd;
+
+/// Of starts that come close to the path so many times as many as are kept are ranked by all that is asked for.
+constexpr int ranked_by_all = 3;
+
+struct Candidate {
+    double score = unlimited;
+    VectorXd x{};
+};
+
+void sort_by_score(std::vector<Candidate>& all) {
+    std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+}
+
+/// The weighted sum of squares that is left of the path.
+double rest_of_path(const Program& program, const VectorXd& x, PathResiduals& rest) {
+    return path_residuals(program, x, false, rest) ? rest.value.squaredNorm() : unlimited;
+}
+
+bool has_requirements(const Program& program) {
+    return std::any_of(program.rows.begin(), program.rows.end(), [](const Row& row) { return row.requirement; });
+}
+
+/// Objective and violation, both of order one; infinite where something has no value.
+double merit_of_all(const Program& program, VectorXd& x, ProgramValues& values) {
+    settle_epigraphs(program, x);
+    evaluate(program, x, false, values);
+    return values.assembled ? values.objective + 10 * violation(program, x, values) : unlimited;
+}
+
+}  // namespace
+
+std::vector<VectorXd> DrawnStarts::of_round(int round, int keep, int enough, int most, DrawCounts& counts) const {
+    std::vector<Candidate> candidates;
+    PathResiduals rest;
+    const auto consider = [&](VectorXd x) {
+        ++counts.drawn;
+        if (linear_violation(program_, x) > 0 || !fit_assembled(program_, x)) return;
+        ++counts.assembled;
+        const double score = rest_of_path(program_, x, rest);
+        if (score < unlimited) candidates.push_back({score, std::move(x)});
+    };
+    if (round == 0) {
+        VectorXd x = program_.reference;
+        if (program_.untimed_path()) set_path_angles(program_, 0.5, 0.5, x);
+        consider(std::move(x));
+    }
+    const auto first = static_cast<std::uint64_t>(round) * static_cast<std::uint64_t>(most * keep);
+    for (int i = 0; i < most * keep && static_cast<int>(candidates.size()) < enough * keep; ++i)
+        consider(draws_(first + static_cast<std::uint64_t>(i)));
+    sort_by_score(candidates);
+    const auto kept = static_cast<std::size_t>(keep);
+    if (has_requirements(program_)) {
+        candidates.resize(std::min(candidates.size(), ranked_by_all * kept));
+        ProgramValues values;
+        for (Candidate& candidate : candidates)
+            candidate.score = merit_of_all(program_, candidate.x, values);
+        sort_by_score(candidates);
+    }
+    candidates.resize(std::min(candidates.size(), kept));
+    std::vector<VectorXd> starts;
+    for (Candidate& candidate : candidates)
+        starts.push_back(std::move(candidate.x));
+    return starts;
+}
+
+}  // namespace mechwright
