@@ -20,9 +20,10 @@ constexpr double rows_within = 1e-9;
 constexpr double gain_beside_rows = 1e-3;
 constexpr int most_multipliers = 12;
 constexpr double most_damping = 1e20;
-/// Its root is what slopes along a valley are weighed against: of linkages whose points hardly change along one they
-/// are 1e-8 of the others.
-constexpr double least_damping = 1e-24;
+constexpr double least_damping = 1e-14;
+/// The root of damping is what slopes along a valley are weighed against: of linkages whose points hardly change along
+/// one they are 1e-8 of the others.
+constexpr double least_along_valleys = 1e-24;
 
 struct Descent {
     PathFit& fit;
@@ -58,7 +59,7 @@ struct Descent {
             if (!(next.merit < at.merit)) break;
             const double gain = (at.merit - next.merit) / (at.merit - promised);
             damping *= std::clamp(1 - std::pow(2 * gain - 1, 3), 1.0 / 9, 2.0);
-            damping = std::max(damping, least_damping);
+            damping = std::max(damping, limits.follows_valleys ? least_along_valleys : least_damping);
             growth = 2;
             const double enough =
                 fit.greatest_excess(next) > rows_within ? gain_beside_rows : std::max(limits.tolerance, least_gain);
