@@ -146,6 +146,7 @@ void carry_out(const FileToSolve& task, const std::string& label, const SolvingO
     const int kept = keep(task, result, json_text(json), options, console);
     take(task.problem, result, json, kept_trace);
     run.outcomes.push_back(result.status);
+    run.written.push_back(task.result_name);
     run.code = exit_code::worse(run.code, exit_code::worse(kept, exit_code::of(result.status)));
 }
 

@@ -39,7 +39,8 @@ CLI::Option* add_solving_options(CLI::App& command, SolvingOptions& options);
 /// What a run over several files came to.
 struct SolvingRun {
     int code = 0;
-    std::vector<Status> outcomes;  ///< of those that were solved, in order
+    std::vector<Status> outcomes;      ///< of those that were solved, in order
+    std::vector<std::string> written;  ///< names of their files in the folder of --out, without endings
 };
 
 /// Reads all files, solves those that can be, one after the other, writes what --out asks for and hands each result

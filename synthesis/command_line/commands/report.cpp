@@ -113,7 +113,33 @@ int report(const ReportOptions& options, Console& console) {
 
 }  // namespace
 
+NamedDocuments other_results(const fs::path& folder, const std::vector<std::string>& but) {
+    NamedDocuments results;
+    for (const std::string& file : files_in(folder)) {
+        if (std::find(but.begin(), but.end(), fs::path(file).stem().string()) != but.end()) continue;
+        ReadJson read = read_result_file(file);
+        if (read.fault.empty() && why_not_a_result(read.json).empty()) results.emplace_back(file, std::move(read.json));
+    }
+    return results;
+}
+
+namespace {
+
+/// A file as somebody finds it who has the page: the folder that has both may be anywhere.
+std::string from_page(const std::string& file, const std::string& page) {
+    std::error_code error;
+    if (!fs::exists(file, error)) return file;
+    const fs::path near = fs::proximate(file, fs::absolute(page, error).parent_path(), error);
+    return error || near.empty() ? file : near.generic_string();
+}
+
+}  // namespace
+
 int write_page(Page page, const std::string& out, bool quiet, Console& console) {
+    for (ResultToShow& result : page.results)
+        result.file = from_page(result.file, out);
+    for (ResultLine& line : page.lines)
+        if (!line.title.empty() || !line.standing.empty()) line.file = from_page(line.file, out);
     std::string text;
     try {
         text = page_text(page);

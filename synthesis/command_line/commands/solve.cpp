@@ -38,7 +38,12 @@ int solve(const SolveOptions& options, Console& console) {
                         first = false;
                     });
     if (!shown.empty()) {
-        const std::string page = (std::filesystem::path(options.solving.out) / "report.html").string();
+        const std::filesystem::path folder = options.solving.out;
+        const std::string page = (folder / "report.html").string();
+        // What was solved now comes first.
+        if (!options.solving.out.empty())
+            for (auto& other : other_results(folder, run.written))
+                shown.push_back(std::move(other));
         run.code = exit_code::worse(run.code, write_page(page_on_results(shown), page, options.solving.quiet, console));
     }
     if (!options.solving.json) return run.code;
@@ -60,7 +65,7 @@ Command add_solve(CLI::App& program) {
         ->excludes(command->get_option("--json"));
     command->add_flag("--all", options->solving.all, "Put solutions with defects into the alternatives too");
     command->add_flag("--csv", options->solving.csv, "Write tables too: motion; with --all all designs")->needs(out);
-    command->add_flag("--report", options->report, "Write report.html too: a page for a browser");
+    command->add_flag("--report", options->report, "Write report.html too: a page on the folder's results");
     command
         ->add_option("--start-system", options->solving.start_system, "Start system of a homotopy (see start-system)")
         ->type_name("FILE")

@@ -13,6 +13,9 @@ constexpr unsigned char style[] = {
 constexpr unsigned char script[] = {
 #include "page_script.inc"
 };
+constexpr unsigned char moving_script[] = {
+#include "page_gif_script.inc"
+};
 constexpr unsigned char plot_style[] = {
 #include "dygraphs_style.inc"
 };
@@ -32,6 +35,7 @@ std::string_view text_of(const unsigned char (&bytes)[size]) {
 
 std::string_view page_style() { return text_of(style); }
 std::string_view page_script() { return text_of(script); }
+std::string_view gif_script() { return text_of(moving_script); }
 std::string_view dygraphs_style() { return text_of(plot_style); }
 std::string_view dygraphs_script() { return text_of(plot_script); }
 std::string_view dygraphs_licence() { return text_of(plot_licence); }

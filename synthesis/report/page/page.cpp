@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "synthesis/document/versions.h"
 #include "synthesis/mechanism/linkage/drawing/figure.h"
 #include "synthesis/mechanism/linkage/model.h"
+#include "synthesis/report/drawing/exported.h"
 #include "synthesis/report/drawing/figure/figure.h"
 #include "synthesis/report/drawing/motion_plots.h"
 #include "synthesis/report/drawing/raster.h"
@@ -62,9 +64,14 @@ struct Writing {
     ShownParts first;              ///< of the design that shows at first
     bool any = false;
 
-    /// Returns the design's thumbnail, if it is to have one.
-    std::string add(const DesignToShow& shown, int steps, bool with_thumbnail) {
+    /// Returns the design's thumbnail, if it is to have one. What is saved of it is called `file`.
+    std::string add(const DesignToShow& shown, const std::string& file, int steps, bool with_thumbnail) {
         ShownParts parts = shown_parts(shown, steps, with_thumbnail);
+        parts.motion["file"] = file;
+        // Those that are shown by the hundred would make the page too large.
+        if (with_thumbnail)
+            if (Exported drawing = exported(shown.design, "dxf", {}); drawing.fault.empty())
+                parts.motion["dxf"] = std::move(drawing.text);
         if (!any) first = parts;
         any = true;
         std::string thumbnail = std::move(parts.thumbnail);
@@ -72,6 +79,15 @@ struct Writing {
         return thumbnail;
     }
 };
+
+/// "crank-rocker", "crank-rocker-alternative-2"
+std::string name_for_files(const ResultToShow& result, const DesignToShow& shown) {
+    std::string name = std::filesystem::path(result.file).stem().string();
+    if (name.empty()) name = "design";
+    if (&shown != &result.designs.front()) name += "-" + shown.name;
+    std::replace(name.begin(), name.end(), ' ', '-');
+    return name;
+}
 
 void add_result(const ResultToShow& result, bool heading, Writing& writing) {
     if (heading)
@@ -84,7 +100,7 @@ void add_result(const ResultToShow& result, bool heading, Writing& writing) {
     writing.choices += "<div class=\"choices\">";
     for (const DesignToShow& shown : result.designs) {
         const std::size_t number = writing.designs.size();
-        const std::string thumbnail = writing.add(shown, result_steps, true);
+        const std::string thumbnail = writing.add(shown, name_for_files(result, shown), result_steps, true);
         const std::string defect = shown.document.contains("defect") ? ": " + cell_text(shown.document["defect"]) : "";
         writing.choices += fmt::format(
             "<button type=\"button\" class=\"choice\" data-design=\"{}\" aria-pressed=\"{}\">{}<span>{}{}<br>{}</span>"
@@ -136,11 +152,21 @@ std::string controls() {
            "<button type=\"button\" id=\"play\" aria-pressed=\"false\">Play</button>"
            "<label class=\"grow\"><span id=\"angle-name\">angle</span> <input type=\"range\" id=\"angle\" min=\"0\" "
            "max=\"1\" value=\"0\"></label><output id=\"angle-text\" for=\"angle\"></output>"
-           "<label>Speed <select id=\"speed\"><option value=\"0.25\">\u00bc</option><option value=\"0.5\">\u00bd"
-           "</option><option value=\"1\" selected>1</option><option value=\"2\">2</option><option value=\"4\">4"
-           "</option></select></label>"
+           "<label><input type=\"number\" id=\"speed\" min=\"0.1\" max=\"600\" step=\"any\" value=\"15\"> "
+           "<span id=\"speed-name\">turns per minute</span></label>"
            "<label><input type=\"checkbox\" id=\"ghosts\" checked> limit positions</label>"
-           "<label id=\"other-label\"><input type=\"checkbox\" id=\"other\"> other assembly</label></div>";
+           "<label id=\"other-label\"><input type=\"checkbox\" id=\"other\"> other assembly</label></div>"
+           "<div class=\"controls script\">"
+           "<button type=\"button\" id=\"farther\" aria-label=\"Zoom out\">\u2212</button>"
+           "<button type=\"button\" id=\"nearer\" aria-label=\"Zoom in\">+</button>"
+           "<button type=\"button\" id=\"whole\">Whole</button>"
+           "<button type=\"button\" id=\"full\">Full screen</button>"
+           "<span>Save as</span>"
+           "<button type=\"button\" id=\"save-svg\" aria-label=\"Save the drawing as SVG\">SVG</button>"
+           "<button type=\"button\" id=\"save-dxf\" aria-label=\"Save the drawing as DXF, for CAD\">DXF</button>"
+           "<button type=\"button\" id=\"save-csv\" aria-label=\"Save the motion as a table, CSV\">CSV</button>"
+           "<button type=\"button\" id=\"save-gif\" aria-label=\"Save the motion as a moving picture, GIF\">GIF"
+           "</button></div>";
 }
 
 std::string mechanism_section(const Writing& writing) {
@@ -227,7 +253,7 @@ std::string page_text(const Page& page) {
     for (const ResultToShow& result : page.results)
         add_result(result, several, writing);
     for (const DesignToShow& shown : page.study.designs)
-        writing.add(shown, study_steps, false);
+        writing.add(shown, "design", study_steps, false);
 
     const std::string head =
         several || page.results.empty()
@@ -254,8 +280,8 @@ std::string page_text(const Page& page) {
     text += "</main>\n" + licences();
     text += "<script type=\"application/json\" id=\"data\">" +
             in_script({{"designs", std::move(writing.designs)}, {"study", study_data(page.study)}}) + "</script>\n";
-    text += fmt::format("<script>{}</script>\n<script>{}</script></body></html>\n", assets::dygraphs_script(),
-                        assets::page_script());
+    text += fmt::format("<script>{}</script>\n<script>{}</script>\n<script>{}</script></body></html>\n",
+                        assets::dygraphs_script(), assets::gif_script(), assets::page_script());
     return text;
 }
 

@@ -172,7 +172,7 @@
   // The bodies in a group of their own, once for each assembly.
   function makeBodies() {
     const drawing = $("drawing");
-    drawing.setAttribute("viewBox", design.box);
+    whole();
     drawing.innerHTML = design.drawing;
     const own = drawing.querySelector("#bodies");
     own.setAttribute("class", "own");
@@ -195,6 +195,8 @@
       button.setAttribute("aria-pressed", String(Number(button.dataset.design) === index)));
     $("angle").max = design.steps;
     $("angle-name").textContent = design.name;
+    $("speed-name").textContent = ["deg", "rad"].includes(design.unit) ? "turns per minute" : "strokes per minute";
+    $("save-dxf").style.display = design.dxf ? "" : "none";
     $("angle").setAttribute("aria-label", `${design.name} in ${design.unit}`);
     $("numbers").innerHTML = design.tables;
     makeBodies();
@@ -210,14 +212,16 @@
     for (const group of document.querySelectorAll("#drawing > .other")) group.style.display = shown ? "" : "none";
   }
 
-  const secondsPerTurn = 4;
+  // Of the motion, once; a stroke of a driven slide is to and fro.
+  function seconds() {
+    const turn = { deg: 360, rad: 2 * Math.PI }[design.unit] || 2 * (design.to - design.from);
+    const perMinute = Math.min(600, Math.max(0.1, Number($("speed").value) || 15));
+    return 60 / perMinute * (design.to - design.from) / turn;
+  }
 
   function advance(time) {
     if (!playing) return;
-    // A stroke of a driven slide takes as long as half a turn.
-    const turn = { deg: 360, rad: 2 * Math.PI }[design.unit] || 2 * (design.to - design.from);
-    const turns = (design.to - design.from) / turn;
-    const step = Math.min(100, time - lastTime) / 1000 * Number($("speed").value) / (secondsPerTurn * turns);
+    const step = Math.min(100, time - lastTime) / 1000 / seconds();
     lastTime = time;
     share += backward ? -step : step;
     if (design.closed) {
@@ -240,7 +244,150 @@
     requestAnimationFrame(advance);
   }
 
+  // The part of the drawing that shows: x, y, width, height.
+  let view = [0, 0, 1, 1];
+
+  function look(part) {
+    view = part;
+    $("drawing").setAttribute("viewBox", view.join(" "));
+    $("drawing").classList.toggle("zoomed", view.join(" ") !== design.box);
+  }
+
+  const whole = () => look(design.box.split(" ").map(Number));
+
+  // Around a place of the drawing, which stays where it is; never more than all of it.
+  function zoom(times, at) {
+    const [x, y, width, height] = view, all = design.box.split(" ").map(Number);
+    const size = Math.min(1, Math.max(1 / 64, width / times / all[2]));
+    if (size === 1) return whole();
+    const [u, v] = at || [x + width / 2, y + height / 2];
+    return look([u - (u - x) * size * all[2] / width, v - (v - y) * size * all[3] / height,
+      size * all[2], size * all[3]]);
+  }
+
+  function placeInDrawing(event) {
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform($("drawing").getScreenCTM().inverse());
+    return [at.x, at.y];
+  }
+
+  function listenToZoom() {
+    $("nearer").addEventListener("click", () => zoom(1.5));
+    $("farther").addEventListener("click", () => zoom(1 / 1.5));
+    $("whole").addEventListener("click", whole);
+    $("full").addEventListener("click", () =>
+      (document.fullscreenElement ? document.exitFullscreen() : $("mechanism").requestFullscreen()));
+    document.addEventListener("fullscreenchange", () => {
+      $("full").textContent = document.fullscreenElement ? "Leave full screen" : "Full screen";
+    });
+    // Elsewhere a wheel moves the page; two fingers come as a wheel with this key.
+    $("drawing").addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && !document.fullscreenElement) return;
+      event.preventDefault();
+      zoom(Math.exp(-event.deltaY / 400), placeInDrawing(event));
+    }, { passive: false });
+    let held = null;
+    $("drawing").addEventListener("pointerdown", (event) => {
+      if (view.join(" ") === design.box) return;
+      held = placeInDrawing(event);
+      $("drawing").setPointerCapture(event.pointerId);
+    });
+    $("drawing").addEventListener("pointermove", (event) => {
+      if (!held) return;
+      const at = placeInDrawing(event);
+      look([view[0] + held[0] - at[0], view[1] + held[1] - at[1], view[2], view[3]]);
+    });
+    for (const end of ["pointerup", "pointercancel"]) $("drawing").addEventListener(end, () => { held = null; });
+  }
+
+  // The drawing as it shows, whole, with its styles in it.
+  const inherited = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linejoin",
+    "stroke-linecap", "opacity", "font-family", "font-size", "paint-order"];
+
+  function drawnSvg() {
+    const drawing = $("drawing"), [x, y, width, height] = design.box.split(" ").map(Number);
+    const copy = drawing.cloneNode(true);
+    const shown = drawing.querySelectorAll("*");
+    copy.querySelectorAll("*").forEach((element, i) => {
+      const style = getComputedStyle(shown[i]);
+      for (const name of inherited) element.setAttribute(name, style.getPropertyValue(name));
+      if (style.display === "none") element.setAttribute("display", "none");
+      element.removeAttribute("style");
+    });
+    for (const name of ["id", "class", "style"]) copy.removeAttribute(name);
+    copy.setAttribute("xmlns", svgNamespace);
+    copy.setAttribute("viewBox", design.box);
+    copy.setAttribute("width", width);
+    copy.setAttribute("height", height);
+    const paper = document.createElementNS(svgNamespace, "rect");
+    for (const [name, value] of Object.entries({ x, y, width, height, fill: colour("--panel") }))
+      paper.setAttribute(name, value);
+    copy.prepend(paper);
+    return new XMLSerializer().serializeToString(copy);
+  }
+
+  // The curves of the plots at every step, as a table.
+  function motionTable() {
+    const head = (name, unit) => (unit ? `"${name} (${unit})"` : `"${name}"`);
+    const rows = [[head(design.name, design.unit),
+      ...plots.flatMap(({ plot }) => plot.curves.map(([name]) => head(name, plot.unit)))]];
+    for (let i = 0; i <= design.steps; ++i)
+      rows.push([Number(angleAt(i / design.steps).toPrecision(12)), ...plots.flatMap(({ plot }) =>
+        plot.values.map((values) => (Number.isFinite(values[i]) ? Number(values[i].toPrecision(7)) : "")))]);
+    return rows.map((row) => `${row.join(",")}\n`).join("");
+  }
+
+  // Every frame of the motion, to and fro where it does not close, drawn by `take`.
+  async function eachFrame(count, take) {
+    const before = share, frames = design.closed ? count : 2 * count;
+    for (let i = 0; i < frames; ++i) {
+      share = design.closed ? i / frames : 1 - Math.abs(1 - 2 * i / frames);
+      show();
+      const picture = new Image();
+      picture.src = `data:image/svg+xml,${encodeURIComponent(drawnSvg())}`;
+      await picture.decode();
+      take(picture);
+    }
+    share = before;
+    show();
+  }
+
+  async function movingPicture() {
+    const [, , width, height] = design.box.split(" ").map(Number);
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [width, height];
+    const context = canvas.getContext("2d", { willReadFrequently: true });
+    const frames = [];
+    await eachFrame(45, (picture) => {
+      context.drawImage(picture, 0, 0, width, height);
+      frames.push(context.getImageData(0, 0, width, height).data);
+    });
+    const once = design.closed ? seconds() : 2 * seconds();
+    return gifOf(frames, width, height, Math.max(2, Math.round(100 * once / frames.length)));
+  }
+
+  function save(content, type, ending) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([content], { type }));
+    link.download = `${design.file}.${ending}`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  }
+
+  function listenToSave() {
+    $("save-svg").addEventListener("click", () => save(drawnSvg(), "image/svg+xml", "svg"));
+    $("save-dxf").addEventListener("click", () => save(design.dxf, "image/vnd.dxf", "dxf"));
+    $("save-csv").addEventListener("click", () => save(motionTable(), "text/csv", "csv"));
+    $("save-gif").addEventListener("click", async () => {
+      play(false);
+      $("save-gif").disabled = true;
+      const picture = await movingPicture().finally(() => { $("save-gif").disabled = false; });
+      save(picture, "image/gif", "gif");
+    });
+  }
+
   function listen() {
+    listenToZoom();
+    listenToSave();
     $("play").addEventListener("click", () => play(!playing));
     $("angle").addEventListener("input", (event) => {
       share = Number(event.target.value) / design.steps;
