@@ -9,6 +9,7 @@
 #include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/solve/solve.h"
+#include "tests/long_form.h"
 #include "tests/report/temporary_folder.h"
 
 namespace mechwright::homotopy {
@@ -59,10 +60,11 @@ TEST(NinePoints, AreMetByEveryMemberOfAnOrbit) {
 
 /// From nothing: the count is that of the literature, for three seeds.
 TEST(StartSystem, IsMadeByMonodromy) {
-    for (const std::uint64_t seed : {11, 12, 13}) {
-        const StartSystem start = make_start_system(nine_points, seed, 2, 60, nine_point_triplets, {});
+    for (int seed = 11; seed < 11 + cases_to_try(1, 3); ++seed) {
+        const StartSystem start =
+            make_start_system(nine_points, static_cast<std::uint64_t>(seed), 2, 60, nine_point_triplets, {});
         ASSERT_EQ(start.solutions.size(), nine_point_triplets) << seed;
-        const ReadStart read = parse_start_system(to_text(start, seed));
+        const ReadStart read = parse_start_system(to_text(start, static_cast<std::uint64_t>(seed)));
         ASSERT_TRUE(read.start) << read.fault;
         const auto found = solve_guidance(*read.start, target_of(problem_3).parameters, 2);
         EXPECT_EQ(found.solutions.size(), nine_point_triplets);
@@ -156,7 +158,7 @@ TEST(NinePoints, OfRandomFourBarsHaveThatFourBarAmongTheirSolutions) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> between(0, 1);
     int done = 0;
-    while (done < 12) {
+    while (done < cases_to_try(4, 12)) {
         const FourBar<double> m{1, 0.2 + between(random), 0.2 + 2 * between(random), 0.2 + 2 * between(random)};
         const CouplerPoint<double> point{2 * between(random) - 0.5, 2 * between(random) - 1};
         Points points;

@@ -8,6 +8,7 @@
 #include "synthesis/local/local.h"
 #include "tests/evaluation/shipped.h"
 #include "tests/known_optima/solved.h"
+#include "tests/long_form.h"
 
 namespace mechwright {
 
@@ -51,11 +52,11 @@ TEST(NarrowRanges, DoNotEndTheProcess) {
     RandomWidths widths;
     long runs = 0;
     testing::for_each_program(1, [&](const std::string& name, const Program& whole, const auto& points) {
-        for (int k = 0; k < 3; ++k, ++runs) {
+        for (int k = 0; k < cases_to_try(1, 3); ++k, ++runs) {
             const Program program = with_narrow_ranges(whole, points.front(), widths);
             LocalLimits limits;
             limits.most_evaluations = 8;
-            limits.near_optimum = k != 0;
+            limits.near_optimum = runs % 3 != 0;
             const LocalOutcome end = ipopt(program, points.front(), limits);
             for (Eigen::Index i = 0; i < end.x.size(); ++i) {
                 const Variable& v = program.variables[static_cast<std::size_t>(i)];
@@ -65,7 +66,7 @@ TEST(NarrowRanges, DoNotEndTheProcess) {
             }
         }
     });
-    EXPECT_GT(runs, 300);
+    EXPECT_GT(runs, cases_to_try(100, 300));
 }
 
 /// A design in a narrow range is that of the range's middle, and found to its last digits.

@@ -12,6 +12,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/solve/solve.h"
 #include "tests/checked.h"
+#include "tests/long_form.h"
 
 namespace mechwright {
 
@@ -143,7 +144,7 @@ TEST(LinkageMeans, AreVerifiedOverMotionsThatEndAtLimits) {
 
 /// A speed grows like the inverse root of the way from a limit: its square has no integral.
 TEST(LinkageMeans, OfSquaresOfSpeedsAreNotThereWhereMotionsEndAtLimits) {
-    for (const char* quantity : {"speed.rms", "swing.speed.rms"}) {
+    for (const char* quantity : {"swing.speed.rms", "speed.rms"}) {
         const ReadProblem read =
             parse_problem(rocking + "[[require]]\nquantity = \"" + quantity + "\"\nmin = 0\n", "means.toml");
         ASSERT_TRUE(read.ok());
@@ -151,6 +152,7 @@ TEST(LinkageMeans, OfSquaresOfSpeedsAreNotThereWhereMotionsEndAtLimits) {
         EXPECT_EQ(found["status"], "infeasible");
         EXPECT_FALSE(found["quantities"].contains(quantity));
         expect_verified(found);
+        if (!in_long_form()) break;
     }
 }
 

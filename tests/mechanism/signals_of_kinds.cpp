@@ -181,7 +181,8 @@ TEST(SignalsOfKinds, SayWhatIsWrong) {
 /// The optimum is that of the linkage that it is, too, solved by itself.
 TEST(SignalsOfKinds, AreSolvedForAnEvenPace) {
     std::ifstream in(MECHWRIGHT_SOURCE_DIR "/problems/four-bar/even-pace.toml");
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    text.replace(text.find("starts = 24"), 11, "starts = 4");
     const ExpandedProblem expanded = expand_problem(text, "even-pace.toml");
     ASSERT_TRUE(expanded.ok());
     for (const std::string& one : {text, expanded.text}) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/analysis/random_linkage.h"
+#include "tests/long_form.h"
 #include "tests/problem/problem_text.h"
 
 namespace mechwright::test {
@@ -348,7 +349,8 @@ std::string file_of(const MadeLinkage& m) {
 
 TEST(LinkageFile, OfRandomStructuresHasTheMobilityOfFiftyDigits) {
     int taken = 0, refused = 0;
-    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const auto last = static_cast<std::uint64_t>(cases_to_try(50, 200));
+    for (std::uint64_t seed = 1; seed <= last; ++seed) {
         const MadeLinkage made = random_linkage(seed);
         const auto exact = linkage::mobility<Precise>(made.s, 11, made.numbers);
         const ReadLinkage read = parse_linkage(file_of(made), "p.toml");
@@ -379,8 +381,8 @@ TEST(LinkageFile, OfRandomStructuresHasTheMobilityOfFiftyDigits) {
                 << seed << "\n"
                 << told;
     }
-    EXPECT_GT(taken, 50);
-    EXPECT_GT(refused, 30);
+    EXPECT_GT(taken, cases_to_try(12, 50));
+    EXPECT_GT(refused, cases_to_try(7, 30));
 }
 
 }  // namespace mechwright::test

@@ -8,7 +8,7 @@ import warnings
 
 import mechwright
 import numpy as np
-from common import PROBLEMS, Folder, crank_rocker, path_search, plain, run, table_of, without_file
+from common import POINTS, PROBLEMS, Folder, crank_rocker, path_search, plain, run, table_of, without_file
 from solve_test import FILES
 
 FILE = PROBLEMS / "four-bar/crank-rocker.toml"
@@ -88,7 +88,7 @@ class Changed(unittest.TestCase):
 
     def test_then_messages_name_keys_and_files_stand_where_they_stood(self):
         folder = Folder(self)
-        folder.write("points.csv", "20,20\n20,25\n20,30\n20,35\n20,40\n")
+        folder.write("points.csv", "".join(f"{x},{y}\n" for x, y in POINTS))
         table = path_search([], starts=1)
         table["path"] = {"points_file": "points.csv"}
         file = folder.path / "problem.toml"

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import mechwright
 import numpy as np
-from common import (PROBLEMS, Folder, but_for_time, crank_rocker, given_linkage, long_search, path_search, plain, run, solved_by_program,
-                    table_of, without_file)
+from common import (POINTS, PROBLEMS, Folder, but_for_time, crank_rocker, given_linkage, long_search, path_search, plain, run,
+                    solved_by_program, table_of, without_file)
 
 # One of each mechanism and of each kind of target.
 FILES = [
@@ -24,7 +24,7 @@ FILES = [
     "function/power.toml",
     "function/ram-square.toml",
     "poses/tipper.toml",
-    "path/case-1.toml",
+    "path/case-2.toml",
     "line/hoekens-180.toml",
     "exact/five-timed-points.toml",
     "exact/three-poses-four-points.toml",
@@ -98,17 +98,15 @@ class KnownOptima(unittest.TestCase):
 class NumPy(unittest.TestCase):
     """Arrays in mean what lists of the same numbers mean; arrays come out."""
 
-    points = [[20, 20], [20, 25], [20, 30], [20, 35], [20, 40]]
-
     def solved(self, points, **more):
-        problem = path_search(points, starts=4)
+        problem = path_search(points, starts=1)
         problem["path"].update(more)
         return without_file(plain(mechwright.solve(problem)))
 
     def test_arrays_of_every_kind_in(self):
-        of_lists = self.solved(self.points)
-        array = np.array(self.points, dtype=float)
-        wide = np.zeros((5, 4))
+        of_lists = self.solved(POINTS)
+        array = np.array(POINTS, dtype=float)
+        wide = np.zeros((len(POINTS), 4))
         wide[:, ::2] = array
         fortran = np.asfortranarray(array)
         read_only = array.copy()
@@ -119,7 +117,7 @@ class NumPy(unittest.TestCase):
                 "uint8": array.astype(np.uint8), "big-endian": array.astype(">f8"), "not contiguous": wide[:, ::2],
                 "reversed twice": array[::-1][::-1], "Fortran": fortran, "read-only": read_only,
                 "objects": array.astype(object), "list of arrays": list(array),
-                "tuples": tuple(map(tuple, self.points))}.items():
+                "tuples": tuple(map(tuple, POINTS))}.items():
             with self.subTest(name):
                 self.assertEqual(self.solved(points), of_lists)
 
@@ -135,8 +133,8 @@ class NumPy(unittest.TestCase):
         self.assertEqual(without_file(plain(mechwright.solve(problem))), expected)
 
     def test_truth_values_in(self):
-        closed = self.solved(self.points, closed=True)
-        self.assertEqual(self.solved(self.points, closed=np.True_), closed)
+        closed = self.solved(POINTS, closed=True)
+        self.assertEqual(self.solved(POINTS, closed=np.True_), closed)
         self.assertTrue(closed["path"]["closed"])
 
     def test_doubles_survive_to_the_last_digit(self):
@@ -147,8 +145,8 @@ class NumPy(unittest.TestCase):
             self.assertEqual(mechwright.analyse(problem)["design"]["ground"], value)
 
     def test_arrays_out(self):
-        path = mechwright.solve(path_search(np.array(self.points), starts=4))["path"]
-        for name, shape in {"points": (5, 2), "reached": (5, 2), "crank_angles": (5,), "distances": (5,)}.items():
+        path = mechwright.solve(path_search(np.array(POINTS), starts=1))["path"]
+        for name, shape in {"points": (9, 2), "reached": (9, 2), "crank_angles": (9,), "distances": (9,)}.items():
             self.assertIsInstance(path[name], np.ndarray, name)
             self.assertEqual(path[name].dtype, np.float64, name)
             self.assertEqual(path[name].shape, shape, name)
@@ -166,9 +164,9 @@ class NumPy(unittest.TestCase):
         self.assertEqual(poses["directions"].dtype, np.float64)
 
     def test_the_array_that_is_given_is_left_alone(self):
-        points = np.array(self.points, dtype=float)
+        points = np.array(POINTS, dtype=float)
         before = points.copy()
-        result = mechwright.solve(path_search(points, starts=4))
+        result = mechwright.solve(path_search(points, starts=1))
         result["path"]["points"][:] = 0
         np.testing.assert_array_equal(points, before)
 
@@ -195,14 +193,14 @@ class Paths(unittest.TestCase):
         before = os.getcwd()
         self.addCleanup(os.chdir, before)
         folder = Folder(self)
-        folder.write("points.csv", "x,y\n20,20\n20,25\n20,30\n20,35\n20,40\n")
-        problem = path_search([], starts=4)
+        folder.write("points.csv", "x,y\n" + "".join(f"{x},{y}\n" for x, y in POINTS))
+        problem = path_search([], starts=1)
         problem["path"] = {"points_file": "points.csv"}
         with self.assertRaisesRegex(OSError, "points.csv"):
             mechwright.solve(problem)
         os.chdir(folder.path)
         named = without_file(plain(mechwright.solve(problem)))
-        self.assertEqual(named, without_file(plain(mechwright.solve(path_search(NumPy.points, starts=4)))))
+        self.assertEqual(named, without_file(plain(mechwright.solve(path_search(POINTS, starts=1)))))
 
 
 class Module(unittest.TestCase):

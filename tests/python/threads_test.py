@@ -10,16 +10,15 @@ import unittest
 from concurrent.futures import ThreadPoolExecutor
 
 import mechwright
-from common import PROBLEMS, long_search, path_search, plain, without_file
+from common import POINTS, PROBLEMS, long_search, path_search, plain, without_file
 
 PROMPT = 10  # seconds; far less than any of these searches takes, far more than stopping does
 
 
 class Threads(unittest.TestCase):
     def test_they_find_what_one_alone_finds(self):
-        points = [[20, 20], [20, 25], [20, 30], [20, 35], [20, 40]]
         # Ipopt's linear solver has global state: the library lets one at a time have it.
-        problems = [path_search(points, starts=1, method=method) for method in ("ipopt", "slsqp", "ipopt", "auto")]
+        problems = [path_search(POINTS, starts=1, method=method) for method in ("ipopt", "slsqp", "ipopt", "auto")]
         problems += [PROBLEMS / "four-bar/crank-rocker.toml", PROBLEMS / "exact/five-timed-points.toml"]
         alone = [without_file(plain(mechwright.solve(problem))) for problem in problems]
         with ThreadPoolExecutor(len(problems)) as pool:

@@ -12,6 +12,7 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/report/json_text.h"
 #include "synthesis/solve/solve.h"
+#include "tests/long_form.h"
 #include "tests/robustness/allocation.h"
 #include "tests/robustness/problems.h"
 
@@ -76,7 +77,7 @@ TEST_P(FailingAllocation, IsToldAndForgotten) {
     fail_allocation(-1);
     document();
     const long all = let_allocations_succeed();
-    constexpr long tried = 40;
+    const long tried = cases_to_try(24, 40);
     std::array<int, 6> count{};
     for (long i = 0; i < tried; ++i) {
         // Dense where it begins, where the reader is, then evenly.

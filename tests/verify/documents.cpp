@@ -8,6 +8,7 @@
 
 #include "synthesis/mechanism/mechanism.h"
 #include "tests/degree.h"
+#include "tests/long_form.h"
 
 namespace mechwright::test {
 
@@ -142,8 +143,9 @@ int verified_with_members_replaced(Json& document, Json& at) {
         for (auto& child : at)
             replaced += verified_with_members_replaced(document, child);
     const Json kept = at;
-    for (const Json& other : others) {
-        at = other;
+    static std::size_t turn = 0;
+    for (int i = 0; i < cases_to_try(3, static_cast<int>(others.size())); ++i) {
+        at = others[turn++ % others.size()];
         EXPECT_FALSE(verify(document).empty());
         ++replaced;
     }

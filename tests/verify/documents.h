@@ -37,7 +37,8 @@ void add_path(Json& document, const std::vector<double>& crank_angles, double mi
 std::vector<std::string> failures(const Json& document);
 
 /// Every member of the document, at any depth, replaced by values of every type and verified: no crash, no exception,
-/// no hang. How many documents that were; the document is as before.
+/// no hang. In the short form each member is replaced by three of the values, others for the next. How many documents
+/// that were; the document is as before.
 int verified_with_members_replaced(Json& document);
 /// The same of one of its members and those below.
 int verified_with_members_replaced(Json& document, Json& at);
