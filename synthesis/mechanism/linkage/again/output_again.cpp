@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "synthesis/mechanism/linkage/again/measured.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/over_range.h"
 
@@ -13,7 +13,7 @@ namespace mechwright {
 namespace {
 
 constexpr std::size_t scale_count = 4;  ///< the last of the arguments: start and range of input and output
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+using again::missing;
 
 }  // namespace
 
