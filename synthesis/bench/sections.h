@@ -18,6 +18,7 @@ Section peers();
 Section work_precision();
 Section data_profiles();
 Section recovery();
+Section curves();
 Section everyday();
 Section agreement();
 

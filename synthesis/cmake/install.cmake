@@ -7,7 +7,8 @@ file(GLOB_RECURSE analysis_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analy
 set(synthesis_headers
     mechanism/cam/cam.h mechanism/cam/motion_program.h mechanism/drawing/body.h mechanism/drawing/figure.h
     mechanism/drawing/moving_design.h
-    mechanism/affine.h mechanism/as_linkage.h mechanism/mechanism.h mechanism/quantity.h mechanism/path_screening.h mechanism/task.h
+    mechanism/affine.h mechanism/as_linkage.h mechanism/mechanism.h mechanism/quantity.h mechanism/task.h
+    mechanism/curve_fit.h mechanism/path_screening.h
     target/function/function_target.h
     target/function/loop_row.h
     problem/by_name.h problem/problem.h problem/reader.h program/assess.h program/proof.h program/quantity_value.h

@@ -15,6 +15,7 @@
 
 #include "analysis/geometry/vector.h"
 #include "synthesis/mechanism/as_linkage.h"
+#include "synthesis/mechanism/curve_fit.h"
 #include "synthesis/mechanism/drawing/body.h"
 #include "synthesis/mechanism/path_screening.h"
 #include "synthesis/mechanism/quantity.h"
@@ -132,6 +133,8 @@ struct PointGuidance {
     Vector<Digits50> (*point)(Form, std::span<const Digits50> arguments, const Digits50& crank_angle) = nullptr;
     /// Ranks candidates for a path, many at once; null: they are evaluated one by one.
     PathScreening screening = nullptr;
+    /// Fits whole curves to paths in any order; without it, by the crank angles of the targets.
+    CurveFit curve{};
     /// Whether the guided points of two designs draw one curve though the designs are different: cognates. Null where
     /// there are none.
     bool (*draws_same_curve)(std::span<const double> a, std::span<const double> b) = nullptr;

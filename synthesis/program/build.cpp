@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "synthesis/mechanism/cycle.h"
+#include "synthesis/program/condition_margin.h"
 #include "synthesis/program/program.h"
 #include "synthesis/target/path/rows/path_rows.h"
 #include "synthesis/target/path/rows/stretch.h"
@@ -14,9 +15,6 @@ namespace mechwright {
 
 namespace {
 
-/// How far a condition of motion is kept from its limit, in lengths of the program: at the limit itself lies a change
-/// point, where no design passes verification.
-constexpr double condition_margin = 1e-6;
 /// A length whose range starts at zero starts at this part of its greatest value.
 constexpr double least_length = 1e-6;
 

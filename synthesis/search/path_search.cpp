@@ -16,6 +16,7 @@
 #include "synthesis/program/without_margins.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
+#include "synthesis/search/curve/curve_search.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/path_objective.h"
 #include "synthesis/search/polished_search.h"
@@ -491,6 +492,11 @@ std::string why_no_path_search(const Problem& problem) {
 
 Multistart path_search(const Problem& problem, const RunOptions& options,
                        std::chrono::steady_clock::time_point deadline) {
+    if (can_search_curves(problem)) {
+        Multistart by_curves = curve_search(problem, options, deadline);
+        const bool feasible = !by_curves.optima.empty() && by_curves.optima.front().feasible;
+        if (feasible || by_curves.stopped) return by_curves;
+    }
     Multistart result;
     Search search(problem, options, deadline);
     if (search.programs.empty()) return result;

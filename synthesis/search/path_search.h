@@ -1,7 +1,8 @@
 #pragma once
 /// \file
 /// The search for coupler paths: candidates screened in lanes, Levenberg and Marquardt's method from the best of them
-/// and from starts near those that it ended at, and sequential quadratic programming from the best ends of all.
+/// and from starts near those that it ended at, and sequential quadratic programming from the best ends of all. Paths
+/// in any order that need no more than that are searched by whole curves (curve/curve_search.h).
 
 #include "synthesis/search/multistart.h"
 

@@ -9,6 +9,7 @@
 #include "synthesis/mechanism/four_bar/as_linkage.h"
 #include "synthesis/mechanism/four_bar/cognates.h"
 #include "synthesis/mechanism/four_bar/coupler_path.h"
+#include "synthesis/mechanism/four_bar/curve.h"
 #include "synthesis/mechanism/four_bar/drawing.h"
 #include "synthesis/mechanism/four_bar/explained.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
@@ -261,6 +262,7 @@ std::shared_ptr<const Mechanism> four_bar_mechanism() {
                                          .miss = path_miss_by<CouplerPath>,
                                          .point = four_bar_path_point,
                                          .screening = four_bar_screening,
+                                         .curve = four_bar_curve_fit(),
                                          .draws_same_curve = are_cognates},
                   .body = BodyGuidance{CouplerPath::reads, "the line of the coupler's pins", pose_miss_by<CouplerPose>},
                   .input = InputRange{links, input_margin_quantity<InputMargin>(links), over_input()},

@@ -1,0 +1,146 @@
+#include "synthesis/search/curve/curve_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "analysis/numbers/scalar.h"
+#include "synthesis/program/condition_margin.h"
+#include "synthesis/target/path/rows/stretch.h"
+
+namespace mechwright {
+
+namespace {
+
+/// A design may lie where its kind ends, to rounding.
+constexpr double rounding_of_margin = 1e-10;
+
+bool meets(const std::vector<LinearCondition>& conditions, const CurveArguments& a) {
+    return std::all_of(conditions.begin(), conditions.end(), [&](const LinearCondition& c) {
+        double sum = 0;
+        for (std::size_t i = 0; i < c.coefficients.size(); ++i)
+            sum += c.coefficients[i] * a[i];
+        return sum >= condition_margin - rounding_of_margin;
+    });
+}
+
+/// A requirement missed by a part counts as if every target were missed by about three times that part of the spread.
+constexpr double per_requirement = 10;
+
+/// The rows of a program that requirements stand for; nothing where one of them speaks of the path.
+std::optional<std::vector<std::size_t>> requirement_rows(const Program& program) {
+    const std::vector<std::size_t> beside = rows_beside_path(program);
+    std::vector<std::size_t> rows;
+    for (std::size_t r = 0; r < program.rows.size(); ++r) {
+        if (!program.rows[r].requirement) continue;
+        if (std::find(beside.begin(), beside.end(), r) == beside.end()) return std::nullopt;
+        rows.push_back(r);
+    }
+    return rows;
+}
+
+GroupedTargets grouped(const std::vector<Vector<double>>& targets, const std::vector<double>& weights) {
+    constexpr std::size_t lanes = std::tuple_size_v<Group>;
+    GroupedTargets g;
+    g.count = targets.size();
+    const std::size_t groups = (targets.size() + lanes - 1) / lanes;
+    g.x.resize(groups);
+    g.y.resize(groups);
+    g.weight.resize(groups);
+    for (std::size_t i = 0; i < groups * lanes; ++i) {
+        const std::size_t k = std::min(i, targets.size() - 1);
+        g.x[i / lanes][i % lanes] = targets[k].x;
+        g.y[i / lanes][i % lanes] = targets[k].y;
+        g.weight[i / lanes][i % lanes] = i < targets.size() ? weights[k] : 0;
+    }
+    return g;
+}
+
+void set_moments(CurveProblem& p, const std::vector<Vector<double>>& targets, const std::vector<double>& weights) {
+    std::complex<double> middle = 0, second = 0;
+    double square = 0;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        p.weight += weights[i];
+        middle += weights[i] * std::complex(targets[i].x, targets[i].y);
+    }
+    middle /= p.weight;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const std::complex from = std::complex(targets[i].x, targets[i].y) - middle;
+        square += weights[i] * std::norm(from);
+        second += weights[i] * from * from;
+    }
+    p.middle = {middle.real(), middle.imag()};
+    p.spread = std::sqrt(square / p.weight);
+    p.second = {second.real() / p.weight, second.imag() / p.weight};
+}
+
+}  // namespace
+
+bool CurveProblem::allows(std::size_t assembly, const CurveArguments& a) const {
+    return std::any_of(kinds.begin(), kinds.end(),
+                       [&](const CurveKind& kind) { return kind.assembly == assembly && meets(*kind.conditions, a); });
+}
+
+std::optional<CurveProblem> curve_problem(const std::vector<Program>& programs) {
+    if (programs.empty()) return std::nullopt;
+    const Program& program = programs.front();
+    const Problem& problem = *program.problem;
+    const Mechanism& mechanism = *problem.mechanism;
+    if (!problem.path || !problem.path->any_order || !mechanism.point || !mechanism.point->curve.sample ||
+        problem.crank_range || has_ties(problem) || !problem.path->parts.empty() || problem.path->guides_body())
+        return std::nullopt;
+    CurveProblem p;
+    p.programs = &programs;
+    for (const Program& one : programs) {
+        auto rows = requirement_rows(one);
+        if (!rows || !one.variant.choices.empty() || (!rows->empty() && depends_on_stretch(one))) return std::nullopt;
+        p.rows.push_back(std::move(*rows));
+    }
+    p.fit = &mechanism.point->curve;
+    p.set = widest_instruction_set();
+    p.arguments = mechanism.point->reads.size();
+    p.lengths = p.arguments - 5;
+    p.free_size = true;
+    for (std::size_t i = 0; i < p.arguments; ++i) {
+        const std::size_t dimension = mechanism.point->reads[i];
+        const std::ptrdiff_t v = program.variable_of[dimension];
+        p.lower[i] = v >= 0 ? program.variables[static_cast<std::size_t>(v)].lower : program.dimensions[dimension];
+        p.upper[i] = v >= 0 ? program.variables[static_cast<std::size_t>(v)].upper : program.dimensions[dimension];
+        if (i < p.lengths) p.free_size = p.free_size && p.is_free(i);
+    }
+    p.free_size = p.free_size && p.is_free(p.lengths) && p.is_free(p.lengths + 1);
+    p.free_placement = p.is_free(p.lengths + 2) && p.is_free(p.lengths + 3) && p.is_free(p.lengths + 4);
+    for (const Program& one : programs)
+        p.kinds.push_back({one.variant.assembly, &mechanism.families[one.variant.family].conditions});
+    p.targets = grouped(program.targets, problem.path->weights);
+    set_moments(p, program.targets, problem.path->weights);
+    p.weight_of_rows = per_requirement * p.weight * p.spread * p.spread;
+    return p.spread > 0 ? std::optional(p) : std::nullopt;
+}
+
+std::size_t program_of(const std::vector<Program>& programs, const CurveArguments& arguments, std::size_t assembly) {
+    const auto at = std::find_if(programs.begin(), programs.end(), [&](const Program& p) {
+        return p.variant.assembly == assembly &&
+               meets(p.problem->mechanism->families[p.variant.family].conditions, arguments);
+    });
+    return static_cast<std::size_t>(at - programs.begin());
+}
+
+Eigen::VectorXd point_with(const Program& program, const CurveArguments& arguments) {
+    Eigen::VectorXd x = program.reference;
+    const auto& reads = program.problem->mechanism->point->reads;
+    for (std::size_t i = 0; i < reads.size(); ++i)
+        if (const std::ptrdiff_t v = program.variable_of[reads[i]]; v >= 0) x[v] = arguments[i];
+    return x;
+}
+
+CurveArguments within_ranges(const CurveProblem& p, CurveArguments a) {
+    double& tilt = a[p.arguments - 1];
+    const double turn = 2 * pi<double>();
+    tilt -= turn * std::floor((tilt - p.lower[p.arguments - 1]) / turn);
+    for (std::size_t i = 0; i < p.arguments; ++i)
+        a[i] = std::clamp(a[i], p.lower[i], p.upper[i]);
+    return a;
+}
+
+}  // namespace mechwright

@@ -1,0 +1,244 @@
+#include "synthesis/search/curve/curve_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "analysis/numbers/low_discrepancy.h"
+#include "synthesis/program/assess.h"
+#include "synthesis/program/search_trace.h"
+#include "synthesis/program/work_sharing.h"
+#include "synthesis/program/zero_objective.h"
+#include "synthesis/search/curve/batch.h"
+#include "synthesis/search/optima.h"
+#include "synthesis/search/path_objective.h"
+#include "synthesis/search/polished_search.h"
+#include "synthesis/target/path/rows/nearest_point.h"
+
+namespace mechwright {
+
+namespace {
+
+/// So many batches are run at a time, each of so many evaluations; the starts that a problem asks for are worth that
+/// many rounds for each `starts_of_rounds`.
+constexpr int most_batches_of_round = 4;
+constexpr long evaluations_of_batch = 40000;
+constexpr int rounds = 6;
+constexpr int starts_of_rounds = 32;
+/// Batches whose least sums of squares agree to this part came to one end; they hit the best one if they agree with it
+/// to the smaller part.
+constexpr double same_end_within = 1e-3;
+constexpr double hits_within = 1e-5;
+/// The search goes on while more than this share of batches would end where none has.
+constexpr double most_share_unseen = 0.05;
+/// Chains of variations, of so many evaluations, from the best of all batches.
+constexpr int chains = 2;
+constexpr long evaluations_of_chain = 20000;
+/// Designs that are taken to the very end: different ones, the best of them; and the greatest program that is polished.
+constexpr std::size_t most_polished = 4;
+constexpr std::size_t most_polished_variables = 60;
+/// Beside requirements the method of least squares that keeps to them (local.h) takes designs there, in so many passes
+/// with nearest points found anew.
+constexpr int most_passes = 4;
+constexpr int evaluations_of_pass = 600;
+
+struct Search {
+    const Problem& problem;
+    const RunOptions& options;
+    std::vector<Program> programs;
+    std::optional<CurveProblem> curve;
+    LocalLimits limits;
+    SearchReport report;
+    SearchEnds ends{same_end_within};
+    std::vector<double> least_sums;  ///< of batches
+    std::vector<FittedCurve> best;   ///< of all of them
+
+    Search(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline)
+        : problem(p), options(o) {
+        for (const Variant& variant : variants(p))
+            programs.push_back(build_program(p, variant));
+        curve = curve_problem(programs);
+        limits.deadline = deadline;
+        limits.stop = o.stop;
+        limits.polishing = seconds_of(o.trace, &SearchTrace::polishing);
+    }
+
+    int batches_of_round() const { return std::min(most_batches_of_round, problem.solver.starts); }
+    int most_rounds() const { return rounds * ((problem.solver.starts + starts_of_rounds - 1) / starts_of_rounds); }
+
+    /// The design of a fit in the program of its kind of motion.
+    std::optional<Solution> assessed(const FittedCurve& fitted) const {
+        const std::size_t at = program_of(programs, fitted.arguments, fitted.assembly);
+        if (at == programs.size()) return std::nullopt;
+        return assess(problem, design_at(programs[at], point_with(programs[at], fitted.arguments)));
+    }
+
+    template <class Task>
+    std::vector<CurveBatch> run(int count, const Task& task) {
+        std::vector<CurveBatch> done(static_cast<std::size_t>(count));
+        share_work(count, options.jobs, [&](int i) {
+            const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
+            done[static_cast<std::size_t>(i)] = task(i);
+        });
+        for (const CurveBatch& batch : done) {
+            report.drawn += batch.drawn;
+            report.assembled += batch.optimised;
+            report.optimised += batch.optimised;
+            report.evaluations += batch.evaluations;
+            best.insert(best.end(), batch.best.begin(), batch.best.end());
+        }
+        std::stable_sort(best.begin(), best.end(),
+                         [](const FittedCurve& a, const FittedCurve& b) { return a.sum < b.sum; });
+        return done;
+    }
+
+    bool stopped() const { return limits.reached(); }
+
+    void run_round(int round) {
+        const int each = batches_of_round();
+        const auto done = run(each, [&](int i) {
+            const auto number = static_cast<std::uint64_t>(round * each + i);
+            return curve_batch(*curve, mixed(problem.solver.seed) + number, evaluations_of_batch,
+                               [&] { return stopped(); });
+        });
+        for (const CurveBatch& batch : done) {
+            if (batch.best.empty()) continue;
+            ++report.starts;
+            ends.add(batch.best.front().sum);
+            least_sums.push_back(batch.best.front().sum);
+        }
+    }
+
+    bool is_exact() const { return !best.empty() && is_rounding(*curve, best.front().sum); }
+    bool enough() const { return is_exact() || ends.unseen() <= most_share_unseen; }
+
+    /// Variations of the best of all batches, whose sums are no different any more where they come to the same end.
+    void refine() {
+        if (best.empty() || is_exact() || stopped()) return;
+        const std::vector<FittedCurve> from = best;
+        run(chains, [&](int i) {
+            return curve_variations(*curve, from, mixed(problem.solver.seed + 1) + static_cast<std::uint64_t>(i),
+                                    evaluations_of_chain, [&] { return stopped(); });
+        });
+    }
+
+    /// The best designs, different ones.
+    std::vector<FittedCurve> different() const {
+        std::vector<FittedCurve> chosen;
+        for (const FittedCurve& fitted : best)
+            if (chosen.size() < most_polished &&
+                (chosen.empty() || fitted.sum > (1 + same_end_within) * chosen.back().sum))
+                chosen.push_back(fitted);
+        return chosen;
+    }
+
+    /// Least squares that keep to the requirements; what it comes to where that is better.
+    void meet_requirements(const Program& program, SearchEnd& end) const {
+        LocalLimits some = limits;
+        some.most_evaluations = evaluations_of_pass;
+        Solution from = *end.solution;
+        for (int pass = 0; pass < most_passes; ++pass) {
+            const LocalOutcome outcome = levenberg_marquardt(program, point_of(program, from.design), some);
+            end.evaluations += outcome.evaluations;
+            if (outcome.x.size() == 0) return;
+            from = assess(problem, design_at(program, outcome.x));
+            if (!preferred(problem, from, *end.solution)) return;
+            end.solution = from;
+        }
+    }
+
+    /// The design of a fit and what is made of it: least squares beside requirements, sequential quadratic programming.
+    SearchEnd polished(FittedCurve fitted) const {
+        const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
+        CurveWork work;
+        settle(*curve, fitted, work);
+        SearchEnd end{"drawn", "least-squares: gains too small", work.evaluations};
+        end.solution = assessed(fitted);
+        if (end.solution) {
+            const Program& program = programs[program_of(programs, fitted.arguments, fitted.assembly)];
+            if (curve->has_requirements()) meet_requirements(program, end);
+            if (program.size() <= most_polished_variables || curve->has_requirements()) polish(program, end);
+        }
+        end.seconds = timed.seconds();
+        return end;
+    }
+
+    void polish(const Program& program, SearchEnd& end) const {
+        const Eigen::VectorXd x = point_of(program, end.solution->design);
+        const LocalOutcome outcome = polished_search(program, x, slsqp, limits);
+        end.evaluations += outcome.evaluations;
+        end.verdict = outcome.verdict;
+        if (outcome.x.size() == 0) return;
+        Solution after = assess(problem, design_at(program, outcome.x));
+        if (preferred(problem, after, *end.solution)) end.solution = std::move(after);
+    }
+
+    std::vector<Solution> finish() {
+        const std::vector<FittedCurve> chosen = different();
+        std::vector<SearchEnd> finished(chosen.size());
+        share_work(static_cast<int>(chosen.size()), options.jobs, [&](int i) {
+            finished[static_cast<std::size_t>(i)] = polished(chosen[static_cast<std::size_t>(i)]);
+        });
+        std::vector<Solution> found;
+        for (const SearchEnd& end : finished) {
+            report.evaluations += end.evaluations;
+            if (end.solution) found.push_back(*end.solution);
+            if (options.trace) options.trace->ends.push_back(end);
+        }
+        return found;
+    }
+
+    int hits() const {
+        return static_cast<int>(std::count_if(least_sums.begin(), least_sums.end(), [&](double sum) {
+            return is_rounding(*curve, sum) || sum <= (1 + hits_within) * best.front().sum;
+        }));
+    }
+
+    void tell_progress(const std::optional<Solution>& now) const {
+        if (!options.progress) return;
+        options.progress(report.starts, most_rounds() * batches_of_round(),
+                         now && now->feasible ? now->objective : std::numeric_limits<double>::quiet_NaN());
+    }
+};
+
+}  // namespace
+
+bool can_search_curves(const Problem& problem) {
+    if (!problem.path || !least_squares_suffice(problem)) return false;
+    std::vector<Program> programs;
+    for (const Variant& variant : variants(problem))
+        programs.push_back(build_program(problem, variant));
+    return curve_problem(programs).has_value();
+}
+
+Multistart curve_search(const Problem& problem, const RunOptions& options,
+                        std::chrono::steady_clock::time_point deadline) {
+    Multistart result;
+    Search search(problem, options, deadline);
+    for (int round = 0; round < search.most_rounds() && !search.stopped(); ++round) {
+        search.run_round(round);
+        std::optional<Solution> now;
+        if (!search.best.empty()) now = search.assessed(search.best.front());
+        search.tell_progress(now);
+        result.milestones.push_back({search.report.drawn, search.report.evaluations, 0, std::move(now)});
+        if (search.enough()) break;
+    }
+    search.refine();
+    const std::vector<Solution> found = search.finish();
+    std::vector<const Solution*> all;
+    for (const Solution& s : found)
+        all.push_back(&s);
+    result.stopped = search.stopped();
+    result.report = search.report;
+    result.optima = distinct_optima(problem, all, result.report);
+    result.report.hits = found.empty() ? 0 : search.hits();
+    result.report.missed_chance = search.ends.unseen();
+    if (!result.optima.empty() && is_at_zero(problem, result.optima.front())) {
+        result.report.proof = proof_by_zero(problem);
+        result.report.missed_chance = 0;
+    }
+    if (!result.optima.empty() && !result.milestones.empty()) result.milestones.back().best = result.optima.front();
+    return result;
+}
+
+}  // namespace mechwright

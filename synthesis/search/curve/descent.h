@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// Least squares of the distances from targets to the nearest points of a curve.
+
+#include "synthesis/search/curve/curve_problem.h"
+
+namespace mechwright {
+
+/// A design, and what it misses the targets by.
+struct FittedCurve {
+    CurveArguments arguments{};
+    std::size_t assembly = 0;
+    double sum = unlimited;  ///< of weighted squared distances, and of what requirements are missed by
+};
+
+/// Whether a sum of squares is rounding: the targets are met.
+bool is_rounding(const CurveProblem& problem, double sum);
+
+/// The memory of evaluations, kept so that each finds it there.
+struct CurveWork {
+    SampledCurve curve;
+    GroupedTargets local;
+    NearestChords chords;
+    NearestOnCurve nearest;
+    RowsBesidePath beside;
+    long evaluations = 0;
+};
+
+/// The sum of squared distances at a design alone, to the samples of its curve.
+double chord_sum(const CurveProblem& problem, const FittedCurve& at, std::size_t samples, CurveWork& work);
+
+/// Goes down from a design, by Levenberg's and Marquardt's method with nearest points found anew at every step. The
+/// kind of motion is kept: where a border (CurveFit) is in the way the search goes on along it. Ends where steps gain
+/// less than the part `tolerance`, or after so many evaluations. False: the design does not assemble.
+bool descend(const CurveProblem& problem, FittedCurve& at, int most_evaluations, double tolerance, CurveWork& work);
+
+}  // namespace mechwright

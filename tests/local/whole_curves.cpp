@@ -1,0 +1,249 @@
+// The fit of a whole coupler curve to points in any order: nearest points against a scan of the curve, derivatives
+// against differences, descents against what an optimum is, and designs that are known.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "analysis/four_bar.h"
+#include "synthesis/problem/reader.h"
+#include "synthesis/search/curve/batch.h"
+#include "synthesis/search/curve/chords.h"
+
+namespace mechwright {
+namespace {
+
+using std::numbers::pi;
+
+const std::string wide_ranges =
+    "ground = { min = 1, max = 200 }\ncrank = { min = 1, max = 200 }\ncoupler = { min = 1, max = 200 }\n"
+    "rocker = { min = 1, max = 200 }\npoint-along = { min = -200, max = 200 }\n"
+    "point-across = { min = -200, max = 200 }\norigin-x = { min = -200, max = 200 }\n"
+    "origin-y = { min = -200, max = 200 }\ntilt = { min = 0, max = 360 }\n";
+
+Problem problem_of(const std::vector<Vector<double>>& points, const std::string& of_path = "") {
+    std::string list;
+    for (const Vector<double>& p : points)
+        list += (list.empty() ? "[" : ", [") + std::to_string(p.x) + ", " + std::to_string(p.y) + "]";
+    const ReadProblem read =
+        parse_problem("schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + wide_ranges +
+                          "assembly = \"either\"\n[path]\npoints = [" + list + "]\ntiming = \"none\"\n" + of_path +
+                          "[objective]\nminimize = \"path-rms\"\n",
+                      "curve.toml");
+    for (const Message& message : read.messages)
+        ADD_FAILURE() << to_string(message);
+    return read.problem;
+}
+
+std::vector<Program> programs_of(const Problem& problem) {
+    std::vector<Program> all;
+    for (const Variant& variant : variants(problem))
+        all.push_back(build_program(problem, variant));
+    return all;
+}
+
+/// A rounded square of 20 by 20: no coupler curve.
+std::vector<Vector<double>> rounded_square(int points) {
+    std::vector<Vector<double>> all;
+    for (int k = 0; k < points; ++k) {
+        const double angle = 2 * pi * k / points;
+        const auto of = [](double v) { return std::copysign(10 * std::sqrt(std::abs(v)), v); };
+        all.push_back({of(std::cos(angle)), of(std::sin(angle))});
+    }
+    return all;
+}
+
+/// Linkages of every kind, with points near and far; their lengths in units of 10.
+std::vector<CurveArguments> linkages(const CurveProblem& problem, std::size_t count) {
+    std::vector<CurveArguments> all;
+    Draws draws(7);
+    CurveWork work;
+    while (all.size() < count)
+        if (const auto shape = drawn_shape(problem, draws, work)) all.push_back(shape->arguments);
+    return all;
+}
+
+Vector<double> coupler_point(const CurveArguments& a, std::size_t assembly, double crank_angle) {
+    const FourBar<double> m{a[0], a[1], a[2], a[3]};
+    const auto p = pose(m, crank_angle, assembly == 0 ? Assembly::open : Assembly::crossed);
+    return placed(position(m, CouplerPoint<double>{a[4], a[5]}, p), Placement<double>{{a[6], a[7]}, a[8]});
+}
+
+/// Squared distance of the nearest of very many points of the curve.
+double scanned(const CurveArguments& a, std::size_t assembly, const Vector<double>& target) {
+    const CrankRange<double> range = assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]});
+    constexpr int points = 40000;
+    double least = unlimited;
+    for (int k = 0; k <= points; ++k) {
+        const double angle = (range.from + range.to) / 2 - (range.to - range.from) / 2 * std::cos(pi * k / points);
+        const Vector<double> miss = coupler_point(a, assembly, angle) - target;
+        least = std::min(least, dot(miss, miss));
+    }
+    return least;
+}
+
+struct Nearest {
+    GroupedTargets local;
+    CurveWork work;
+};
+
+bool evaluate_nearest(const CurveProblem& p, const CurveArguments& a, std::size_t assembly, InstructionSet set,
+                      CurveWork& work) {
+    if (!p.fit->sample(set, assembly, a, 96, work.curve)) return false;
+    targets_in_frame(p.targets, {a[6], a[7]}, a[8], work.local);
+    nearest_chords(set, work.curve, work.local, work.chords);
+    p.fit->nearest(set, assembly, a, work.curve, work.chords, work.local, work.nearest);
+    return true;
+}
+
+struct WholeCurves : testing::Test {
+    std::vector<Vector<double>> points = rounded_square(21);
+    Problem problem = problem_of(points);
+    std::vector<Program> programs = programs_of(problem);
+    std::optional<CurveProblem> curve = curve_problem(programs);
+    CurveWork work;
+};
+
+TEST_F(WholeCurves, AreMetAtTheirNearestPoints) {
+    ASSERT_TRUE(curve);
+    int compared = 0, as_near = 0;
+    for (const CurveArguments& a : linkages(*curve, 60))
+        for (std::size_t assembly = 0; assembly < 2; ++assembly) {
+            ASSERT_TRUE(evaluate_nearest(*curve, a, assembly, InstructionSet::baseline, work));
+            for (std::size_t i = 0; i < curve->targets.count; ++i) {
+                const Vector<double> target{curve->targets.x[i / 8][i % 8], curve->targets.y[i / 8][i % 8]};
+                const double square = work.nearest.square[i / 8][i % 8];
+                const double scan = scanned(a, assembly, target);
+                // The point is one of the curve, so none is nearer than the nearest.
+                EXPECT_GE(std::sqrt(square), std::sqrt(scan) - 1e-3 * curve->spread);
+                ++compared;
+                as_near += std::sqrt(square) <= std::sqrt(scan) * (1 + 1e-6) + 1e-7 * curve->spread ? 1 : 0;
+            }
+        }
+    // Where two stretches of the curve are about as near, chords may tell the wrong one: that is rare.
+    EXPECT_GE(as_near, 0.99 * compared);
+}
+
+TEST_F(WholeCurves, HaveTheBitsOfTheBaselineInEveryInstructionSet) {
+    ASSERT_TRUE(curve);
+    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+        if (!is_available(set)) continue;
+        CurveWork other;
+        for (const CurveArguments& a : linkages(*curve, 40)) {
+            ASSERT_TRUE(evaluate_nearest(*curve, a, 0, InstructionSet::baseline, work));
+            ASSERT_TRUE(evaluate_nearest(*curve, a, 0, set, other));
+            EXPECT_EQ(work.nearest.square, other.nearest.square);
+            EXPECT_EQ(work.nearest.crank_angle, other.nearest.crank_angle);
+            EXPECT_EQ(work.nearest.gradient, other.nearest.gradient);
+            EXPECT_EQ(work.nearest.ends.size(), other.nearest.ends.size());
+        }
+    }
+}
+
+TEST_F(WholeCurves, HaveTheDerivativesOfDifferences) {
+    ASSERT_TRUE(curve);
+    int compared = 0, ends = 0;
+    for (const CurveArguments& a : linkages(*curve, 60)) {
+        ASSERT_TRUE(evaluate_nearest(*curve, a, 0, InstructionSet::baseline, work));
+        const NearestOnCurve here = work.nearest;
+        for (std::size_t i = 0; i < 9; ++i) {
+            const double step = 1e-6 * std::max(1.0, std::abs(a[i]));
+            std::array<NearestOnCurve, 2> beside;
+            bool both = true;
+            for (const std::size_t side : {0, 1}) {
+                CurveArguments moved = a;
+                moved[i] += side == 0 ? -step : step;
+                both = both && evaluate_nearest(*curve, moved, 0, InstructionSet::baseline, work);
+                beside[side] = work.nearest;
+            }
+            if (!both) continue;
+            for (std::size_t k = 0; k < curve->targets.count; ++k) {
+                const auto at = [&](const std::vector<Group>& groups) { return groups[k / 8][k % 8]; };
+                // What is far along the curve is met elsewhere.
+                if (std::abs(at(beside[1].crank_angle) - at(beside[0].crank_angle)) > 1e-2) continue;
+                const double difference = (at(beside[1].square) - at(beside[0].square)) / (2 * step);
+                double derivative = 2 * at(here.miss) * at(here.gradient[i]);
+                for (const NearestEnd& end : here.ends)
+                    if (end.target == k) {
+                        derivative = 2 * (end.miss.x * end.x[i] + end.miss.y * end.y[i]);
+                        ++ends;
+                    }
+                const double bend = (at(beside[1].square) - 2 * at(here.square) + at(beside[0].square)) / (step * step);
+                if (std::abs(bend) > 1e4) continue;  // next to a toggle
+                EXPECT_NEAR(difference, derivative, 1e-5 * (1 + std::abs(derivative) + std::abs(bend)))
+                    << "argument " << i << " target " << k;
+                ++compared;
+            }
+        }
+    }
+    EXPECT_GT(compared, 5000);
+    EXPECT_GT(ends, 100);
+}
+
+TEST_F(WholeCurves, AreLeftByDescentsWhereNothingIsToBeGained) {
+    ASSERT_TRUE(curve);
+    Draws draws(3);
+    int balanced = 0, descents = 0;
+    while (descents < 40) {
+        auto shape = drawn_shape(*curve, draws, work);
+        if (!shape) continue;
+        ++descents;
+        const double before = chord_sum(*curve, *shape, 128, work);
+        ASSERT_TRUE(descend(*curve, *shape, 2000, 1e-12, work));
+        EXPECT_LE(shape->sum, before * (1 + 1e-3));
+        FittedCurve again = *shape;
+        ASSERT_TRUE(descend(*curve, again, 200, 1e-12, work));
+        // Along borders and narrow valleys the last steps gain little each.
+        balanced += again.sum >= (1 - 1e-2) * shape->sum ? 1 : 0;
+    }
+    EXPECT_GE(balanced, 36);
+}
+
+TEST(WholeCurvesOfLinkages, AreFoundAgainByTheirPoints) {
+    // Points of the curves of random linkages, in another order; the least that they can be missed by is rounding.
+    const Problem any = problem_of(rounded_square(12));
+    const std::vector<Program> programs = programs_of(any);
+    const auto shapes = linkages(*curve_problem(programs), 12);
+    const double any_length = programs.front().length;
+    int found = 0;
+    for (std::size_t n = 0; n < shapes.size(); ++n) {
+        CurveArguments a = shapes[n];
+        const CrankRange<double> range = assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]});
+        std::vector<Vector<double>> points;
+        for (int k = 0; k < 24; ++k) {
+            const double part = std::fmod(0.05 + 0.38196601125 * k, 1.0);
+            points.push_back(any_length * coupler_point(a, n % 2, range.from + part * (range.to - range.from)));
+        }
+        const Problem problem = problem_of(points);
+        const std::vector<Program> own = programs_of(problem);
+        const auto curve = curve_problem(own);
+        ASSERT_TRUE(curve);
+        const CurveBatch batch = curve_batch(*curve, n, 20000, [] { return false; });
+        ASSERT_FALSE(batch.best.empty());
+        // Points are written with six digits.
+        found += std::sqrt(batch.best.front().sum / curve->weight) < 1e-5 * curve->spread ? 1 : 0;
+    }
+    EXPECT_GE(found, 11);
+}
+
+TEST(WholeCurvesOfLinkages, TurnFullyWhereTheirPathIsClosed) {
+    const Problem problem = problem_of(rounded_square(21), "closed = true\n");
+    const std::vector<Program> programs = programs_of(problem);
+    const auto curve = curve_problem(programs);
+    ASSERT_TRUE(curve);
+    const CurveBatch batch = curve_batch(*curve, 1, 4000, [] { return false; });
+    ASSERT_FALSE(batch.best.empty());
+    for (const FittedCurve& best : batch.best) {
+        const CurveArguments& a = best.arguments;
+        EXPECT_TRUE(assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]}).full_turn);
+        EXPECT_GT(grashof_margin(FourBar<double>{a[0], a[1], a[2], a[3]}), 0);
+        for (std::size_t i = 0; i < 9; ++i) {
+            EXPECT_GE(a[i], curve->lower[i]);
+            EXPECT_LE(a[i], curve->upper[i]);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace mechwright
