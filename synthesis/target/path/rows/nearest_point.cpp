@@ -12,6 +12,9 @@ namespace {
 
 /// Samples of the curve; a coupler curve is of degree six and has few local minima of distance, far apart.
 constexpr int curve_samples = 360;
+/// Where two of them are farther apart than so many times the mean, there are so many parts between them.
+constexpr double long_chord = 2;
+constexpr int samples_round_corner = 64;
 
 struct Sample {
     double angle;
@@ -36,6 +39,27 @@ bool point_at(const Problem& problem, const Design& design, std::size_t guided, 
     return miss.margin >= 0;
 }
 
+double distance(const Sample& a, const Sample& b) { return std::hypot(b.point.x - a.point.x, b.point.y - a.point.y); }
+
+/// Next to a change point a curve has corners that its point goes round in a moment: samples between those that are far
+/// apart.
+std::vector<Sample> with_corners(const Problem& problem, const Design& design, std::size_t guided,
+                                 const std::vector<Sample>& even) {
+    double mean = 0;
+    for (std::size_t k = 1; k < even.size(); ++k)
+        mean += distance(even[k - 1], even[k]) / static_cast<double>(even.size());
+    std::vector<Sample> all;
+    for (std::size_t k = 0; k < even.size(); ++k) {
+        if (k > 0 && distance(even[k - 1], even[k]) > long_chord * mean)
+            for (int i = 1; i < samples_round_corner; ++i) {
+                Sample s{even[k - 1].angle + i * (even[k].angle - even[k - 1].angle) / samples_round_corner, {}};
+                if (point_at(problem, design, guided, s.angle, s.point, nullptr)) all.push_back(s);
+            }
+        all.push_back(even[k]);
+    }
+    return all;
+}
+
 std::vector<Sample> sampled_curve(const Problem& problem, const Design& design, std::size_t guided) {
     const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     std::vector<Sample> curve;
@@ -44,7 +68,7 @@ std::vector<Sample> sampled_curve(const Problem& problem, const Design& design, 
         Sample s{motion.from + i * (motion.to - motion.from) / curve_samples, {}};
         if (point_at(problem, design, guided, s.angle, s.point, nullptr)) curve.push_back(s);
     }
-    return curve;
+    return with_corners(problem, design, guided, curve);
 }
 
 /// The crank angle at which the distance from a target is least between two samples around a third.
@@ -79,11 +103,12 @@ void meet_points(const Problem& problem, std::size_t guided, Design& design) {
             const std::size_t after = k < last ? k + 1 : motion.full_turn ? 1 : last;
             const double here = square(curve[k].point);
             if (here > square(curve[before].point) || here > square(curve[after].point)) continue;
-            const double step = (motion.to - motion.from) / curve_samples;
+            const double turn = motion.to - motion.from;
+            const double left = k > 0 ? curve[before].angle : curve[before].angle - turn;
+            const double right = k < last ? curve[after].angle : curve[after].angle + turn;
             const bool at_end = !motion.full_turn && (k == 0 || k == last);
-            const double angle = at_end ? curve[k].angle
-                                        : refined(problem, design, guided, target, curve[k].angle - step,
-                                                  curve[k].angle + step, curve[k].angle);
+            const double angle =
+                at_end ? curve[k].angle : refined(problem, design, guided, target, left, right, curve[k].angle);
             Vector<double> point;
             if (!point_at(problem, design, guided, angle, point, nullptr)) continue;
             if (square(point) < least) {
