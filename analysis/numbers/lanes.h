@@ -90,6 +90,13 @@ struct LaneMask : detail::InLanes<LaneMask<N, Registers>, std::int64_t, N, Regis
     friend LaneMask both(const LaneMask& a, const LaneMask& b) {
         return LaneMask::each([&](auto k, auto& r) { r.store(k, a.load(k).v & b.load(k).v); });
     }
+    /// Whether a lane says yes.
+    friend bool any(const LaneMask& a) {
+        std::int64_t all = 0;
+        for (const std::int64_t lane : a.lane)
+            all |= lane;
+        return all != 0;
+    }
 };
 
 template <std::size_t N, std::size_t Registers = 1>

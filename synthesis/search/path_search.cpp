@@ -13,12 +13,13 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/search_trace.h"
-#include "synthesis/program/without_margins.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/curve/curve_search.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/path_objective.h"
+#include "synthesis/search/path_programs.h"
+#include "synthesis/search/path_trials.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/screened_starts.h"
 #include "synthesis/search/starts_nearby.h"
@@ -44,16 +45,12 @@ constexpr int evaluations_of_whole_search = 600;
 constexpr std::size_t most_whole_searches = 12;
 /// Sums of squares that agree to this part are taken for the same optimum before it is looked at closely.
 constexpr double same_sum_within = 1e-3;
-/// Of short searches whose sums agree to this part no more than so many are run to their end.
-constexpr double same_basin_within = 1e-2;
-constexpr int most_alike = 4;
 /// Times that the points of a path in any order are matched anew with the nearest points of the curve.
 constexpr int most_passes = 4;
 /// Objectives that agree to this part are one optimum.
 constexpr double same_objective_within = 1e-6;
-/// Of the designs that a round ended at so many are gone on from to others nearby, in so many hops of so many starts
-/// each, which spread over these parts of the dimensions.
-constexpr std::size_t most_elites = 4;
+/// The best designs that a round ended at are gone on from to others nearby, in so many hops of so many starts each,
+/// which spread over these parts of the dimensions.
 constexpr int hops = 3;
 constexpr int starts_of_hop = 6;
 constexpr std::array<double, hops> spreads{0.1, 0.3, 0.6};
@@ -79,31 +76,15 @@ constexpr double most_share_unseen = 0.05;
 constexpr int most_starts_of_round = 32;
 constexpr int rounds_for_starts = 12;
 
-/// A search of a fit. Its program is one that has all kinds of motion among its designs, where there is such a one.
-struct Trial {
-    std::size_t program = 0;
-    LocalOutcome outcome;
-    bool nearby = false;  ///< it began near the end of another
-    long evaluations = 0;
-    double seconds = 0;  ///< where a trace is kept
-};
-
-void sort_by_sum(std::vector<Trial>& trials) {
-    std::stable_sort(trials.begin(), trials.end(),
-                     [](const Trial& a, const Trial& b) { return a.outcome.objective < b.outcome.objective; });
-}
-
 /// All the state of one run.
 struct Search {
     const Problem& problem;
     const RunOptions& options;
-    std::vector<Program> programs;
-    std::vector<Program> free_of_margins;  ///< by program, for the first steps; none where margins cost little
-    std::vector<ScreenedStarts> starts;    ///< by program
+    PathPrograms programs;
+    std::vector<ScreenedStarts> starts;  ///< by program
     LocalLimits limits;
-    bool least_squares;                  ///< the sum of squares is all that counts
-    bool led;                            ///< least squares lead to the objective
-    std::vector<std::size_t> fitted_as;  ///< by program: the one of the widest family, which fits its starts
+    bool least_squares;  ///< the sum of squares is all that counts
+    bool led;            ///< least squares lead to the objective
     std::vector<Solution> found;
     std::optional<Solution> best;
     std::optional<Solution> best_before;  ///< when hits were counted last
@@ -121,34 +102,17 @@ struct Search {
     Search(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline)
         : problem(p),
           options(o),
+          programs(p),
           least_squares(least_squares_suffice(p)),
           led(least_squares || least_squares_lead_on(p)),
           starts_of_round(std::min(p.solver.starts, most_starts_of_round)),
           thoroughness((p.solver.starts + most_starts_of_round - 1) / most_starts_of_round),
           most_rounds(rounds_for_starts * thoroughness) {
-        for (const Variant& variant : variants(p))
-            programs.push_back(build_program(p, variant));
-        for (const Program& program : programs)
+        for (const Program& program : programs.all)
             starts.emplace_back(program, p.solver.seed);
-        if (std::all_of(programs.begin(), programs.end(), has_margins_of_motion))
-            for (const Program& program : programs)
-                free_of_margins.push_back(without_margins(program));
-        for (std::size_t i = 0; i < programs.size(); ++i)
-            fitted_as.push_back(widest(i));
         limits.deadline = deadline;
         limits.stop = o.stop;
         limits.polishing = seconds_of(o.trace, &SearchTrace::polishing);
-    }
-
-    /// The program of the same assembly and direction whose designs may have any motion; without one the program
-    /// itself.
-    std::size_t widest(std::size_t program) const {
-        const Variant& own = programs[program].variant;
-        const auto at = std::find_if(programs.begin(), programs.end(), [&](const Program& p) {
-            return !problem.mechanism->families[p.variant.family].full_turn && p.variant.assembly == own.assembly &&
-                   p.variant.direction == own.direction && p.variant.choices == own.choices;
-        });
-        return at == programs.end() ? program : static_cast<std::size_t>(at - programs.begin());
     }
 
     std::vector<VectorXd> screened(std::size_t program, int number, int keep, DrawCounts& counts) const {
@@ -156,33 +120,9 @@ struct Search {
         return starts[program].of_round(number, keep * groups_per_short_search, keep, counts);
     }
 
-    /// A few steps from a start. What keeps a linkage closed over its motion is looked at later.
-    LocalOutcome short_search(std::size_t program, const VectorXd& start, const LocalLimits& few) const {
-        const Program& quick = free_of_margins.empty() ? programs[program] : free_of_margins[program];
-        return levenberg_marquardt(quick, start, few);
-    }
-
-    /// A search by least squares: first without what keeps a linkage closed over its motion, which is nearly always
-    /// met where it ends, then with it.
-    LocalOutcome long_search(std::size_t program, const VectorXd& start, const LocalLimits& whole) const {
-        if (free_of_margins.empty()) return levenberg_marquardt(programs[program], start, whole);
-        LocalLimits along_valleys = whole;
-        along_valleys.follows_valleys = true;
-        LocalOutcome outcome = levenberg_marquardt(free_of_margins[program], start, along_valleys);
-        if (outcome.x.size() == 0) return outcome;
-        ProgramValues values;
-        evaluate(programs[program], outcome.x, false, values);
-        ++outcome.evaluations;
-        outcome.violation = violation(programs[program], outcome.x, values);
-        if (outcome.violation <= LocalOutcome::feasible_below) return outcome;
-        LocalOutcome closed = levenberg_marquardt(programs[program], outcome.x, whole);
-        closed.evaluations += outcome.evaluations;
-        return closed;
-    }
-
     /// The best starts of every variant, each taken a little way.
     std::vector<Trial> short_searches(int round) {
-        const auto variants_count = static_cast<int>(programs.size());
+        const auto variants_count = static_cast<int>(programs.all.size());
         const int each = std::max(1, short_searches_per_start * starts_of_round / variants_count);
         // Tasks of a few starts each, so that the work can be shared evenly.
         constexpr int per_task = 4;
@@ -202,7 +142,8 @@ struct Search {
                 const int number = round * tasks_per_variant + task / variants_count;
                 for (const VectorXd& start : screened(p, number, per_task, counts[static_cast<std::size_t>(task)])) {
                     const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
-                    Trial trial{fitted_as[p], short_search(fitted_as[p], start, few)};
+                    const std::size_t as = programs.fitted_as[p];
+                    Trial trial{as, programs.short_search(as, start, few)};
                     trial.evaluations = trial.outcome.evaluations;
                     trial.seconds = timed.seconds();
                     if (trial.outcome.x.size() > 0) tried[static_cast<std::size_t>(task)].push_back(std::move(trial));
@@ -228,7 +169,7 @@ struct Search {
     }
 
     /// Whether a round can end at the first search that comes to all points exactly.
-    bool may_end_early() const { return least_squares && !free_of_margins.empty(); }
+    bool may_end_early() const { return least_squares && programs.skip_margins(); }
 
     /// Whether the best of some short searches, taken farther, comes to all points exactly: then nothing else is looked
     /// for.
@@ -238,7 +179,7 @@ struct Search {
         some.most_evaluations = evaluations_of_long_search;
         share_work(std::min(looked_at_in_wave, static_cast<int>(wave.size())), options.jobs, [&](int i) {
             Trial& trial = wave[static_cast<std::size_t>(i)];
-            LocalOutcome outcome = long_search(trial.program, trial.outcome.x, some);
+            LocalOutcome outcome = programs.long_search(trial.program, trial.outcome.x, some);
             trial.evaluations += outcome.evaluations;
             if (outcome.x.size() > 0) trial.outcome = std::move(outcome);
         });
@@ -251,36 +192,11 @@ struct Search {
         return may_end_early() && !sorted.empty() && is_at_zero(problem, assessed(sorted.front()));
     }
 
-    /// The most promising ones, of those that have come to about the same sum of squares only the first few.
-    void keep_different(std::vector<Trial>& trials) const {
-        std::vector<Trial> kept;
-        int alike = 0;
-        for (Trial& trial : trials) {
-            if (static_cast<int>(kept.size()) >= starts_of_round) break;
-            const bool same =
-                !kept.empty() && trial.outcome.objective <= (1 + same_basin_within) * kept.back().outcome.objective;
-            alike = same ? alike + 1 : 1;
-            if (alike <= most_alike) kept.push_back(std::move(trial));
-        }
-        trials = std::move(kept);
-    }
-
     /// The most promising ones run to their end, best first.
     void run_to_end(std::vector<Trial>& trials) {
         go_on(trials, evaluations_of_long_search);
         trials.resize(std::min(trials.size(), most_whole_searches));
         go_on(trials, evaluations_of_whole_search);
-    }
-
-    /// The best of sorted trials that ended at different sums.
-    static std::vector<Trial> elites_of(const std::vector<Trial>& sorted) {
-        std::vector<Trial> elites;
-        for (const Trial& trial : sorted) {
-            if (elites.size() >= most_elites) break;
-            if (elites.empty() || trial.outcome.objective > (1 + same_basin_within) * elites.back().outcome.objective)
-                elites.push_back(trial);
-        }
-        return elites;
     }
 
     /// Goes on from the best of a round to starts nearby, and from what is better there; adds what it comes to.
@@ -297,9 +213,9 @@ struct Search {
                 const Trial& from = elites[k / starts_of_hop];
                 const std::uint64_t number =
                     mixed(problem.solver.seed + static_cast<std::uint64_t>(round * hops + hop));
-                const Program& program = programs[from.program];
+                const Program& program = programs.all[from.program];
                 const VectorXd start = start_nearby(program, from.outcome.x, spreads[k % hops], mixed(number + k));
-                tried[k] = {from.program, short_search(from.program, start, few), true};
+                tried[k] = {from.program, programs.short_search(from.program, start, few), true};
                 tried[k].evaluations = tried[k].outcome.evaluations;
                 tried[k].seconds = timed.seconds();
             });
@@ -307,7 +223,7 @@ struct Search {
                 report.evaluations += trial.outcome.evaluations;
             std::erase_if(tried, [](const Trial& t) { return t.outcome.x.size() == 0; });
             sort_by_sum(tried);
-            keep_different(tried);
+            keep_different(tried, starts_of_round);
             tried.resize(std::min(tried.size(), most_hops_run_to_end));
             go_on(tried, evaluations_of_whole_search);
             trials.insert(trials.end(), tried.begin(), tried.end());
@@ -329,10 +245,10 @@ struct Search {
             Trial& trial = trials[static_cast<std::size_t>(i)];
             if (limits.reached()) return;
             const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
-            const Program& program = programs[trial.program];
+            const Program& program = programs.all[trial.program];
             for (int pass = 0; pass < (problem.path->any_order ? most_passes : 1); ++pass) {
                 if (trial.outcome.x.size() == 0) break;
-                LocalOutcome outcome = long_search(trial.program, trial.outcome.x, whole);
+                LocalOutcome outcome = programs.long_search(trial.program, trial.outcome.x, whole);
                 used[static_cast<std::size_t>(i)] += outcome.evaluations;
                 if (outcome.x.size() == 0) break;
                 const bool settled = pass > 0 && outcome.objective > (1 - same_sum_within) * trial.outcome.objective;
@@ -350,7 +266,7 @@ struct Search {
     }
 
     Solution assessed(const Trial& trial) const {
-        return assess(problem, design_at(programs[trial.program], trial.outcome.x));
+        return assess(problem, design_at(programs.all[trial.program], trial.outcome.x));
     }
 
     /// Counts the searches from screened starts that ended at the least sum of squares of a feasible design, those of
@@ -399,7 +315,7 @@ struct Search {
     /// The solution near what the method of least squares ended at.
     Solution finished(const Trial& trial, LocalOutcome& outcome) const {
         Solution solution = assessed(trial);
-        const Program& program = programs[trial.program];
+        const Program& program = programs.all[trial.program];
         if (least_squares && solution.feasible && program.size() > most_polished_variables) return solution;
         VectorXd x = point_of(program, solution.design);
         LocalLimits some = limits;
@@ -408,7 +324,7 @@ struct Search {
             // Long valleys are what least squares that bend their steps get through, and slsqp does not.
             if (is_at_zero(problem, solution)) return solution;
             some.most_evaluations = evaluations_along_valley;
-            outcome = long_search(trial.program, x, some);
+            outcome = programs.long_search(trial.program, x, some);
             if (outcome.x.size() > 0)
                 solution = better(std::move(solution), assess(problem, design_at(program, outcome.x)));
             if (is_at_zero(problem, solution)) return solution;
@@ -499,11 +415,11 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     }
     Multistart result;
     Search search(problem, options, deadline);
-    if (search.programs.empty()) return result;
+    if (search.programs.all.empty()) return result;
     for (int round = 0; round < search.most_rounds && !search.limits.reached(); ++round) {
         std::vector<Trial> trials = search.short_searches(round);
         if (search.met_exactly) trials.resize(1);
-        search.keep_different(trials);
+        keep_different(trials, search.starts_of_round);
         search.report.starts += static_cast<int>(trials.size());
         if (search.led && !search.met_exactly) {
             search.run_to_end(trials);

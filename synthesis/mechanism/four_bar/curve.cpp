@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "analysis/four_bar.h"
 #include "analysis/numbers/lanes.h"
 #include "analysis/numbers/turn_in_lanes.h"
+#include "synthesis/mechanism/four_bar/guide_in_lanes.h"
 #include "synthesis/mechanism/mechanism.h"
 
 namespace mechwright {
@@ -15,16 +17,17 @@ namespace {
 /// A chord longer than this many times the mean one is divided, into no more than so many.
 constexpr double long_chord = 2;
 constexpr std::size_t most_parts = 16;
-/// Newton's steps to the nearest point. One below this part of the chord's crank angle is the last: what it leaves is
-/// of the order of its square.
+/// Steps to the nearest point. One of Newton's below this part of the chord's crank angle is the last: what it leaves
+/// is of the order of its square. One that halves an interval leaves as much as it went.
 constexpr int most_steps = 16;
-constexpr double reached_within = 1e-6;
+constexpr double last_newton_step = 1e-5;
+constexpr double last_halving = 1e-6;
 /// The nearest point lies within so many chords of the nearest chord's.
 constexpr double chords_away = 1.5;
 /// At a toggle the sine of the transmission angle is 0, and what is divided by it is taken from the tangent instead.
 constexpr double near_toggle = 1e-2;
 /// So near to an end of the motion, as a part of it, is at the end.
-constexpr double at_end_within = 1e-9;
+constexpr double at_end_within = 1e-8;
 
 struct Arguments {
     FourBar<double> links;
@@ -46,21 +49,23 @@ FourBar<T> in_lanes(const FourBar<double>& m) {
 }
 
 template <class T>
-T loaded(const Group& group, std::size_t first) {
-    T lanes;
-    lanes.read(group.data() + first);
-    return lanes;
-}
-
-double distance(const SampledCurve& c, std::size_t i, std::size_t j) {
-    const Vector<double> way{c.x[j] - c.x[i], c.y[j] - c.y[i]};
-    return std::sqrt(dot(way, way));
-}
-
-template <class T>
 HalfTurn<T> half_turn_of(const T& crank_angle) {
     const Vector<T> half = unit_vector(T(T(0.5) * crank_angle));
     return {half.x, half.y};
+}
+
+/// The coupler point at a crank angle, from where the circles about crank pin and rocker pivot meet. Next to toggles
+/// half of the digits are lost: enough to tell which part of a curve is the nearest.
+template <class T>
+Vector<T> quick_position(const FourBar<T>& m, const CouplerPoint<T>& point, const T& crank_angle, double side) {
+    const Vector<T> pin = m.crank * unit_vector(crank_angle);
+    const Vector<T> diagonal{m.ground - pin.x, -pin.y};
+    const T square = dot(diagonal, diagonal);
+    const T along = T(0.5) * (square + m.coupler * m.coupler - m.rocker * m.rocker);
+    const T across = T(side) * root_or_zero(T(square * m.coupler * m.coupler - along * along));
+    const T per = T(1.0) / (square * m.coupler);
+    const Vector<T> coupler = per * (along * diagonal + across * left_of(diagonal));
+    return pin + point.along * coupler + point.across * left_of(coupler);
 }
 
 /// Points at the crank angles first, first + 1, ... of a curve.
@@ -68,15 +73,29 @@ template <class T>
 void placed_points(const Arguments& a, SampledCurve& curve, std::size_t first, std::size_t end) {
     const FourBar<T> links = in_lanes<T>(a.links);
     const CouplerPoint<T> point{T(a.point.along), T(a.point.across)};
+    const double side = side_of(a.assembly);
     for (; first < end; first += T::count) {
         T angle;
         for (std::size_t k = 0; k < T::count; ++k)
             angle.lane[k] = curve.crank_angle[std::min(first + k, end - 1)];
-        const Vector<T> at = position(links, point, pose(links, half_turn_of(angle), a.assembly));
+        const Vector<T> at = quick_position(links, point, angle, side);
         for (std::size_t k = 0; k < std::min(T::count, end - first); ++k) {
             curve.x[first + k] = at.x.lane[k];
             curve.y[first + k] = at.y.lane[k];
         }
+    }
+}
+
+/// The lengths of all chords; after them may stand anything.
+template <class T>
+void chord_lengths(const SampledCurve& c, std::array<double, SampledCurve::most>& out) {
+    for (std::size_t k = 0; k + 1 < c.count; k += T::count) {
+        T x, y, next_x, next_y;
+        x.read(c.x.data() + k);
+        y.read(c.y.data() + k);
+        next_x.read(c.x.data() + k + 1);
+        next_y.read(c.y.data() + k + 1);
+        hypotenuse(T(next_x - x), T(next_y - y)).write(out.data() + k);
     }
 }
 
@@ -86,6 +105,22 @@ std::size_t parts_of(double length, double mean, std::size_t room) {
     return 1 + std::min({static_cast<std::size_t>(length / (long_chord * mean)), most_parts - 1, room});
 }
 
+/// Evenly over a full turn; towards the ends of a limited motion, where the point is quick, in smaller steps. After the
+/// last may stand anything.
+template <class T>
+void set_crank_angles(const CrankRange<double>& range, SampledCurve& curve) {
+    const double middle = (range.from + range.to) / 2;
+    const double half = (range.to - range.from) / 2;
+    for (std::size_t first = 0; first < curve.count; first += T::count) {
+        T part;
+        for (std::size_t k = 0; k < T::count; ++k)
+            part.lane[k] = static_cast<double>(first + k) / static_cast<double>(curve.count - 1);
+        const T angle = range.full_turn ? T(T(range.from) + T(2 * half) * part)
+                                        : T(T(middle) - T(half) * unit_vector(T(T(pi<double>()) * part)).x);
+        angle.write(curve.crank_angle.data() + first);
+    }
+}
+
 template <class T>
 bool sampled(const Arguments& a, std::size_t coarse, SampledCurve& curve) {
     const CrankRange<double> range = assembled_range(a.links);
@@ -93,25 +128,18 @@ bool sampled(const Arguments& a, std::size_t coarse, SampledCurve& curve) {
     SampledCurve even;
     even.count = std::min(coarse, SampledCurve::most / 2) + 1;
     const double chords = static_cast<double>(even.count - 1);
-    const double middle = (range.from + range.to) / 2;
-    const double half = (range.to - range.from) / 2;
-    for (std::size_t k = 0; k < even.count; ++k) {
-        const double part = static_cast<double>(k) / chords;
-        // Towards the ends of a motion, where the point is quick, in smaller steps.
-        even.crank_angle[k] =
-            range.full_turn ? range.from + 2 * half * part : middle - half * unit_vector(pi<double>() * part).x;
-    }
+    set_crank_angles<T>(range, even);
     placed_points<T>(a, even, 0, even.count);
-    double length = 0;
-    for (std::size_t k = 1; k < even.count; ++k)
-        length += distance(even, k - 1, k);
+    std::array<double, SampledCurve::most> chord;
+    chord_lengths<T>(even, chord);
+    const double length = std::accumulate(chord.data(), chord.data() + even.count - 1, 0.0);
     curve.closed = range.full_turn;
     curve.from = range.from;
     curve.to = range.to;
     curve.count = 0;
     for (std::size_t k = 0; k + 1 < even.count; ++k) {
         const std::size_t room = SampledCurve::most - curve.count - (even.count - k);
-        const std::size_t parts = parts_of(distance(even, k, k + 1), length / chords, room);
+        const std::size_t parts = parts_of(chord[k], length / chords, room);
         const double step = (even.crank_angle[k + 1] - even.crank_angle[k]) / static_cast<double>(parts);
         const std::size_t first = curve.count;
         for (std::size_t i = 0; i < parts; ++i)
@@ -247,7 +275,8 @@ void nearest_of(const Arguments& a, const SampledCurve& curve, const NearestChor
         const T change = abs(T(next - angle));
         angle = next;
         at = moving(m, point, half_turn_of(angle), a.assembly);
-        left = select(change > T(reached_within) * chord_angle, left, T(0.0));
+        const T last = select(within, T(last_newton_step), T(last_halving)) * chord_angle;
+        left = select(change > last, left, T(0.0));
         if (std::none_of(left.lane.begin(), left.lane.end(), [](double l) { return l > 0; })) break;
     }
     // The normal, and how far the point goes along it with each argument.

@@ -29,13 +29,6 @@ struct CouplerGuide {
 };
 
 template <class T>
-T loaded(const Group& group, std::size_t first) {
-    T lanes;
-    lanes.read(group.data() + first);
-    return lanes;
-}
-
-template <class T>
 void points_in_lanes(Assembly assembly, std::span<const FourBarGroup> linkages, const HalfTurn<double>& half,
                      std::span<PointGroup> out) {
     const HalfTurn<T> at{T(half.cosine), T(half.sine)};

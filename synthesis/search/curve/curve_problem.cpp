@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 
 #include "analysis/numbers/scalar.h"
 #include "synthesis/program/condition_margin.h"
@@ -17,10 +18,7 @@ constexpr double rounding_of_margin = 1e-10;
 
 bool meets(const std::vector<LinearCondition>& conditions, const CurveArguments& a) {
     return std::all_of(conditions.begin(), conditions.end(), [&](const LinearCondition& c) {
-        double sum = 0;
-        for (std::size_t i = 0; i < c.coefficients.size(); ++i)
-            sum += c.coefficients[i] * a[i];
-        return sum >= condition_margin - rounding_of_margin;
+        return margin_of(c, a) >= condition_margin - rounding_of_margin;
     });
 }
 
@@ -75,6 +73,10 @@ void set_moments(CurveProblem& p, const std::vector<Vector<double>>& targets, co
 }
 
 }  // namespace
+
+double margin_of(const LinearCondition& c, const CurveArguments& a) {
+    return std::inner_product(c.coefficients.begin(), c.coefficients.end(), a.begin(), 0.0);
+}
 
 bool CurveProblem::allows(std::size_t assembly, const CurveArguments& a) const {
     return std::any_of(kinds.begin(), kinds.end(),

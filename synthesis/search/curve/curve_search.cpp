@@ -22,8 +22,8 @@ namespace {
 /// So many batches are run at a time, each of so many evaluations; the starts that a problem asks for are worth that
 /// many rounds for each `starts_of_rounds`.
 constexpr int most_batches_of_round = 4;
-constexpr long evaluations_of_batch = 40000;
-constexpr int rounds = 6;
+constexpr long evaluations_of_batch = 20000;
+constexpr int rounds = 10;
 constexpr int starts_of_rounds = 32;
 /// Batches whose least sums of squares agree to this part came to one end; they hit the best one if they agree with it
 /// to the smaller part.
@@ -31,9 +31,12 @@ constexpr double same_end_within = 1e-3;
 constexpr double hits_within = 1e-5;
 /// The search goes on while more than this share of batches would end where none has.
 constexpr double most_share_unseen = 0.05;
-/// Chains of variations, of so many evaluations, from the best of all batches.
-constexpr int chains = 2;
-constexpr long evaluations_of_chain = 20000;
+/// Chains of variations from the best of all batches, so many at a time, of so many evaluations; again while they gain
+/// more than this part, and so many times at most.
+constexpr int chains_at_a_time = 2;
+constexpr long evaluations_of_chain = 10000;
+constexpr double gain_of_chains = 1e-3;
+constexpr int most_times = 6;
 /// Designs that are taken to the very end: different ones, the best of them; and the greatest program that is polished.
 constexpr std::size_t most_polished = 4;
 constexpr std::size_t most_polished_variables = 60;
@@ -112,14 +115,22 @@ struct Search {
     bool is_exact() const { return !best.empty() && is_rounding(*curve, best.front().sum); }
     bool enough() const { return is_exact() || ends.unseen() <= most_share_unseen; }
 
-    /// Variations of the best of all batches, whose sums are no different any more where they come to the same end.
+    /// Variations of the best of all batches. What they come to that no batch has come to is one more end.
     void refine() {
-        if (best.empty() || is_exact() || stopped()) return;
-        const std::vector<FittedCurve> from = best;
-        run(chains, [&](int i) {
-            return curve_variations(*curve, from, mixed(problem.solver.seed + 1) + static_cast<std::uint64_t>(i),
-                                    evaluations_of_chain, [&] { return stopped(); });
-        });
+        if (best.empty()) return;
+        const double best_of_batches = best.front().sum;
+        double before = unlimited;
+        for (int time = 0; time < most_times && best.front().sum < (1 - gain_of_chains) * before; ++time) {
+            if (is_exact() || stopped()) break;
+            before = best.front().sum;
+            const std::vector<FittedCurve> from = best;
+            run(chains_at_a_time, [&](int i) {
+                const auto number = static_cast<std::uint64_t>(time * chains_at_a_time + i);
+                return curve_variations(*curve, from, mixed(problem.solver.seed + 1) + number, evaluations_of_chain,
+                                        [&] { return stopped(); });
+            });
+        }
+        if (best.front().sum < (1 - same_end_within) * best_of_batches) ends.add(best.front().sum);
     }
 
     /// The best designs, different ones.
@@ -151,7 +162,9 @@ struct Search {
     SearchEnd polished(FittedCurve fitted) const {
         const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
         CurveWork work;
-        settle(*curve, fitted, work);
+        FittedCurve settled = fitted;
+        settle(*curve, settled, work);
+        if (!settled.at_limit) fitted = settled;
         SearchEnd end{"drawn", "least-squares: gains too small", work.evaluations};
         end.solution = assessed(fitted);
         if (end.solution) {

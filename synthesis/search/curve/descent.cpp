@@ -42,13 +42,6 @@ struct Sums {
     Square matrix;
 };
 
-double border(const LinearCondition& c, const CurveArguments& a) {
-    double sum = 0;
-    for (std::size_t i = 0; i < c.coefficients.size(); ++i)
-        sum += c.coefficients[i] * a[i];
-    return sum;
-}
-
 double side_of_border(double value) { return value < 0 ? -1 : 1; }
 
 /// How far a design has to stay from a border that it is so far from.
@@ -106,6 +99,7 @@ bool evaluate(const CurveProblem& p, Sums& s, CurveWork& work) {
         for (Eigen::Index j = 0; j <= i; ++j)
             s.matrix(i, j) = (weight * row * lanes(work.nearest.gradient[static_cast<std::size_t>(j)])).sum();
     }
+    s.at.at_limit = !work.nearest.ends.empty();
     for (const NearestEnd& end : work.nearest.ends) {
         const double w = p.targets.weight[end.target / 8][end.target % 8];
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -161,7 +155,7 @@ struct Step {
         double farthest = -border_rounding;
         for (std::size_t b = 0; b < p.fit->borders().size(); ++b) {
             if (std::find(kept.begin(), kept.end(), b) != kept.end()) continue;
-            const double here = border(p.fit->borders()[b], s.at.arguments);
+            const double here = margin_of(p.fit->borders()[b], s.at.arguments);
             const double there = side_of_border(here) * (here + coefficients(b).dot(step)) - kept_margin(here);
             if (there < farthest) {
                 farthest = there;
@@ -189,7 +183,7 @@ struct Step {
             for (Eigen::Index i = 0; i < k; ++i) {
                 const std::size_t b = kept[static_cast<std::size_t>(i)];
                 rows.row(i) = coefficients(b).transpose();
-                const double here = border(p.fit->borders()[b], s.at.arguments);
+                const double here = margin_of(p.fit->borders()[b], s.at.arguments);
                 wanted[i] = side_of_border(here) * kept_margin(here) - here - rows.row(i).dot(straight);
             }
             const Square columns = factors.solve(Square(rows.transpose()));
@@ -204,8 +198,8 @@ struct Step {
 bool passes_border(const CurveProblem& p, const CurveArguments& from, const CurveArguments& to) {
     const auto& borders = p.fit->borders();
     return std::any_of(borders.begin(), borders.end(), [&](const LinearCondition& c) {
-        const double here = border(c, from);
-        return side_of_border(here) * border(c, to) < kept_margin(here) - border_rounding;
+        const double here = margin_of(c, from);
+        return side_of_border(here) * margin_of(c, to) < kept_margin(here) - border_rounding;
     });
 }
 
@@ -219,28 +213,14 @@ double length_of_step(const CurveArguments& from, const CurveArguments& to) {
 
 /// What the sum would be if misses were linear.
 double promised(const Sums& s, const CurveArguments& to) {
-    Column change = Column::Zero(s.slope.size());
-    for (Eigen::Index i = 0; i < change.size(); ++i)
-        change[i] = to[static_cast<std::size_t>(i)] - s.at.arguments[static_cast<std::size_t>(i)];
+    const auto n = s.slope.size();
+    const Column change = Eigen::Map<const Column>(to.data(), n) - Eigen::Map<const Column>(s.at.arguments.data(), n);
     return s.at.sum + 2 * s.slope.dot(change) + change.dot(s.matrix * change);
 }
 
 }  // namespace
 
 bool is_rounding(const CurveProblem& p, double sum) { return sum <= zero_within * p.weight * p.spread * p.spread; }
-
-double chord_sum(const CurveProblem& p, const FittedCurve& at, std::size_t coarse, CurveWork& work) {
-    const CurveArguments& a = at.arguments;
-    if (!p.fit->sample(p.set, at.assembly, std::span(a).first(p.arguments), coarse, work.curve)) return unlimited;
-    const std::size_t placement = p.lengths + 2;
-    targets_in_frame(p.targets, {a[placement], a[placement + 1]}, a[placement + 2], work.local);
-    nearest_chords(p.set, work.curve, work.local, work.chords);
-    double sum = 0;
-    for (std::size_t g = 0; g < p.targets.x.size(); ++g)
-        for (std::size_t k = 0; k < std::tuple_size_v<Group>; ++k)
-            sum += p.targets.weight[g][k] * work.chords.square[g][k];
-    return sum;
-}
 
 bool descend(const CurveProblem& p, FittedCurve& from, int most_evaluations, double tolerance, CurveWork& work) {
     Sums at{from, {}, {}}, next;

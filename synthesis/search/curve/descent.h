@@ -11,6 +11,7 @@ struct FittedCurve {
     CurveArguments arguments{};
     std::size_t assembly = 0;
     double sum = unlimited;  ///< of weighted squared distances, and of what requirements are missed by
+    bool at_limit = false;   ///< a target is nearest to the end of a limited motion, where no design may be
 };
 
 /// Whether a sum of squares is rounding: the targets are met.
@@ -25,9 +26,6 @@ struct CurveWork {
     RowsBesidePath beside;
     long evaluations = 0;
 };
-
-/// The sum of squared distances at a design alone, to the samples of its curve.
-double chord_sum(const CurveProblem& problem, const FittedCurve& at, std::size_t samples, CurveWork& work);
 
 /// Goes down from a design, by Levenberg's and Marquardt's method with nearest points found anew at every step. The
 /// kind of motion is kept: where a border (CurveFit) is in the way the search goes on along it. Ends where steps gain

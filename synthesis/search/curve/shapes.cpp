@@ -143,13 +143,6 @@ bool drawn_curve(const CurveProblem& p, const FittedCurve& design, CurveWork& wo
     return true;
 }
 
-double value_of(const LinearCondition& c, const CurveArguments& a) {
-    double sum = 0;
-    for (std::size_t i = 0; i < c.coefficients.size(); ++i)
-        sum += c.coefficients[i] * a[i];
-    return sum;
-}
-
 /// All lengths together, then the margins to the borders, as linear functions of the lengths.
 Eigen::MatrixXd margins_of_lengths(const CurveProblem& p) {
     const auto& borders = p.fit->borders();
@@ -165,14 +158,14 @@ double of_logarithm(double low, double high, double part) { return low * std::po
 
 /// Lengths in their ranges; any proportions where the size is free. Every second time one link is short and the margins
 /// to the borders are drawn, which reaches what is next to them: there many of the best designs are.
-void draw_lengths(const CurveProblem& p, Draws& draws, CurveArguments& a) {
+void draw_lengths(const CurveProblem& p, RandomNumbers& random, CurveArguments& a) {
     for (std::size_t i = 0; i < p.lengths; ++i) {
         const double high = p.free_size ? 1 : p.upper[i];
         const double low = p.free_size ? least_ratio : std::max(p.lower[i], least_ratio * high);
-        a[i] = low < high ? of_logarithm(low, high, draws.even()) : high;
+        a[i] = low < high ? of_logarithm(low, high, random.even()) : high;
     }
-    if (!p.free_size || p.lengths != p.fit->borders().size() + 1 || draws.even() < 0.5) return;
-    const auto shortest = static_cast<std::size_t>(draws.even() * static_cast<double>(p.lengths));
+    if (!p.free_size || p.lengths != p.fit->borders().size() + 1 || random.even() < 0.5) return;
+    const auto shortest = static_cast<std::size_t>(random.even() * static_cast<double>(p.lengths));
     const double least = a[0];
     const std::array<double, 3> margins{a[1], a[2], a[3]};
     const double all = margins[0] + margins[1] + margins[2];
@@ -180,13 +173,13 @@ void draw_lengths(const CurveProblem& p, Draws& draws, CurveArguments& a) {
         a[i] = i == shortest ? least : least + (all - margins[next++]) / 2;
 }
 
-void draw_point(const CurveProblem& p, Draws& draws, CurveArguments& a) {
+void draw_point(const CurveProblem& p, RandomNumbers& random, CurveArguments& a) {
     const std::size_t along = p.lengths, across = along + 1;
     const double link = a[2];
-    const double size = draws.even() < 0.5 ? link : std::max(link, (a[0] + a[1]) / 2);
-    const double distance = size * of_logarithm(nearest_point_drawn, farthest_point_drawn, draws.even());
-    const double angle = 2 * pi<double>() * draws.even();
-    const double about = link * std::floor(3 * draws.even()) / 2;
+    const double size = random.even() < 0.5 ? link : std::max(link, (a[0] + a[1]) / 2);
+    const double distance = size * of_logarithm(nearest_point_drawn, farthest_point_drawn, random.even());
+    const double angle = 2 * pi<double>() * random.even();
+    const double about = link * std::floor(3 * random.even()) / 2;
     if (p.is_free(along)) a[along] = about + distance * std::cos(angle);
     if (p.is_free(across)) a[across] = distance * std::sin(angle);
 }
@@ -201,31 +194,31 @@ CurveArguments given(const CurveProblem& p) {
 
 }  // namespace
 
-double Draws::even() {
+double RandomNumbers::even() {
     state_ = mixed(state_);
     return std::ldexp(static_cast<double>(state_ >> 11) + 0.5, -53);
 }
 
-double Draws::normal() {
+double RandomNumbers::normal() {
     // Box and Muller's transformation.
     const double radius = std::sqrt(-2 * std::log(even()));
     return radius * std::cos(2 * pi<double>() * even());
 }
 
-std::optional<FittedCurve> drawn_shape(const CurveProblem& p, Draws& draws, CurveWork& work) {
+std::optional<FittedCurve> drawn_shape(const CurveProblem& p, RandomNumbers& random, CurveWork& work) {
     FittedCurve shape{given(p), 0, unlimited};
     bool drawn = false;
     for (int i = 0; i < most_shapes_drawn && !drawn; ++i) {
-        const auto kind = static_cast<std::size_t>(draws.even() * static_cast<double>(p.kinds.size()));
+        const auto kind = static_cast<std::size_t>(random.even() * static_cast<double>(p.kinds.size()));
         shape.assembly = p.kinds[kind].assembly;
-        draw_lengths(p, draws, shape.arguments);
+        draw_lengths(p, random, shape.arguments);
         drawn = p.allows(shape.assembly, shape.arguments);
     }
     if (!drawn) return std::nullopt;
-    draw_point(p, draws, shape.arguments);
+    draw_point(p, random, shape.arguments);
     if (!p.free_placement) {
         for (std::size_t i = p.lengths + 2; i < p.arguments; ++i)
-            if (p.is_free(i)) shape.arguments[i] = p.lower[i] + draws.even() * (p.upper[i] - p.lower[i]);
+            if (p.is_free(i)) shape.arguments[i] = p.lower[i] + random.even() * (p.upper[i] - p.lower[i]);
         return shape;
     }
     if (!drawn_curve(p, shape, work)) return std::nullopt;
@@ -246,7 +239,7 @@ std::optional<FittedCurve> drawn_shape(const CurveProblem& p, Draws& draws, Curv
     return best;
 }
 
-std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from, double spread, Draws& draws,
+std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from, double spread, RandomNumbers& random,
                                   CurveWork& work) {
     const auto& borders = p.fit->borders();
     FittedCurve r = from;
@@ -258,15 +251,15 @@ std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from
         all += a[i];
     bool possible = false;
     for (int tries = 0; tries < most_shapes_drawn && !possible; ++tries) {
-        margins[0] = all * std::exp(0.5 * spread * draws.normal());
+        margins[0] = all * std::exp(0.5 * spread * random.normal());
         for (std::size_t b = 0; b < borders.size(); ++b) {
-            const double old = value_of(borders[b], from.arguments);
+            const double old = margin_of(borders[b], from.arguments);
             double size = std::abs(old);
-            if (draws.even() < multiplied)
-                size *= std::exp(2 * spread * draws.normal());
+            if (random.even() < multiplied)
+                size *= std::exp(2 * spread * random.normal());
             else
-                size = std::abs(size + 0.3 * spread * spread * all * draws.normal());
-            const bool changes_side = draws.even() < other_side && std::abs(old) < close_by * all;
+                size = std::abs(size + 0.3 * spread * spread * all * random.normal());
+            const bool changes_side = random.even() < other_side && std::abs(old) < close_by * all;
             margins[static_cast<Eigen::Index>(b) + 1] =
                 std::max(size, least_margin * all) * ((old < 0) != changes_side ? -1 : 1);
         }
@@ -276,8 +269,8 @@ std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from
         for (std::size_t i = 0; i < p.lengths; ++i)
             if (p.is_free(i)) a[i] = lengths[static_cast<Eigen::Index>(i)];
         r.assembly = from.assembly;
-        const CurveKind& other = p.kinds[static_cast<std::size_t>(draws.even() * static_cast<double>(p.kinds.size()))];
-        if (draws.even() < 2 * other_assembly) r.assembly = other.assembly;
+        const CurveKind& other = p.kinds[static_cast<std::size_t>(random.even() * static_cast<double>(p.kinds.size()))];
+        if (random.even() < 2 * other_assembly) r.assembly = other.assembly;
         possible = p.allows(r.assembly, within_ranges(p, a));
     }
     if (!possible) return std::nullopt;
@@ -285,8 +278,8 @@ std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from
     const double grown = a[2] / from.arguments[2];
     const double size = std::max(p.spread, std::hypot(from.arguments[along], from.arguments[across]));
     for (const std::size_t i : {along, across})
-        if (p.is_free(i)) a[i] = from.arguments[i] * grown + 0.5 * spread * size * draws.normal();
-    if (p.is_free(tilt)) a[tilt] += 0.3 * spread * draws.normal();
+        if (p.is_free(i)) a[i] = from.arguments[i] * grown + 0.5 * spread * size * random.normal();
+    if (p.is_free(tilt)) a[tilt] += 0.3 * spread * random.normal();
     a = within_ranges(p, a);
     if (p.free_placement) {
         if (!drawn_curve(p, r, work)) return std::nullopt;

@@ -8,9 +8,9 @@
 namespace mechwright {
 
 /// Numbers that look random, a function of their seed alone.
-class Draws {
+class RandomNumbers {
 public:
-    explicit Draws(std::uint64_t seed) : state_(seed) {}
+    explicit RandomNumbers(std::uint64_t seed) : state_(seed) {}
     double even();    ///< in (0, 1)
     double normal();  ///< with mean 0 and deviation 1
 
@@ -20,12 +20,12 @@ private:
 
 /// A design of any proportions, its curve laid over the targets by their moments and then by nearest points. Nothing
 /// where the draw belongs to no design.
-std::optional<FittedCurve> drawn_shape(const CurveProblem& problem, Draws& draws, CurveWork& work);
+std::optional<FittedCurve> drawn_shape(const CurveProblem& problem, RandomNumbers& random, CurveWork& work);
 
 /// A design near another, as far as `spread` (of order 0.01 to 1) says: margins to its borders, guided point and
 /// placement are changed, now and then the other side of a border or the other assembly is taken. Nothing where the
 /// draw belongs to no design.
-std::optional<FittedCurve> varied(const CurveProblem& problem, const FittedCurve& from, double spread, Draws& draws,
-                                  CurveWork& work);
+std::optional<FittedCurve> varied(const CurveProblem& problem, const FittedCurve& from, double spread,
+                                  RandomNumbers& random, CurveWork& work);
 
 }  // namespace mechwright

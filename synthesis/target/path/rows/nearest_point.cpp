@@ -12,9 +12,15 @@ namespace {
 
 /// Samples of the curve; a coupler curve is of degree six and has few local minima of distance, far apart.
 constexpr int curve_samples = 360;
-/// Where two of them are farther apart than so many times the mean, there are so many parts between them.
+/// Chords are divided, again and again, that are longer than so many times the mean one or, near the targets, than that
+/// part of their box; each time into no more parts than so many.
 constexpr double long_chord = 2;
-constexpr int samples_round_corner = 64;
+constexpr double part_of_box = 1.0 / 60;
+constexpr int divisions = 3;
+constexpr int most_parts = 16;
+/// At the ends of a limited motion, where the point may have no velocity to speak of, slopes are taken so far from it,
+/// as a part of the way to the next sample.
+constexpr double inset = 1e-7;
 
 struct Sample {
     double angle;
@@ -41,26 +47,53 @@ bool point_at(const Problem& problem, const Design& design, std::size_t guided, 
 
 double distance(const Sample& a, const Sample& b) { return std::hypot(b.point.x - a.point.x, b.point.y - a.point.y); }
 
-/// Next to a change point a curve has corners that its point goes round in a moment: samples between those that are far
-/// apart.
-std::vector<Sample> with_corners(const Problem& problem, const Design& design, std::size_t guided,
-                                 const std::vector<Sample>& even) {
-    double mean = 0;
-    for (std::size_t k = 1; k < even.size(); ++k)
-        mean += distance(even[k - 1], even[k]) / static_cast<double>(even.size());
+/// The box of the targets of one path.
+struct Box {
+    Vector<double> low{unlimited, unlimited};
+    Vector<double> high{-unlimited, -unlimited};
+
+    double diagonal() const { return std::hypot(high.x - low.x, high.y - low.y); }
+    /// Whether a curve between two samples may come near it.
+    bool is_near(const Sample& a, const Sample& b) const {
+        const double around = distance(a, b) + diagonal();
+        return std::min(a.point.x, b.point.x) - around < high.x && std::max(a.point.x, b.point.x) + around > low.x &&
+               std::min(a.point.y, b.point.y) - around < high.y && std::max(a.point.y, b.point.y) + around > low.y;
+    }
+};
+
+Box box_of(const Problem& problem, const PointRange& points) {
+    Box box;
+    for (std::size_t i = points.first; i < points.end(); ++i) {
+        const Vector<double>& p = problem.path->points[i];
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    return box;
+}
+
+/// The samples and, where chords are long, others between them: next to a change point a curve has corners that its
+/// point goes round in a moment, and of a great curve only a small part may be near the targets.
+std::vector<Sample> divided(const Problem& problem, const Design& design, std::size_t guided, const Box& box,
+                            double longest, const std::vector<Sample>& samples) {
     std::vector<Sample> all;
-    for (std::size_t k = 0; k < even.size(); ++k) {
-        if (k > 0 && distance(even[k - 1], even[k]) > long_chord * mean)
-            for (int i = 1; i < samples_round_corner; ++i) {
-                Sample s{even[k - 1].angle + i * (even[k].angle - even[k - 1].angle) / samples_round_corner, {}};
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+        if (k > 0) {
+            const Sample& before = samples[k - 1];
+            const double chord = distance(before, samples[k]);
+            const double near_targets = part_of_box * box.diagonal();
+            const double allowed = box.is_near(before, samples[k]) ? std::min(longest, near_targets) : longest;
+            const int parts = chord > allowed ? static_cast<int>(std::min<double>(chord / allowed + 1, most_parts)) : 1;
+            for (int i = 1; i < parts; ++i) {
+                Sample s{before.angle + i * (samples[k].angle - before.angle) / parts, {}};
                 if (point_at(problem, design, guided, s.angle, s.point, nullptr)) all.push_back(s);
             }
-        all.push_back(even[k]);
+        }
+        all.push_back(samples[k]);
     }
     return all;
 }
 
-std::vector<Sample> sampled_curve(const Problem& problem, const Design& design, std::size_t guided) {
+std::vector<Sample> sampled_curve(const Problem& problem, const Design& design, std::size_t guided, const Box& box) {
     const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     std::vector<Sample> curve;
     if (!(motion.from <= motion.to)) return curve;
@@ -68,31 +101,42 @@ std::vector<Sample> sampled_curve(const Problem& problem, const Design& design, 
         Sample s{motion.from + i * (motion.to - motion.from) / curve_samples, {}};
         if (point_at(problem, design, guided, s.angle, s.point, nullptr)) curve.push_back(s);
     }
-    return with_corners(problem, design, guided, curve);
+    double length = 0;
+    for (std::size_t k = 1; k < curve.size(); ++k)
+        length += distance(curve[k - 1], curve[k]);
+    for (int i = 0; i < divisions; ++i)
+        curve = divided(problem, design, guided, box, long_chord * length / curve_samples, curve);
+    return curve;
 }
 
-/// The crank angle at which the distance from a target is least between two samples around a third.
+/// The crank angle between two at which the distance from a target is least; `otherwise` where it is not least there.
 double refined(const Problem& problem, const Design& design, std::size_t guided, const Vector<double>& target,
-               double left, double right, double middle) {
+               double left, double right, double otherwise) {
     const auto slope = [&](double angle) {
         Vector<double> point;
         Vector<double> tangent;
         point_at(problem, design, guided, angle, point, &tangent);
         return dot(point - target, tangent);
     };
-    const double at_left = slope(left);
-    const double at_right = slope(right);
-    if (!(at_left < 0 && at_right > 0)) return middle;
+    const double from_end = inset * (right - left);
+    const auto slope_beside = [&](double& angle, double way) {
+        double value = slope(angle);
+        if (!std::isfinite(value)) value = slope(angle += way);  // a toggle
+        return value;
+    };
+    const double at_left = slope_beside(left, from_end);
+    const double at_right = slope_beside(right, -from_end);
+    if (!(at_left < 0 && at_right > 0)) return otherwise;
     return zero_between(slope, left, right, at_left, at_right);
 }
 
 /// The points of one target, by the curve that is guided along them.
 void meet_points(const Problem& problem, std::size_t guided, Design& design) {
-    const std::vector<Sample> curve = sampled_curve(problem, design, guided);
+    const PointRange points = problem.path->points_of(guided);
+    const std::vector<Sample> curve = sampled_curve(problem, design, guided, box_of(problem, points));
     if (curve.empty()) return;
     const auto last = curve.size() - 1;
     const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
-    const PointRange points = problem.path->points_of(guided);
     for (std::size_t i = points.first; i < points.end(); ++i) {
         const Vector<double>& target = problem.path->points[i];
         const auto square = [&](const Vector<double>& p) { return dot(p - target, p - target); };
@@ -104,11 +148,11 @@ void meet_points(const Problem& problem, std::size_t guided, Design& design) {
             const double here = square(curve[k].point);
             if (here > square(curve[before].point) || here > square(curve[after].point)) continue;
             const double turn = motion.to - motion.from;
-            const double left = k > 0 ? curve[before].angle : curve[before].angle - turn;
-            const double right = k < last ? curve[after].angle : curve[after].angle + turn;
-            const bool at_end = !motion.full_turn && (k == 0 || k == last);
-            const double angle =
-                at_end ? curve[k].angle : refined(problem, design, guided, target, left, right, curve[k].angle);
+            const bool first = k == 0 && !motion.full_turn;
+            const bool final = k == last && !motion.full_turn;
+            const double left = k > 0 || first ? curve[before].angle : curve[before].angle - turn;
+            const double right = k < last || final ? curve[after].angle : curve[after].angle + turn;
+            const double angle = refined(problem, design, guided, target, left, right, curve[k].angle);
             Vector<double> point;
             if (!point_at(problem, design, guided, angle, point, nullptr)) continue;
             if (square(point) < least) {
