@@ -128,7 +128,7 @@ std::optional<Made> made_from(std::mt19937_64& random, std::size_t poses) {
 
 TEST_P(Guidance, FindsTheFourBarThatMadeThePlaces) {
     std::mt19937_64 random(29 + GetParam());
-    const int wanted = system.poses <= 2 ? 4 : 30;
+    const int wanted = system.poses <= 2 ? cases_to_try(2, 4) : cases_to_try(10, 30);
     int found_again = 0, complete = 0;
     for (int k = 0; k < wanted;) {
         const auto made = made_from(random, system.poses);

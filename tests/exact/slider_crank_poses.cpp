@@ -10,6 +10,7 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/solve/solve.h"
 #include "tests/degree.h"
+#include "tests/long_form.h"
 
 namespace mechwright {
 namespace {
@@ -57,6 +58,7 @@ const std::string anywhere = "origin-x = { min = -100, max = 100 }\norigin-y = {
 TEST(SliderCrankPoses, AreMetByMembersOfAFamily) {
     for (const std::vector<double>& angles :
          {std::vector<double>{20, 110, 200, 280}, std::vector<double>{20, 150, 280}, std::vector<double>{20, 200}}) {
+        if (angles.size() == 3 && !in_long_form()) continue;
         const Problem problem = guiding_problem(anywhere, poses_at(angles));
         RunOptions options;
         options.jobs = 2;

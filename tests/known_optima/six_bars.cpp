@@ -12,6 +12,7 @@
 
 #include "synthesis/search/drawn_starts.h"
 #include "tests/known_optima/solved.h"
+#include "tests/long_form.h"
 
 namespace mechwright {
 
@@ -155,9 +156,9 @@ void expect_found_again(bool watt, unsigned seed, int count) {
     }
 }
 
-TEST(SixBars, OfWattsFirstKindAreFoundAgain) { expect_found_again(true, 7, 4); }
+TEST(SixBars, OfWattsFirstKindAreFoundAgain) { expect_found_again(true, 7, cases_to_try(2, 4)); }
 
-TEST(SixBars, OfStephensonsThirdKindAreFoundAgain) { expect_found_again(false, 7, 4); }
+TEST(SixBars, OfStephensonsThirdKindAreFoundAgain) { expect_found_again(false, 7, cases_to_try(2, 4)); }
 
 /// Starts that are drawn close at every target, whatever the round, and the same come from the same seed.
 TEST(SixBars, StartsAssemble) {

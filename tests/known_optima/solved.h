@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -13,6 +14,7 @@
 #include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/solve/solve.h"
+#include "tests/long_form.h"
 
 namespace mechwright::testing {
 
@@ -29,14 +31,18 @@ struct Solved {
     }
 };
 
-inline Solved solved(const std::string& text, const std::string& method = "auto", std::uint64_t seed = 1,
-                     int jobs = 2) {
+/// Searches from at most so many starts unless a test is run in its long form: what is known has to be found by fewer.
+constexpr int few_starts = 8;
+
+inline Solved solved(const std::string& text, const std::string& method = "auto", std::uint64_t seed = 1, int jobs = 2,
+                     int starts = few_starts) {
     ReadProblem read = parse_problem(text, MECHWRIGHT_SOURCE_DIR "/problems/path/problem-of-a-test.toml");
     for (const Message& m : read.messages)
         ADD_FAILURE() << to_string(m);
     Solved s{std::move(read.problem), {}};
     s.problem.solver.method = method;
     s.problem.solver.seed = seed;
+    s.problem.solver.starts = std::min(s.problem.solver.starts, cases_to_try(starts, s.problem.solver.starts));
     if (text.find("time_limit") == std::string::npos) s.problem.solver.time_limit = 600;  // no machine is too busy
     RunOptions options;
     options.jobs = jobs;
