@@ -75,10 +75,10 @@ TEST(ExplainSearch, TimesAreThoseOfTheRun) {
 }
 
 TEST(ExplainSearch, IsTheSameForAnyNumberOfThreads) {
-    const TemporaryFolder folder;
     for (const char* name : {"path/yu1-compact.toml", "quick-return/uniform-speed-drag-link.toml"}) {
-        const std::string file = with_starts(name, 8, folder);
-        const auto with = [&](const char* jobs) { return without_times_of(search_of({file, "--jobs", jobs})); };
+        const auto with = [&](const char* jobs) {
+            return without_times_of(search_of({shipped_file(name), "--jobs", jobs}));
+        };
         EXPECT_EQ(with("1"), with("2")) << name;
     }
 }

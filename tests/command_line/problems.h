@@ -4,21 +4,9 @@
 
 #include <string>
 
-#include "tests/report/temporary_folder.h"
-
 namespace mechwright::testing {
 
 inline std::string shipped_file(const std::string& name) { return MECHWRIGHT_SOURCE_DIR "/problems/" + name; }
-
-/// A copy of a shipped problem without a section for the solver that is searched from so many starts.
-inline std::string with_starts(const std::string& name, int starts, const TemporaryFolder& folder) {
-    const std::string original = shipped_file(name);
-    std::string text = content_of(original);
-    const std::string beside = "points_file = \"";
-    if (const std::size_t at = text.find(beside); at != std::string::npos)
-        text.insert(at + beside.size(), original.substr(0, original.rfind('/') + 1));
-    return folder.write("searched.toml", text + "\n[solver]\nstarts = " + std::to_string(starts) + "\n");
-}
 
 /// Solved in no time.
 inline std::string crank_rocker(const std::string& more = "") {

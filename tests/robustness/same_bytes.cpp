@@ -1,7 +1,6 @@
 // Results are the same to the last byte for any number of threads, any instructions, and whatever memory held before.
 
 #include "analysis/numbers/instruction_set.h"
-#include "tests/long_form.h"
 #include "tests/robustness/problems.h"
 
 namespace mechwright::testing {
@@ -52,21 +51,9 @@ std::string document_of_file(const std::vector<std::string>& file, const std::st
     return without_seconds(outcome.out);
 }
 
-/// A problem as it is shipped, or with a quarter of its starts: enough for any number of threads.
-class SearchedProblem {
-public:
-    explicit SearchedProblem(const std::string& name) : file_(problem_file(name)) {
-        if (!in_long_form() && content_of(file_).find("[solver]") == std::string::npos)
-            file_ = with_starts(name + ".toml", 8, folder_);
-    }
-    std::string document(const std::string& jobs, const std::string& set = "") const {
-        return document_of_file({file_}, jobs, set);
-    }
-
-private:
-    TemporaryFolder folder_;
-    std::string file_;
-};
+std::string document_of(const std::string& name, const std::string& jobs, const std::string& set = "") {
+    return document_of_file(problem_files({name}), jobs, set);
+}
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& test) {
     std::string name = test.param;
@@ -78,9 +65,8 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& test) {
 class WithThreads : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(WithThreads, OfAnyNumber) {
-    const SearchedProblem problem(GetParam());
-    const std::string one = problem.document("1");
-    EXPECT_EQ(problem.document("3"), one);
+    const std::string one = document_of(GetParam(), "1");
+    EXPECT_EQ(document_of(GetParam(), "3"), one);
 }
 
 INSTANTIATE_TEST_SUITE_P(SameBytes, WithThreads, ::testing::ValuesIn(of_each_family), test_name);
@@ -120,12 +106,11 @@ starts = 1
 class WithInstructions : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(WithInstructions, AreThoseOfTheBaseline) {
-    const SearchedProblem problem(GetParam());
-    const std::string baseline = problem.document("2", "baseline");
+    const std::string baseline = document_of(GetParam(), "2", "baseline");
     for (const auto& [name, set] :
          {std::pair("avx2", InstructionSet::avx2), std::pair("avx512", InstructionSet::avx512)})
         if (is_available(set)) {
-            EXPECT_EQ(problem.document("2", name), baseline) << name;
+            EXPECT_EQ(document_of(GetParam(), "2", name), baseline) << name;
         }
 }
 
