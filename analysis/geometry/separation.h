@@ -103,6 +103,19 @@ void feet_on_sides(std::span<const Vector<double>> a, std::span<const Vector<dou
 
 }  // namespace detail
 
+/// How far an outline is from the half-plane to the left of the line through two places: by the corner that is nearest,
+/// or deepest in it.
+inline Separation separation_from_half_plane(std::span<const Vector<double>> first, const Vector<double>& through,
+                                             const Vector<double>& to) {
+    Separation nearest;
+    const Vector<double> along = to - through;
+    const double length = std::hypot(along.x, along.y);
+    for (std::size_t i = 0; i < first.size(); ++i)
+        if (const double beyond = -cross(along, first[i] - through) / length; beyond < nearest.distance)
+            nearest = {beyond, Separation::Of::side_of_second, i, 0};
+    return nearest;
+}
+
 /// By separating axes where they overlap (the shortest way apart is across a side of one of them), else of the nearest
 /// features (C. Ericson, Real-Time Collision Detection, Elsevier 2005, sections 5.1 and 5.2).
 inline Separation separation(std::span<const Vector<double>> first, std::span<const Vector<double>> second) {

@@ -22,6 +22,7 @@ namespace mechwright::linkage {
 struct ConvexOutline {
     std::vector<std::size_t> pins{};
     std::vector<Vector<double>> places{};
+    bool is_half_plane = false;  ///< all to the left of the line through two places
 };
 
 /// Where two outlines come closest: at a stationary place or an end by one pair of features; where outlines that
@@ -242,7 +243,8 @@ inline std::vector<ClosestPlace> closest_places(PlacedPins& pins, const ConvexOu
         [&](std::span<const Vector<double>> places) {
             corners_of(a, places, first);
             corners_of(b, places, second);
-            return separation(first, second);
+            return b.is_half_plane ? separation_from_half_plane(first, second.front(), second.back())
+                                   : separation(first, second);
         },
         false);
 }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/geometry/convex_pieces.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
@@ -160,15 +160,8 @@ std::optional<Place> read_pair(LinkageReading& reading, Section& section, std::s
     return {};
 }
 
-/// By how much a polygon turns to the left at a corner: the sine times two lengths.
-double turn_at(const std::vector<Place>& corners, std::size_t i) {
-    const std::size_t n = corners.size();
-    const Place &before = corners[(i + n - 1) % n], &here = corners[i], &after = corners[(i + 1) % n];
-    return cross(here - before, after - here);
-}
-
-/// Why corners make no convex polygon; empty if they do. They then are against the clock.
-std::string why_not_convex(std::vector<Place>& corners, bool inside) {
+/// Why corners are those of no polygon; empty if they are. They then are against the clock.
+std::string why_no_polygon(std::vector<Place>& corners) {
     const std::size_t n = corners.size();
     if (n < 3) return "needs three corners or more";
     double area = 0, size = 0;
@@ -179,25 +172,23 @@ std::string why_not_convex(std::vector<Place>& corners, bool inside) {
         area += cross(corners[i] - corners[0], side);
         size = std::max(size, std::hypot(side.x, side.y));
     }
+    if (const auto at = crossing_of_sides(corners))
+        return fmt::format(
+            "crosses itself at [{:.6g}, {:.6g}]: give its corners in their order around it, each once, so that "
+            "sides meet nowhere else",
+            at->x, at->y);
     constexpr double rounding = 1e-12;
     if (!(std::abs(area) > rounding * size * size)) return "has no area: give it corners that are not in one line";
     if (area < 0) std::reverse(corners.begin(), corners.end());
-    double turned = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const Place before = corners[i] - corners[(i + n - 1) % n], after = corners[(i + 1) % n] - corners[i];
-        const double turn = turn_at(corners, i);
-        turned += std::atan2(turn, dot(before, after));
-        if (turn < -rounding * size * size)
-            return fmt::format(
-                "is not convex at [{}, {}]: {}", corners[i].x, corners[i].y,
-                inside
-                    ? "keep in the convex polygon about it, and out of each part that is cut from that, in [[region]]s "
-                      "of their own"
-                    : "write it as several convex polygons, each in a [[region]] of its own");
-    }
-    // A star turns to the left at each corner, and goes round twice.
-    if (turned > 3 * std::numbers::pi) return "crosses itself: give its corners in their order around it";
     return {};
+}
+
+bool is_convex(const std::vector<Place>& corners) {
+    constexpr double rounding = 1e-12;
+    const double size = detail::size_of(corners);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if (detail::turn_at(corners, i) < -rounding * size * size) return false;
+    return true;
 }
 
 void read_polygon(LinkageReading& reading, Section& section, LinkageRegion& region) {
@@ -212,8 +203,16 @@ void read_polygon(LinkageReading& reading, Section& section, LinkageRegion& regi
     for (const toml::node& one : *list)
         if (const auto corner = to_pair(reading, one, "a corner of " + what)) region.places.push_back(*corner);
     if (region.places.size() < list->size()) return;
-    if (const std::string why = why_not_convex(region.places, region.inside); !why.empty())
-        add_error(reading.messages, place_of(*node), fmt::format("{} {}", what, why));
+    if (const std::string why = why_no_polygon(region.places); !why.empty())
+        return add_error(reading.messages, place_of(*node), fmt::format("{} {}", what, why));
+    if (is_convex(region.places)) return;
+    const auto pieces = region.inside ? convex_pieces_outside(region.places) : convex_pieces(region.places);
+    if (!pieces)
+        return add_error(reading.messages, place_of(*node),
+                         fmt::format("{} has too many inward corners: write it as several polygons with fewer, each in "
+                                     "a [[region]] of its own",
+                                     what));
+    region.pieces = *pieces;
 }
 
 void read_circular(LinkageReading& reading, Section& section, LinkageRegion& region) {

@@ -125,7 +125,7 @@ inline constexpr std::array region{
     Key{"name", Shape::text, "What its quantity is called by: NAME.margin.", true},
     Key{"keep", Shape::word, "Whether parts have to stay in it, or out.", true, ways_to_keep},
     parts_of_linkage,
-    Key{"polygon", Shape::pairs, "Corners of a convex polygon, [x, y] in the drawing's axes."},
+    Key{"polygon", Shape::pairs, "Corners of a polygon in their order around it, [x, y] in the drawing's axes."},
     Key{"circle", Shape::table, "A disc.", false, {}, region_circle},
     Key{"half-plane", Shape::table, "All that is to the left of a straight line.", false, {}, region_half_plane},
     Key{"link", Shape::table, "Another link, which moves.", false, {}, region_link},

@@ -120,12 +120,74 @@ T apart(const std::vector<Vector<T>>& first, const std::vector<Vector<T>>& secon
     return deepest < T(0) && (first.size() > 1 || second.size() > 1) ? deepest : nearest;
 }
 
-/// Where links keep out of a polygon, a circle or another link.
+/// Whether a place is inside of a polygon: a ray from it crosses an odd number of sides.
+template <class T>
+bool is_inside(const Vector<T>& at, const std::vector<Vector<T>>& polygon) {
+    bool inside = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector<T>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        if ((a.y > at.y) == (b.y > at.y)) continue;
+        if ((cross(b - a, at - a) > T(0)) == (b.y > a.y)) inside = !inside;
+    }
+    return inside;
+}
+
+template <class T>
+bool do_cross(const Vector<T>& a, const Vector<T>& b, const Vector<T>& from, const Vector<T>& to) {
+    const auto are_apart = [](const Vector<T>& one, const Vector<T>& other, const Vector<T>& p, const Vector<T>& q) {
+        return (cross(other - one, p - one) > T(0)) != (cross(other - one, q - one) > T(0));
+    };
+    return are_apart(a, b, from, to) && are_apart(from, to, a, b);
+}
+
+/// How deep a part is in convex parts of what has to be free: in that in which it is deepest.
+template <class T>
+T deepest_in_pieces(const std::vector<Vector<T>>& part, const LinkageRegion& region) {
+    T least(std::numeric_limits<double>::infinity());
+    for (const auto& piece : region.pieces) {
+        std::vector<Vector<T>> outline;
+        for (const Vector<double>& corner : piece)
+            outline.push_back(as<T>(corner));
+        if (outline.size() > 2) {
+            least = std::min<T>(least, apart(part, outline));
+            continue;
+        }
+        const Vector<T> along = outline.back() - outline.front();
+        for (const Vector<T>& at : part)
+            least = std::min<T>(least, cross(at - outline.front(), along) / hypotenuse(along.x, along.y));
+    }
+    return least;
+}
+
+/// How far a part is from what of a polygon has to be free, by its border alone where
+/// nothing overlaps: nothing crosses the border, and a place is on the right side of it.
+template <class T>
+T free_of_polygon(const std::vector<Vector<T>>& part, const LinkageRegion& region) {
+    std::vector<Vector<T>> polygon;
+    for (const Vector<double>& corner : region.places)
+        polygon.push_back(as<T>(corner));
+    const std::size_t n = polygon.size();
+    bool overlaps = is_inside(part.front(), polygon) != region.inside ||
+                    (!region.inside && part.size() > 2 && apart(part, std::vector{polygon.front()}) < T(0));
+    T nearest(std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < n; ++i)
+        for (const Vector<T>& a : part)
+            for (const Vector<T>& b : part) {
+                const Vector<T>&from = polygon[i], &to = polygon[(i + 1) % n];
+                overlaps = overlaps || do_cross(a, b, from, to);
+                nearest = std::min<T>(nearest, distance_from_segment(a, from, to));
+                nearest = std::min<T>(nearest, distance_from_segment(from, a, b));
+            }
+    return overlaps ? deepest_in_pieces(part, region) : nearest;
+}
+
+/// Where links keep out of a polygon, a circle or another link, or in a polygon that is not convex.
 Digits50 margin_outside(const Scan& scan, const LinkageRegion& region) {
     return least_of_several(scan, region.parts.size(), [&region]<class T>(std::size_t k, const PoseSignals<T>& pose) {
         std::vector<Vector<T>> part, outline;
         for (const std::size_t pin : region.parts[k])
             part.push_back(pose.in_drawing(pin));
+        if (!region.pieces.empty()) return free_of_polygon(part, region);
         for (const Vector<double>& place : region.places)
             outline.push_back(as<T>(place));
         for (const std::size_t pin : region.pins)

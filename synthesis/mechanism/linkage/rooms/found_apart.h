@@ -35,14 +35,22 @@ inline ConvexOutline outline_of_part(const Over& over, std::span<const double> d
     return {part, {}};
 }
 
-/// A region as an outline about which there is `radius`.
-inline ConvexOutline outline_of_region(const Over& over, std::span<const double> dimensions,
-                                       const LinkageRegion& region) {
-    if (!region.pins.empty()) return outline_of_part(over, dimensions, region.pins);
-    ConvexOutline outline;
-    for (const Vector<double>& place : region.places)
-        outline.places.push_back((1 / over.model.unit) * place);
-    return outline;
+/// What of a region has to be free, as outlines about which there is `radius`.
+inline std::vector<ConvexOutline> outlines_of_region(const Over& over, std::span<const double> dimensions,
+                                                     const LinkageRegion& region) {
+    if (!region.pins.empty()) return {outline_of_part(over, dimensions, region.pins)};
+    std::vector<ConvexOutline> outlines;
+    const auto add = [&](const std::vector<Vector<double>>& places) {
+        ConvexOutline& outline = outlines.emplace_back();
+        for (const Vector<double>& place : places)
+            outline.places.push_back((1 / over.model.unit) * place);
+    };
+    if (region.pieces.empty()) add(region.places);
+    for (const auto& piece : region.pieces) {
+        add(piece);
+        outlines.back().is_half_plane = piece.size() == 2;
+    }
+    return outlines;
 }
 
 /// A separation of a part and a region as a signal, times a factor, plus a constant.
@@ -84,9 +92,12 @@ inline SignalOfSeparation signal_of(const Separation& by, const ConvexOutline& p
                 -1};
     const Vector<double> side = next(corners, by.second) - corners[by.second];
     const Vector<double> outward = (-1 / std::hypot(side.x, side.y)) * left_of(side);
+    // Corners of pieces may be far away: the nearer end of the side costs the fewer digits.
+    const Vector<double>&from = corners[by.second], to = next(corners, by.second);
+    const Vector<double>& through = dot(from, from) <= dot(to, to) ? from : to;
     return {{.kind = Signal::Kind::along, .of = part.pins[by.first], .number = std::atan2(outward.y, outward.x)},
             1,
-            -dot(outward, corners[by.second])};
+            -dot(outward, through)};
 }
 
 /// The places, and their signals.
@@ -95,31 +106,38 @@ struct FoundApart {
     Found found{};
 };
 
-/// Where the parts of a region out of which they keep come closest to it.
-inline FoundApart closest_to_region(const Over& over, std::span<const double> dimensions, const Course& course) {
-    const LinkageRegion& region = over.model.regions[over.measure.of_room];
-    const double unit = over.model.unit;
-    const ConvexOutline outline = outline_of_region(over, dimensions, region);
-    linkage::PlacedPins placed(over.driven(dimensions), placing_of<double>(over, dimensions, {}), course);
-    FoundApart made;
+/// Adds where a part comes closest to an outline about which there is `radius`.
+inline void add_closest(linkage::PlacedPins& placed, const ConvexOutline& part, const ConvexOutline& outline,
+                        double radius, FoundApart& made) {
     const auto add_signal = [&](const SignalOfSeparation& of) {
         made.signals.push_back(of.signal);
         return made.signals.size() - 1;
     };
+    const auto places = linkage::closest_places(placed, part, outline);
+    made.found.possible = made.found.possible && !places.empty();
+    for (const ClosestPlace& one : places) {
+        const SignalOfSeparation by = signal_of(one.by, part, outline);
+        Term term{{add_signal(by), 0}, one.place, by.factor, by.constant - radius};
+        term.place.value = (one.place.value - radius - term.constant) / term.factor;
+        if (one.and_by) {
+            const SignalOfSeparation other = signal_of(*one.and_by, part, outline);
+            term.also = linkage::Scaled{add_signal(other), other.factor, other.constant - radius};
+        }
+        made.found.plus.push_back(std::move(term));
+    }
+}
+
+/// Where the parts of a region come closest to what of it has to be free.
+inline FoundApart closest_to_region(const Over& over, std::span<const double> dimensions, const Course& course) {
+    const LinkageRegion& region = over.model.regions[over.measure.of_room];
+    const double unit = over.model.unit;
+    const std::vector<ConvexOutline> outlines = outlines_of_region(over, dimensions, region);
+    linkage::PlacedPins placed(over.driven(dimensions), placing_of<double>(over, dimensions, {}), course);
+    FoundApart made;
     for (const std::vector<std::size_t>& pins : region.parts) {
         const ConvexOutline part = outline_of_part(over, dimensions, pins);
-        const auto places = linkage::closest_places(placed, part, outline);
-        made.found.possible = made.found.possible && !places.empty();
-        for (const ClosestPlace& one : places) {
-            const SignalOfSeparation by = signal_of(one.by, part, outline);
-            Term term{{add_signal(by), 0}, one.place, by.factor, by.constant - region.radius / unit};
-            term.place.value = (one.place.value - region.radius / unit - term.constant) / term.factor;
-            if (one.and_by) {
-                const SignalOfSeparation other = signal_of(*one.and_by, part, outline);
-                term.also = linkage::Scaled{add_signal(other), other.factor, other.constant - region.radius / unit};
-            }
-            made.found.plus.push_back(std::move(term));
-        }
+        for (const ConvexOutline& outline : outlines)
+            add_closest(placed, part, outline, region.radius / unit, made);
     }
     made.found.possible = made.found.possible && !made.found.plus.empty();
     keep_least(made.found.plus, most_extremes + 2);

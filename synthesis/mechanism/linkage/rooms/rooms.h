@@ -31,9 +31,12 @@ struct LinkageRegion {
     double radius = 0;                              ///< of a circle; of a link half of its width
     double margin = 0;                              ///< the least that is asked for
     std::vector<std::vector<std::size_t>> parts{};  ///< of each the pins: a point has one
+    /// Of a polygon that is not convex: convex parts that cover what has to be free
+    /// (analysis/geometry/convex_pieces.h).
+    std::vector<std::vector<Vector<double>>> pieces{};
 
     /// Whether the margin of a part is the least of its points' margins: in a convex region, and out of a half-plane.
-    bool is_by_points() const { return inside || shape == Shape::half_plane; }
+    bool is_by_points() const { return pieces.empty() && (inside || shape == Shape::half_plane); }
 };
 
 /// A straight border: what is allowed lies on the side to which `inward`, a unit vector, points.
