@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/numbers/extremes.h"
+#include "synthesis/program/program.h"
 
 namespace mechwright {
 
