@@ -117,11 +117,15 @@ inline void add_piece(Corners piece, std::vector<Corners>& pieces) {
     pieces.push_back(std::move(piece));
 }
 
+inline bool is_inward(const Corners& corners, std::size_t i) {
+    const double size = size_of(corners);
+    return turn_at(corners, i) < -straight * size * size;
+}
+
 /// False where it takes more than `cuts`.
 inline bool add_pieces(const Corners& corners, std::vector<Corners>& pieces, std::size_t& cuts) {
-    const double size = size_of(corners);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (turn_at(corners, i) >= -straight * size * size) continue;
+        if (!is_inward(corners, i)) continue;
         if (cuts == 0) return false;
         --cuts;
         for (const bool before : {true, false}) {
@@ -137,6 +141,13 @@ inline bool add_pieces(const Corners& corners, std::vector<Corners>& pieces, std
 inline constexpr std::size_t most_cuts = 512;
 
 }  // namespace detail
+
+/// Whether a polygon whose corners are against the clock has no inward corner.
+inline bool is_convex(const Corners& polygon) {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        if (detail::is_inward(polygon, i)) return false;
+    return true;
+}
 
 /// Convex parts that cover a polygon whose corners are against the clock and whose sides do not meet: at an inward
 /// corner it is what lies on the inner side of the one side's line, and what does of the other's, again and again. Two

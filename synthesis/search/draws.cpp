@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/search/path_timing.h"
+#include "synthesis/search/path/path_timing.h"
 
 namespace mechwright {
 

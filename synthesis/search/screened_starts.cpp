@@ -7,7 +7,7 @@
 #include <span>
 
 #include "analysis/numbers/low_discrepancy.h"
-#include "synthesis/search/path_timing.h"
+#include "synthesis/search/path/path_timing.h"
 #include "synthesis/search/starts.h"
 #include "synthesis/target/path/fit.h"
 #include "synthesis/target/path/rows/path_outputs.h"

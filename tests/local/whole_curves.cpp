@@ -10,6 +10,7 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/search/curve/batch.h"
 #include "synthesis/search/curve/chords.h"
+#include "synthesis/target/path/rows/nearest_point.h"
 
 namespace mechwright {
 namespace {
@@ -73,7 +74,7 @@ Vector<double> coupler_point(const CurveArguments& a, std::size_t assembly, doub
 /// Squared distance of the nearest of very many points of the curve.
 double scanned(const CurveArguments& a, std::size_t assembly, const Vector<double>& target) {
     const CrankRange<double> range = assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]});
-    constexpr int points = 40000;
+    constexpr int points = 8000;
     double least = unlimited;
     for (int k = 0; k <= points; ++k) {
         const double angle = (range.from + range.to) / 2 - (range.to - range.from) / 2 * std::cos(pi * k / points);
@@ -123,6 +124,52 @@ TEST_F(WholeCurves, AreMetAtTheirNearestPoints) {
         }
     // Where two stretches of the curve are about as near, chords may tell the wrong one: that is rare.
     EXPECT_GE(as_near, 0.99 * compared);
+}
+
+double square_to_chord(const SampledCurve& c, std::size_t k, const Vector<double>& from) {
+    const Vector<double> begin{c.x[k], c.y[k]}, way{c.x[k + 1] - c.x[k], c.y[k + 1] - c.y[k]};
+    const double part = dot(way, way) > 0 ? std::clamp(dot(from - begin, way) / dot(way, way), 0.0, 1.0) : 0;
+    const Vector<double> off = from - begin - part * way;
+    return dot(off, off);
+}
+
+TEST_F(WholeCurves, HaveTheNearestOfAllTheirChords) {
+    ASSERT_TRUE(curve);
+    for (const CurveArguments& a : linkages(*curve, 60)) {
+        ASSERT_TRUE(evaluate_nearest(*curve, a, 0, InstructionSet::baseline, work));
+        for (std::size_t i = 0; i < curve->targets.count; ++i) {
+            const Vector<double> target{work.local.x[i / 8][i % 8], work.local.y[i / 8][i % 8]};
+            double least = unlimited;
+            for (std::size_t k = 0; k + 1 < work.curve.count; ++k)
+                least = std::min(least, square_to_chord(work.curve, k, target));
+            const auto chord = static_cast<std::size_t>(work.chords.chord[i / 8][i % 8]);
+            const double rounding = 1e-13 * (least + dot(target, target));
+            EXPECT_NEAR(work.chords.square[i / 8][i % 8], least, rounding);
+            EXPECT_NEAR(square_to_chord(work.curve, chord, target), least, rounding);
+        }
+    }
+}
+
+TEST_F(WholeCurves, AreMetByDesignsWhereAScanSays) {
+    ASSERT_TRUE(curve);
+    int limited = 0, compared = 0;
+    for (const CurveArguments& a : linkages(*curve, 40))
+        for (std::size_t assembly = 0; assembly < 2; ++assembly) {
+            const std::size_t kind = program_of(programs, a, assembly);
+            if (kind == programs.size()) continue;
+            Design design = design_at(programs[kind], point_with(programs[kind], a));
+            meet_nearest_points(problem, design);
+            ++compared;
+            limited += assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]}).full_turn ? 0 : 1;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const Vector<double> target = programs[kind].targets[i];
+                const Vector<double> miss = coupler_point(a, assembly, design.path_angles[i]) - target;
+                // Next to the ends of a motion its point goes as the root of what is left of it: half of the digits.
+                EXPECT_LE(std::sqrt(dot(miss, miss)), std::sqrt(scanned(a, assembly, target)) + 1e-6 * curve->spread);
+            }
+        }
+    EXPECT_GT(compared, 40);
+    EXPECT_GT(limited, 10);
 }
 
 TEST_F(WholeCurves, HaveTheBitsOfTheBaselineInEveryInstructionSet) {
@@ -226,6 +273,31 @@ TEST(WholeCurvesOfLinkages, AreFoundAgainByTheirPoints) {
         found += std::sqrt(batch.best.front().sum / curve->weight) < 1e-5 * curve->spread ? 1 : 0;
     }
     EXPECT_GE(found, 11);
+}
+
+TEST(WholeCurvesOfLinkages, AreNotKeptWhereATargetIsMetAtTheEndOfAMotion) {
+    std::vector<Vector<double>> letter_v;
+    for (int k = -10; k <= 10; ++k)
+        letter_v.push_back({0.8 * k, 2.0 * std::abs(k)});
+    const Problem problem = problem_of(letter_v);
+    const std::vector<Program> programs = programs_of(problem);
+    const auto curve = curve_problem(programs);
+    ASSERT_TRUE(curve);
+    CurveWork work;
+    int met_at_end = 0;
+    RandomNumbers random(5);
+    for (int k = 0; k < 60; ++k)
+        if (auto shape = drawn_shape(*curve, random, work); shape && descend(*curve, *shape, 200, 1e-9, work))
+            met_at_end += shape->at_limit ? 1 : 0;
+    EXPECT_GT(met_at_end, 0);
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const CurveBatch batch = curve_batch(*curve, seed, 6000, [] { return false; });
+        ASSERT_FALSE(batch.best.empty());
+        for (FittedCurve best : batch.best) {
+            ASSERT_TRUE(descend(*curve, best, 1, 0, work));
+            EXPECT_FALSE(best.at_limit);
+        }
+    }
 }
 
 TEST(WholeCurvesOfLinkages, TurnFullyWhereTheirPathIsClosed) {

@@ -88,13 +88,7 @@ polygon = [[2, -2.2], [2.4, -2.2], [2.4, -1.8], [2.3, -1.8], [2.2, -2], [2.1, -1
     EXPECT_LT(value_in(found.document, "link.margin"), -0.01);
     EXPECT_GT(value_in(found.document, "points.margin"), 0.1);
     EXPECT_LT(value_in(found.document, "over.margin"), -0.05);
-    std::size_t stated = 0;
-    for (const Check& check : verify(found.document))
-        if (check.name.ends_with("stated")) {
-            EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
-            ++stated;
-        }
-    EXPECT_GE(stated, 3u);
+    EXPECT_GE(count_of_stated(found.document), 3u);
 }
 
 TEST(LinkagePolygons, WhoseSidesMeetAreRefused) {

@@ -24,6 +24,7 @@
 namespace mechwright::linkage_scans {
 
 using Json = nlohmann::ordered_json;
+using testing::count_of_stated;
 using testing::expect_verified;
 using testing::is_refused;
 using Places = std::vector<Vector<double>>;

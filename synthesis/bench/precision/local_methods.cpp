@@ -1,6 +1,6 @@
 #include "synthesis/bench/precision/local_methods.h"
 
-#include "synthesis/search/path_objective.h"
+#include "synthesis/search/path/path_objective.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/starts.h"
 

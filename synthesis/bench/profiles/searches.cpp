@@ -8,7 +8,7 @@
 #include "synthesis/local/controlled_random_search.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/search/multistart.h"
-#include "synthesis/search/path_search.h"
+#include "synthesis/search/path/path_search.h"
 
 namespace mechwright::bench {
 

@@ -277,7 +277,7 @@ void nearest_of(const Arguments& a, const SampledCurve& curve, const NearestChor
         at = moving(m, point, half_turn_of(angle), a.assembly);
         const T last = select(within, T(last_newton_step), T(last_halving)) * chord_angle;
         left = select(change > last, left, T(0.0));
-        if (std::none_of(left.lane.begin(), left.lane.end(), [](double l) { return l > 0; })) break;
+        if (!any(left > T(0.0))) break;
     }
     // The normal, and how far the point goes along it with each argument.
     const Vector<T> miss = at.at - target;

@@ -183,14 +183,6 @@ std::string why_no_polygon(std::vector<Place>& corners) {
     return {};
 }
 
-bool is_convex(const std::vector<Place>& corners) {
-    constexpr double rounding = 1e-12;
-    const double size = detail::size_of(corners);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        if (detail::turn_at(corners, i) < -rounding * size * size) return false;
-    return true;
-}
-
 void read_polygon(LinkageReading& reading, Section& section, LinkageRegion& region) {
     const toml::node* node = find(section, "polygon");
     const std::string what = name_of(section, "polygon");

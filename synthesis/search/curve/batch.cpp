@@ -24,7 +24,7 @@ constexpr double promising = 4;
 constexpr double promising_variation = 2;
 constexpr double promising_later = 1.3;
 /// A descent that has come so near to a design that is kept, by the arguments and by the sum, would end there.
-constexpr double same_end_within = 0.03;
+constexpr double known_within = 0.03;
 constexpr double tolerance = 1e-9;
 /// Variations spread from this to that, small ones more often.
 constexpr double least_spread = 0.003;
@@ -58,12 +58,11 @@ struct Batch {
     }
 
     bool goes_to(const FittedCurve& known, const FittedCurve& design) const {
-        if (design.assembly != known.assembly || design.sum < known.sum ||
-            design.sum > (1 + same_end_within) * known.sum)
+        if (design.assembly != known.assembly || design.sum < known.sum || design.sum > (1 + known_within) * known.sum)
             return false;
         for (std::size_t i = 0; i < problem.arguments; ++i) {
             const double size = std::max(problem.spread, std::abs(known.arguments[i]));
-            if (std::abs(design.arguments[i] - known.arguments[i]) > same_end_within * size) return false;
+            if (std::abs(design.arguments[i] - known.arguments[i]) > known_within * size) return false;
         }
         return true;
     }

@@ -11,7 +11,7 @@
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/curve/batch.h"
 #include "synthesis/search/optima.h"
-#include "synthesis/search/path_objective.h"
+#include "synthesis/search/path/path_objective.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/target/path/rows/nearest_point.h"
 

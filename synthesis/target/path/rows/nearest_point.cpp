@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "analysis/numbers/extremes.h"
 #include "synthesis/program/program.h"
@@ -19,9 +21,10 @@ constexpr double long_chord = 2;
 constexpr double part_of_box = 1.0 / 60;
 constexpr int divisions = 3;
 constexpr int most_parts = 16;
-/// At the ends of a limited motion, where the point may have no velocity to speak of, slopes are taken so far from it,
-/// as a part of the way to the next sample.
+/// At the ends of a limited motion velocities are infinite, and rounding gives them any sign: slopes are taken so far
+/// from an end, as a part of the interval.
 constexpr double inset = 1e-7;
+constexpr int most_doublings = 40;
 
 struct Sample {
     double angle;
@@ -94,13 +97,27 @@ std::vector<Sample> divided(const Problem& problem, const Design& design, std::s
     return all;
 }
 
+/// The sample at a crank angle; where rounding denies that the mechanism assembles at the end of its motion, one a
+/// little way from there, which may be doubled again and again.
+std::optional<Sample> sample_at(const Problem& problem, const Design& design, std::size_t guided, double angle,
+                                double way) {
+    Sample s{angle, {}};
+    for (int doubled = 0; doubled <= most_doublings; ++doubled) {
+        if (point_at(problem, design, guided, s.angle, s.point, nullptr)) return s;
+        s.angle = angle + std::ldexp(way, doubled);
+    }
+    return std::nullopt;
+}
+
 std::vector<Sample> sampled_curve(const Problem& problem, const Design& design, std::size_t guided, const Box& box) {
     const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     std::vector<Sample> curve;
     if (!(motion.from <= motion.to)) return curve;
+    const double rounding = (motion.to - motion.from) * std::numeric_limits<double>::epsilon();
     for (int i = 0; i <= curve_samples; ++i) {
-        Sample s{motion.from + i * (motion.to - motion.from) / curve_samples, {}};
-        if (point_at(problem, design, guided, s.angle, s.point, nullptr)) curve.push_back(s);
+        const double angle = motion.from + i * (motion.to - motion.from) / curve_samples;
+        const double inwards = i == 0 ? rounding : i == curve_samples ? -rounding : 0;
+        if (const auto sample = sample_at(problem, design, guided, angle, inwards)) curve.push_back(*sample);
     }
     double length = 0;
     for (std::size_t k = 1; k < curve.size(); ++k)
@@ -119,16 +136,11 @@ double refined(const Problem& problem, const Design& design, std::size_t guided,
         point_at(problem, design, guided, angle, point, &tangent);
         return dot(point - target, tangent);
     };
-    const double from_end = inset * (right - left);
-    const auto slope_beside = [&](double& angle, double way) {
-        double value = slope(angle);
-        if (!std::isfinite(value)) value = slope(angle += way);  // a toggle
-        return value;
-    };
-    const double at_left = slope_beside(left, from_end);
-    const double at_right = slope_beside(right, -from_end);
+    const double beside = inset * (right - left);
+    const double at_left = slope(left + beside);
+    const double at_right = slope(right - beside);
     if (!(at_left < 0 && at_right > 0)) return otherwise;
-    return zero_between(slope, left, right, at_left, at_right);
+    return zero_between(slope, left + beside, right - beside, at_left, at_right);
 }
 
 /// The points of one target, by the curve that is guided along them.

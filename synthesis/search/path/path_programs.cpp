@@ -1,4 +1,4 @@
-#include "synthesis/search/path_programs.h"
+#include "synthesis/search/path/path_programs.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "synthesis/search/path_trials.h"
+#include "synthesis/search/path/path_trials.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "synthesis/search/path_timing.h"
+#include "synthesis/search/path/path_timing.h"
 
 #include <cmath>
 #include <cstdint>

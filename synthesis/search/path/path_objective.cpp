@@ -1,4 +1,4 @@
-#include "synthesis/search/path_objective.h"
+#include "synthesis/search/path/path_objective.h"
 
 #include <algorithm>
 

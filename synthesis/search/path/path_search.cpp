@@ -1,4 +1,4 @@
-#include "synthesis/search/path_search.h"
+#include "synthesis/search/path/path_search.h"
 
 #include <algorithm>
 #include <array>
@@ -11,15 +11,14 @@
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/assess.h"
-#include "synthesis/program/quantity_value.h"
 #include "synthesis/program/search_trace.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/curve/curve_search.h"
 #include "synthesis/search/optima.h"
-#include "synthesis/search/path_objective.h"
-#include "synthesis/search/path_programs.h"
-#include "synthesis/search/path_trials.h"
+#include "synthesis/search/path/path_objective.h"
+#include "synthesis/search/path/path_programs.h"
+#include "synthesis/search/path/path_trials.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/screened_starts.h"
 #include "synthesis/search/starts_nearby.h"
