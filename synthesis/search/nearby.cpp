@@ -1,5 +1,6 @@
 #include "synthesis/search/nearby.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,8 +19,9 @@ constexpr double far_off_from = 1e-3;
 /// Starts of a round, as parts of every variable away from the design.
 constexpr std::array<double, 4> away{0, 1e-3, 1e-4, 1e-2};
 constexpr int most_rounds = 24;  ///< in flat valleys each gains a little
-/// A round that gains less than this part is the last.
+/// A round that gains less than this part, or less than that of what the program was scaled for, is the last.
 constexpr double goes_on_from = 1e-9;
+constexpr double least_gain = 1e-12;
 
 Eigen::VectorXd start_near(const Program& program, Eigen::VectorXd x, double part, std::uint64_t seed) {
     for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -69,7 +71,7 @@ NearbyOptimum nearby(const Problem& problem, const Design& from, const LocalLimi
     return best;
 }
 
-NearbyOptimum settled(const Problem& problem, const Design& from, const LocalLimits& limits) {
+NearbyOptimum settled(const Problem& problem, const Design& from, long enough, const LocalLimits& limits) {
     NearbyOptimum best;
     LocalLimits near = limits;
     near.near_optimum = true;
@@ -85,7 +87,8 @@ NearbyOptimum settled(const Problem& problem, const Design& from, const LocalLim
         double before = unlimited;
         bool balanced = unbalanced_part(program, here.x) <= balanced_within;
         for (int round = 0; round < most_rounds && !balanced; ++round) {
-            if (!(here.objective < before - goes_on_from * std::abs(here.objective))) break;
+            const double gain = std::max(goes_on_from * std::abs(here.objective), least_gain);
+            if (!(here.objective < before - gain) || (round > 0 && here.evaluations > enough)) break;
             before = here.objective;
             here = round_from(program, here, round, near);
             balanced = unbalanced_part(program, here.x) <= balanced_within;

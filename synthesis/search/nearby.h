@@ -19,8 +19,8 @@ struct NearbyOptimum {
 NearbyOptimum nearby(const Problem& problem, const Design& from, const LocalLimits& limits);
 
 /// The local optimum that a search ended near but not at: both local methods in turn, from the design and from close to
-/// it, until one ends where the gradient is balanced or none gains any more. The design itself where it is
-/// such an optimum already. The problem has an objective.
-NearbyOptimum settled(const Problem& problem, const Design& from, const LocalLimits& limits);
+/// it, until one ends where the gradient is balanced or none gains any more; no further round begins after so many
+/// evaluations. The design itself where it is such an optimum already. The problem has an objective.
+NearbyOptimum settled(const Problem& problem, const Design& from, long enough, const LocalLimits& limits);
 
 }  // namespace mechwright
