@@ -80,8 +80,10 @@ Found closed_form(const Problem& problem, const RunOptions&, Clock::time_point) 
 
 bool found_feasible(const Found& found) { return !found.candidates.empty() && found.candidates.front().feasible; }
 
-/// The best design at the very optimum that its search ended near. In flat valleys that is far: it takes about as long
-/// as the search at most.
+/// In flat valleys the very optimum is far from where a search ended.
+constexpr long most_evaluations_to_settle = 20000;
+
+/// The best design at the very optimum that its search ended near, as far as that takes no more than the search did.
 void settle_best(const Problem& problem, Found& found, const RunOptions& options, Clock::time_point deadline) {
     if (found.stopped || !problem.objective || !found_feasible(found) || found.report.complete()) return;
     const Timed searching(seconds_of(options.trace, &SearchTrace::searching));
@@ -89,7 +91,8 @@ void settle_best(const Problem& problem, Found& found, const RunOptions& options
     LocalLimits limits;
     limits.deadline = deadline;
     limits.stop = options.stop;
-    NearbyOptimum at = settled(problem, found.candidates.front().design, found.report.evaluations, limits);
+    const long enough = std::min(found.report.evaluations, most_evaluations_to_settle);
+    NearbyOptimum at = settled(problem, found.candidates.front().design, enough, limits);
     found.report.evaluations += at.evaluations;
     found.stopped = !at.stationary && limits.reached();
     if (at.solution && preferred(problem, *at.solution, found.candidates.front()))

@@ -14,6 +14,9 @@ namespace mechwright {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
+/// Where a mechanism assembles by less than this part of its longest length the end of its motion and rounding decide
+/// where its point is: at such a place nobody can say how far it is from a target that is met at any time.
+constexpr double sure_part = 1e-10;
 
 double margin_at_targets(const Problem& problem, const Design& design) {
     double least = endless;
@@ -23,7 +26,8 @@ double margin_at_targets(const Problem& problem, const Design& design) {
                       design.dimensions, design.path_angles[i], problem.path->points[i], miss);
         if (!(miss.margin >= least)) least = miss.margin;
     }
-    return least;
+    const double sure = problem.path->prescribed_timing ? 0 : sure_part;
+    return least - sure * longest_length(*problem.mechanism, design.dimensions);
 }
 
 /// Whether a target has points whose order counts.

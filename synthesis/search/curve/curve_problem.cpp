@@ -78,9 +78,19 @@ double margin_of(const LinearCondition& c, const CurveArguments& a) {
     return std::inner_product(c.coefficients.begin(), c.coefficients.end(), a.begin(), 0.0);
 }
 
+bool CurveProblem::keeps_from_borders(const CurveArguments& a) const {
+    return std::all_of(fit->borders().begin(), fit->borders().end(), [&](const LinearCondition& c) {
+        bool moves = false;
+        for (std::size_t i = 0; i < c.coefficients.size(); ++i)
+            moves = moves || (c.coefficients[i] != 0 && is_free(i));
+        return !moves || std::abs(margin_of(c, a)) >= condition_margin - rounding_of_margin;
+    });
+}
+
 bool CurveProblem::allows(std::size_t assembly, const CurveArguments& a) const {
-    return std::any_of(kinds.begin(), kinds.end(),
-                       [&](const CurveKind& kind) { return kind.assembly == assembly && meets(*kind.conditions, a); });
+    return keeps_from_borders(a) && std::any_of(kinds.begin(), kinds.end(), [&](const CurveKind& kind) {
+               return kind.assembly == assembly && meets(*kind.conditions, a);
+           });
 }
 
 std::optional<CurveProblem> curve_problem(const std::vector<Program>& programs) {
@@ -134,6 +144,16 @@ Eigen::VectorXd point_with(const Program& program, const CurveArguments& argumen
     for (std::size_t i = 0; i < reads.size(); ++i)
         if (const std::ptrdiff_t v = program.variable_of[reads[i]]; v >= 0) x[v] = arguments[i];
     return x;
+}
+
+CurveArguments arguments_at(const Program& program, const Eigen::VectorXd& x) {
+    CurveArguments a{};
+    const auto& reads = program.problem->mechanism->point->reads;
+    for (std::size_t i = 0; i < reads.size(); ++i) {
+        const std::ptrdiff_t v = program.variable_of[reads[i]];
+        a[i] = v >= 0 ? x[v] : program.dimensions[reads[i]];
+    }
+    return a;
 }
 
 CurveArguments within_ranges(const CurveProblem& p, CurveArguments a) {

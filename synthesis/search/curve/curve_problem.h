@@ -45,6 +45,9 @@ struct CurveProblem {
     bool has_requirements() const {
         return std::any_of(rows.begin(), rows.end(), [](const auto& some) { return !some.empty(); });
     }
+    /// Whether a design keeps from change points as far as it can be told from them (condition_margin), on whichever
+    /// side: next to one the curve goes on as the root of what is left, and nobody makes links to such a part.
+    bool keeps_from_borders(const CurveArguments& a) const;
     /// Whether lengths may belong to a design in this assembly.
     bool allows(std::size_t assembly, const CurveArguments& a) const;
 };
@@ -62,6 +65,9 @@ std::size_t program_of(const std::vector<Program>& programs, const CurveArgument
 
 /// The point of a program with these arguments; crank angles are 0.
 Eigen::VectorXd point_with(const Program& program, const CurveArguments& arguments);
+
+/// The arguments at a point of a program.
+CurveArguments arguments_at(const Program& program, const Eigen::VectorXd& x);
 
 /// Arguments brought into their ranges; the tilt by whole turns as far as it can.
 CurveArguments within_ranges(const CurveProblem& problem, CurveArguments a);

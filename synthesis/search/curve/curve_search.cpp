@@ -27,18 +27,20 @@ constexpr int rounds = 10;
 constexpr int starts_of_rounds = 32;
 /// Batches whose least sums of squares agree to this part came to one end; they hit the best one if they agree with it
 /// to the smaller part.
-constexpr double same_end_within = 1e-3;
-constexpr double hits_within = 1e-5;
+constexpr double same_end_within = 3e-6;
+constexpr double hits_within = 1e-6;
 /// The search goes on while more than this share of batches would end where none has.
 constexpr double most_share_unseen = 0.05;
 /// Chains of variations from the best of all batches, so many at a time, of so many evaluations; again while they gain
 /// more than this part, and so many times at most.
 constexpr int chains_at_a_time = 2;
 constexpr long evaluations_of_chain = 10000;
-constexpr double gain_of_chains = 1e-3;
-constexpr int most_times = 6;
-/// Designs that are taken to the very end: different ones, the best of them; and the greatest program that is polished.
+constexpr double gain_of_chains = 1e-6;
+constexpr int most_times = 12;
+/// Designs that are taken to the very end: the best of those whose sums differ by more than this part; and the greatest
+/// program that is polished.
 constexpr std::size_t most_polished = 4;
+constexpr double polished_apart = 1e-3;
 constexpr std::size_t most_polished_variables = 60;
 /// Beside requirements the method of least squares that keeps to them (local.h) takes designs there, in so many passes
 /// with nearest points found anew.
@@ -133,13 +135,20 @@ struct Search {
         if (best.front().sum < (1 - same_end_within) * best_of_batches) ends.add(best.front().sum);
     }
 
+    /// Whether a fit is a design that could be used, but for requirements that it misses a little.
+    bool is_usable(const FittedCurve& fitted) const {
+        const std::optional<Solution> solution = assessed(fitted);
+        return solution && solution->violation < unlimited;
+    }
+
     /// The best designs, different ones.
     std::vector<FittedCurve> different() const {
         std::vector<FittedCurve> chosen;
-        for (const FittedCurve& fitted : best)
-            if (chosen.size() < most_polished &&
-                (chosen.empty() || fitted.sum > (1 + same_end_within) * chosen.back().sum))
-                chosen.push_back(fitted);
+        for (const FittedCurve& fitted : best) {
+            if (chosen.size() == most_polished) break;
+            const bool differs = chosen.empty() || fitted.sum > (1 + polished_apart) * chosen.back().sum;
+            if (differs && is_usable(fitted)) chosen.push_back(fitted);
+        }
         return chosen;
     }
 
@@ -181,7 +190,7 @@ struct Search {
         const LocalOutcome outcome = polished_search(program, x, slsqp, limits);
         end.evaluations += outcome.evaluations;
         end.verdict = outcome.verdict;
-        if (outcome.x.size() == 0) return;
+        if (outcome.x.size() == 0 || !curve->keeps_from_borders(arguments_at(program, outcome.x))) return;
         Solution after = assess(problem, design_at(program, outcome.x));
         if (preferred(problem, after, *end.solution)) end.solution = std::move(after);
     }

@@ -7,6 +7,7 @@
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "analysis/numbers/scalar.h"
+#include "synthesis/program/condition_margin.h"
 #include "synthesis/search/curve/chords.h"
 
 namespace mechwright {
@@ -31,10 +32,10 @@ constexpr int layings_of_variation = 3;
 constexpr double other_side = 0.15;
 constexpr double other_assembly = 0.1;
 constexpr double close_by = 0.1;
-/// A variation multiplies a margin, or, less often, adds to it; and no margin becomes less than this part of the
-/// lengths.
+/// A variation multiplies a margin, or, less often, adds to it; and no margin becomes less than this: laid over the
+/// targets, which may make it smaller, the design still keeps from the border.
 constexpr double multiplied = 0.7;
-constexpr double least_margin = 1e-9;
+constexpr double least_margin = 2 * condition_margin;
 
 /// A similarity of the plane, z -> shift + factor z.
 struct Laying {
@@ -261,7 +262,7 @@ std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from
                 size = std::abs(size + 0.3 * spread * spread * all * random.normal());
             const bool changes_side = random.even() < other_side && std::abs(old) < close_by * all;
             margins[static_cast<Eigen::Index>(b) + 1] =
-                std::max(size, least_margin * all) * ((old < 0) != changes_side ? -1 : 1);
+                std::max(size, least_margin) * ((old < 0) != changes_side ? -1 : 1);
         }
         const Eigen::VectorXd lengths = rows.partialPivLu().solve(margins);
         possible = (lengths.array() > 0).all();
