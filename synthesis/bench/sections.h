@@ -19,6 +19,7 @@ Section work_precision();
 Section data_profiles();
 Section recovery();
 Section curves();
+Section curve_peers();
 Section everyday();
 Section agreement();
 

@@ -19,6 +19,7 @@ using Complex = std::complex<double>;
 /// Lengths are drawn over this range, evenly in their logarithm; and the distance of the guided point from a pin or the
 /// middle of its link, in parts of the link or of the linkage.
 constexpr double least_ratio = 1e-2;
+constexpr double least_margin_drawn = 1e-3;
 constexpr double nearest_point_drawn = 0.025;
 constexpr double farthest_point_drawn = 5;
 constexpr int most_shapes_drawn = 16;
@@ -157,8 +158,9 @@ Eigen::MatrixXd margins_of_lengths(const CurveProblem& p) {
 
 double of_logarithm(double low, double high, double part) { return low * std::pow(high / low, part); }
 
-/// Lengths in their ranges; any proportions where the size is free. Every second time one link is short and the margins
-/// to the borders are drawn, which reaches what is next to them: there many of the best designs are.
+/// Lengths in their ranges; any proportions where the size is free. Every second time one link is given and the margins
+/// to the borders are drawn, on any side of them, which reaches what is next to several: there many of the best designs
+/// are.
 void draw_lengths(const CurveProblem& p, RandomNumbers& random, CurveArguments& a) {
     for (std::size_t i = 0; i < p.lengths; ++i) {
         const double high = p.free_size ? 1 : p.upper[i];
@@ -166,12 +168,19 @@ void draw_lengths(const CurveProblem& p, RandomNumbers& random, CurveArguments& 
         a[i] = low < high ? of_logarithm(low, high, random.even()) : high;
     }
     if (!p.free_size || p.lengths != p.fit->borders().size() + 1 || random.even() < 0.5) return;
-    const auto shortest = static_cast<std::size_t>(random.even() * static_cast<double>(p.lengths));
-    const double least = a[0];
-    const std::array<double, 3> margins{a[1], a[2], a[3]};
-    const double all = margins[0] + margins[1] + margins[2];
-    for (std::size_t i = 0, next = 0; i < p.lengths; ++i)
-        a[i] = i == shortest ? least : least + (all - margins[next++]) / 2;
+    const Eigen::MatrixXd rows = margins_of_lengths(p);
+    Eigen::VectorXd margins(rows.rows());
+    double sizes = 0;
+    for (Eigen::Index b = 1; b < margins.size(); ++b) {
+        const double size = of_logarithm(least_margin_drawn, 1, random.even());
+        margins[b] = random.even() < 0.5 ? size : -size;
+        sizes += size;
+    }
+    // With so much in all lengths together none is less than the one drawn first.
+    margins[0] = static_cast<double>(p.lengths) * a[0] + sizes;
+    const Eigen::VectorXd lengths = rows.partialPivLu().solve(margins);
+    for (std::size_t i = 0; i < p.lengths; ++i)
+        a[i] = lengths[static_cast<Eigen::Index>(i)];
 }
 
 void draw_point(const CurveProblem& p, RandomNumbers& random, CurveArguments& a) {
@@ -260,7 +269,9 @@ std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from
                 size *= std::exp(2 * spread * random.normal());
             else
                 size = std::abs(size + 0.3 * spread * spread * all * random.normal());
+            // What is beyond a border may be far from it: next to it many motions end at a target.
             const bool changes_side = random.even() < other_side && std::abs(old) < close_by * all;
+            if (changes_side) size = of_logarithm(least_margin, close_by * all, random.even());
             margins[static_cast<Eigen::Index>(b) + 1] =
                 std::max(size, least_margin) * ((old < 0) != changes_side ? -1 : 1);
         }
