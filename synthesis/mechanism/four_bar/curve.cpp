@@ -14,9 +14,12 @@ namespace mechwright {
 
 namespace {
 
-/// A chord longer than this many times the mean one is divided, into no more than so many.
+/// A chord longer than this many times the mean one is divided, into no more than so many; what is still as long then,
+/// into so many, so many times.
 constexpr double long_chord = 2;
 constexpr std::size_t most_parts = 16;
+constexpr std::size_t parts_again = 4;
+constexpr int most_times_divided = 12;
 /// Steps to the nearest point. One of Newton's below this part of the chord's crank angle is the last: what it leaves
 /// is of the order of its square. One that halves an interval leaves as much as it went.
 constexpr int most_steps = 16;
@@ -99,12 +102,6 @@ void chord_lengths(const SampledCurve& c, std::array<double, SampledCurve::most>
     }
 }
 
-/// Into how many parts each chord is divided, so that the curve keeps within its room.
-std::size_t parts_of(double length, double mean, std::size_t room) {
-    if (!(length > long_chord * mean)) return 1;
-    return 1 + std::min({static_cast<std::size_t>(length / (long_chord * mean)), most_parts - 1, room});
-}
-
 /// Evenly over a full turn; towards the ends of a limited motion, where the point is quick, in smaller steps. After the
 /// last may stand anything.
 template <class T>
@@ -121,38 +118,51 @@ void set_crank_angles(const CrankRange<double>& range, SampledCurve& curve) {
     }
 }
 
+/// A curve with its chords that are longer than `longest` divided, into no more than so many parts, as far as there is
+/// room. False: there is none, or no room.
+template <class T>
+bool divide(const Arguments& a, double longest, std::size_t most, const SampledCurve& from, SampledCurve& to) {
+    std::array<double, SampledCurve::most> chord;
+    chord_lengths<T>(from, chord);
+    const std::size_t last = from.count - 1;
+    to.count = 0;
+    for (std::size_t k = 0; k < last; ++k) {
+        const std::size_t room = SampledCurve::most - to.count - (from.count - k);
+        const double wanted = chord[k] > longest ? chord[k] / longest : 0;
+        const std::size_t parts = 1 + std::min({static_cast<std::size_t>(wanted), most - 1, room});
+        const double step = (from.crank_angle[k + 1] - from.crank_angle[k]) / static_cast<double>(parts);
+        const std::size_t first = to.count;
+        for (std::size_t i = 0; i < parts; ++i)
+            to.crank_angle[to.count++] = from.crank_angle[k] + static_cast<double>(i) * step;
+        to.x[first] = from.x[k];
+        to.y[first] = from.y[k];
+        if (parts > 1) placed_points<T>(a, to, first + 1, to.count);
+    }
+    to.crank_angle[to.count] = from.crank_angle[last];
+    to.x[to.count] = from.x[last];
+    to.y[to.count] = from.y[last];
+    return ++to.count > from.count;
+}
+
 template <class T>
 bool sampled(const Arguments& a, std::size_t coarse, SampledCurve& curve) {
     const CrankRange<double> range = assembled_range(a.links);
     if (!(range.from <= range.to)) return false;
     SampledCurve even;
     even.count = std::min(coarse, SampledCurve::most / 2) + 1;
-    const double chords = static_cast<double>(even.count - 1);
     set_crank_angles<T>(range, even);
     placed_points<T>(a, even, 0, even.count);
     std::array<double, SampledCurve::most> chord;
     chord_lengths<T>(even, chord);
     const double length = std::accumulate(chord.data(), chord.data() + even.count - 1, 0.0);
+    const double longest = long_chord * length / static_cast<double>(even.count - 1);
+    if (!divide<T>(a, longest, most_parts, even, curve)) curve = even;
+    // Next to a change point the point goes round a corner in a moment: what is still long is divided again.
+    for (int times = 0; times < most_times_divided && divide<T>(a, longest, parts_again, curve, even); ++times)
+        std::swap(curve, even);
     curve.closed = range.full_turn;
     curve.from = range.from;
     curve.to = range.to;
-    curve.count = 0;
-    for (std::size_t k = 0; k + 1 < even.count; ++k) {
-        const std::size_t room = SampledCurve::most - curve.count - (even.count - k);
-        const std::size_t parts = parts_of(chord[k], length / chords, room);
-        const double step = (even.crank_angle[k + 1] - even.crank_angle[k]) / static_cast<double>(parts);
-        const std::size_t first = curve.count;
-        for (std::size_t i = 0; i < parts; ++i)
-            curve.crank_angle[curve.count++] = even.crank_angle[k] + static_cast<double>(i) * step;
-        curve.x[first] = even.x[k];
-        curve.y[first] = even.y[k];
-        if (parts > 1) placed_points<T>(a, curve, first + 1, curve.count);
-    }
-    const std::size_t last = even.count - 1;
-    curve.crank_angle[curve.count] = even.crank_angle[last];
-    curve.x[curve.count] = even.x[last];
-    curve.y[curve.count] = even.y[last];
-    ++curve.count;
     return true;
 }
 

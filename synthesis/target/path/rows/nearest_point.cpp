@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "analysis/numbers/extremes.h"
 #include "synthesis/program/program.h"
@@ -19,12 +20,14 @@ constexpr int curve_samples = 360;
 /// part of their box; each time into no more parts than so many.
 constexpr double long_chord = 2;
 constexpr double part_of_box = 1.0 / 60;
-constexpr int divisions = 3;
+constexpr int divisions = 6;
 constexpr int most_parts = 16;
 /// At the ends of a limited motion velocities are infinite, and rounding gives them any sign: slopes are taken so far
 /// from an end, as a part of the interval.
-constexpr double inset = 1e-7;
+constexpr double inset = 1e-11;
 constexpr int most_doublings = 40;
+/// Where the nearest sample is, the curve is looked at again in so many parts between its neighbours.
+constexpr std::size_t finer_parts = 8;
 
 struct Sample {
     double angle;
@@ -143,6 +146,26 @@ double refined(const Problem& problem, const Design& design, std::size_t guided,
     return zero_between(slope, left + beside, right - beside, at_left, at_right);
 }
 
+/// The crank angles between two at which the distance from a target is least, looked for in finer parts: next to change
+/// points there are several of them between samples. With them the angle that is `known` to be less far than both.
+std::vector<double> nearest_between(const Problem& problem, const Design& design, std::size_t guided,
+                                    const Vector<double>& target, double left, double right, double known) {
+    std::array<double, finer_parts + 1> angles{}, squares{};
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        angles[i] = i == finer_parts ? right : left + static_cast<double>(i) / finer_parts * (right - left);
+        Vector<double> point;
+        const bool assembled = point_at(problem, design, guided, angles[i], point, nullptr);
+        squares[i] = assembled ? dot(point - target, point - target) : std::numeric_limits<double>::infinity();
+    }
+    std::vector<double> all{known};
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, angles.size() - 1);
+        if (squares[i] > squares[before] || squares[i] > squares[after]) continue;
+        all.push_back(refined(problem, design, guided, target, angles[before], angles[after], known));
+    }
+    return all;
+}
+
 /// The points of one target, by the curve that is guided along them.
 void meet_points(const Problem& problem, std::size_t guided, Design& design) {
     const PointRange points = problem.path->points_of(guided);
@@ -165,10 +188,9 @@ void meet_points(const Problem& problem, std::size_t guided, Design& design) {
             const bool final = k == last && !motion.full_turn;
             const double left = k > 0 || first ? curve[before].angle : curve[before].angle - turn;
             const double right = k < last || final ? curve[after].angle : curve[after].angle + turn;
-            const double angle = refined(problem, design, guided, target, left, right, curve[k].angle);
-            Vector<double> point;
-            if (!point_at(problem, design, guided, angle, point, nullptr)) continue;
-            if (square(point) < least) {
+            for (const double angle : nearest_between(problem, design, guided, target, left, right, curve[k].angle)) {
+                Vector<double> point;
+                if (!point_at(problem, design, guided, angle, point, nullptr) || !(square(point) < least)) continue;
                 least = square(point);
                 design.path_angles[i] = angle;
             }
