@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "synthesis/bench/curves/best_known.h"
+#include "synthesis/bench/curves/campaign.h"
 #include "synthesis/bench/curves/shapes.h"
 #include "synthesis/bench/pages/markdown.h"
-#include "synthesis/bench/profiles/success.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
 #include "synthesis/problem/reader.h"
@@ -45,26 +45,12 @@ std::vector<Measurement> measurements(const Effort& effort) {
     return all;
 }
 
-/// The least error that is known of a shape: the list's, or a run's where that is less.
-double least_error(const Sheet& sheet, const std::string& shape) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const BestKnown& known : best_known())
-        if (known.shape == shape) least = known.rms;
-    for (const Row& row : sheet.where("shape", shape))
-        if (const double error = sheet.number(row, "path-rms"); error < least) least = error;
-    return least;
-}
-
 struct Tally {
     double runs = 0;
     double hits = 0;
     double estimate = 0;  ///< sum of the chances that were told
 
-    std::string share() const {
-        const Interval95 interval = wilson(hits, runs);
-        return fmt::format("{:.1f} % ({:.1f} to {:.1f} %)", 100 * hits / runs, 100 * interval.lower,
-                           100 * interval.upper);
-    }
+    std::string share() const { return share_text(hits, runs); }
 };
 
 std::string success_table(const Sheet& sheet) {
@@ -87,17 +73,12 @@ std::string success_table(const Sheet& sheet) {
         }
     }
     if (seconds.empty()) return "";
-    std::sort(seconds.begin(), seconds.end());
-    std::sort(evaluations.begin(), evaluations.end());
-    const auto part = [](const std::vector<double>& sorted, double p) {
-        return sorted[static_cast<std::size_t>(p * static_cast<double>(sorted.size() - 1))];
-    };
     MarkdownTable table{{"shapes", "runs", "within 1e-6 of the best known", "within 1e-3", "median time",
                          "95 % of times below", "median evaluations"},
                         {}};
     table.rows.push_back({fmt::format("{}", sheet.distinct("shape").size()), fmt::format("{:.0f}", reached.runs),
-                          reached.share(), nearly.share(), time_text(part(seconds, 0.5)),
-                          time_text(part(seconds, 0.95)), fmt::format("{:.0f}", part(evaluations, 0.5))});
+                          reached.share(), nearly.share(), time_text(quantile(seconds, 0.5)),
+                          time_text(quantile(seconds, 0.95)), fmt::format("{:.0f}", quantile(evaluations, 0.5))});
     const std::string found = better.empty() ? "" : "\nBetter than the best known until now:\n" + better;
     return to_markdown(table) + found;
 }

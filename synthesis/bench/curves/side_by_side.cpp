@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/bench/curves/best_known.h"
+#include "synthesis/bench/curves/campaign.h"
 #include "synthesis/bench/curves/peer_methods.h"
 #include "synthesis/bench/pages/markdown.h"
-#include "synthesis/bench/profiles/success.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
 
@@ -40,20 +39,6 @@ std::vector<Measurement> measurements(const Effort& effort) {
     return all;
 }
 
-double least_error(const Sheet& sheet, const std::string& shape) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const BestKnown& known : best_known())
-        if (known.shape == shape) least = known.rms;
-    for (const Row& row : sheet.where("shape", shape))
-        if (const double error = sheet.number(row, "path-rms"); error < least) least = error;
-    return least;
-}
-
-std::string share(double hits, double runs) {
-    const Interval95 interval = wilson(hits, runs);
-    return fmt::format("{:.0f} % ({:.0f} to {:.0f} %)", 100 * hits / runs, 100 * interval.lower, 100 * interval.upper);
-}
-
 std::string chapter(const Sheet& sheet) {
     MarkdownTable table{{"method", "runs", "within 1e-6 of the best known", "within 1e-3", "within 10 %",
                          "median error", "median evaluations", "median time", "95 % of times below"},
@@ -73,15 +58,10 @@ std::string chapter(const Sheet& sheet) {
             times.push_back(sheet.number(row, "seconds"));
             counts.push_back(sheet.number(row, "evaluations"));
         }
-        for (std::vector<double>* sorted : {&times, &counts, &errors})
-            std::sort(sorted->begin(), sorted->end());
-        const auto part = [](const std::vector<double>& sorted, double p) {
-            return sorted[static_cast<std::size_t>(p * static_cast<double>(sorted.size() - 1))];
-        };
-        table.rows.push_back({method, fmt::format("{:.0f}", runs), share(close, runs), share(near, runs),
-                              share(usable, runs), fmt::format("{:.3g} x", part(errors, 0.5)),
-                              fmt::format("{:.0f}", part(counts, 0.5)), time_text(part(times, 0.5)),
-                              time_text(part(times, 0.95))});
+        table.rows.push_back({method, fmt::format("{:.0f}", runs), share_text(close, runs), share_text(near, runs),
+                              share_text(usable, runs), fmt::format("{:.3g} x", quantile(errors, 0.5)),
+                              fmt::format("{:.0f}", quantile(counts, 0.5)), time_text(quantile(times, 0.5)),
+                              time_text(quantile(times, 0.95))});
     }
     return "The same shapes without requirements by searches that others use, on one thread each. CMA-ES and "
            "differential\nevolution are pagmo's (2.18, Debian), on the program's own measure of a whole curve, begun "
