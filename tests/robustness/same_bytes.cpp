@@ -1,5 +1,8 @@
 // Results are the same to the last byte for any number of threads, any instructions, and whatever memory held before.
 
+#include <fstream>
+#include <iterator>
+
 #include "analysis/numbers/instruction_set.h"
 #include "tests/robustness/problems.h"
 
@@ -51,8 +54,18 @@ std::string document_of_file(const std::vector<std::string>& file, const std::st
     return without_seconds(outcome.out);
 }
 
+/// The file of a problem that comes with mechwright; the longest search begins at fewer places.
+std::vector<std::string> file_of(const std::string& name) {
+    const std::vector<std::string> file = problem_files({name});
+    if (name != "path/case-1") return file;
+    std::ifstream in(file.front());
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    static const TemporaryFolder folder;
+    return {folder.write("problem.toml", text + "\n[solver]\nstarts = 6\n")};
+}
+
 std::string document_of(const std::string& name, const std::string& jobs, const std::string& set = "") {
-    return document_of_file(problem_files({name}), jobs, set);
+    return document_of_file(file_of(name), jobs, set);
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& test) {
