@@ -5,7 +5,10 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
@@ -177,6 +180,129 @@ speed = { speed-of = "P" }
                                          {});
     EXPECT_NEAR(document["quantities"]["speed.least"].get<double>(), 0.04938717, 1e-7);
     expect_verified(document);
+}
+
+/// A crank of 30 that turns about the origin, with what is measured of its pin B.
+std::string turning_crank(const std::string& frame, const std::string& signals) {
+    return "schema = 1\nmechanism = \"linkage\"\n[links]\nframe = { A = [0, 0]" + frame +
+           " }\ncrank = { A = [0, 0], B = [30, 0] }\n[drive]\nlink = \"crank\"\n" + signals;
+}
+
+void expect_near(const Json& document, const std::vector<std::pair<std::string, double>>& known) {
+    for (const auto& [name, value] : known) {
+        ASSERT_TRUE(document["quantities"].contains(name)) << name;
+        EXPECT_NEAR(document["quantities"][name].get<double>(), value, 1e-9) << name;
+    }
+}
+
+/// The distance of B from where it is at a crank angle a, 60 |sin((angle - a) / 2)|, vanishes there: its slope jumps
+/// from -30 to 30, wherever in the motion that is.
+TEST(LinkageMeans, DerivativesOfDistancesAreExtremeBesideWhereTheyVanish) {
+    const std::string distance = "[signals]\nd = { distance = [\"B\", \"F\"] }\n";
+    const std::vector<std::string> asked{"d.speed.greatest", "d.speed.least", "d.acceleration.greatest",
+                                         "d.acceleration.least", "d.speed.mean"};
+    const std::vector<std::pair<std::string, double>> whole{{"d.speed.greatest", 30},
+                                                            {"d.speed.least", -30},
+                                                            {"d.acceleration.greatest", 0},
+                                                            {"d.acceleration.least", -15}};
+    for (const char* place : {", F = [30, 0]", ", F = [0, 30]", ", F = [18, -24]"}) {
+        const Json document = analysed_means(turning_crank(place, distance), asked);
+        expect_near(document, whole);
+        expect_verified(document);
+    }
+    const Json half = analysed_means(turning_crank(", F = [30, 0]", "[motion]\ncrank_range = [0, 180]\n" + distance),
+                                     {"d.speed.greatest", "d.speed.least", "d.speed.mean"});
+    expect_near(half, {{"d.speed.greatest", 30}, {"d.speed.least", 0}, {"d.speed.mean", 60 / std::numbers::pi}});
+    expect_verified(half);
+    const Json back = analysed_means(turning_crank(", F = [-30, 0]", "[motion]\ncrank_range = [0, 180]\n" + distance),
+                                     {"d.speed.greatest", "d.speed.least"});
+    expect_near(back, {{"d.speed.greatest", 0}, {"d.speed.least", -30}});
+    expect_verified(back);
+}
+
+/// Two gears: P comes back to the origin once a turn, at its start, and is 80 |sin(angle / 2)| from there.
+TEST(LinkageMeans, ADistanceThatVanishesAtTheSeamOfAGearedTurnIsSteepThere) {
+    const Json document = analysed_means(R"(
+schema = 1
+mechanism = "linkage"
+[links]
+frame = { O = [0, 0] }
+arm   = { O = [0, 0], Q = [40, 0] }
+pl    = { Q = [0, 0], P = [-40, 0] }
+[[drive]]
+link = "arm"
+[[drive]]
+link = "pl"
+ratio = 2
+[signals]
+d = { distance = ["P", "O"] }
+)",
+                                         {"d.speed.greatest", "d.speed.least", "d.acceleration.greatest"});
+    expect_near(document, {{"d.speed.greatest", 40}, {"d.speed.least", -40}, {"d.acceleration.greatest", 0}});
+    expect_verified(document);
+}
+
+/// The tangent of the crank angle passes infinity where x passes zero: over a turn it has no extremes, over a stretch
+/// without a quarter turn it has.
+TEST(LinkageMeans, ARatioHasNoExtremesWhereItsDivisorVanishes) {
+    const std::string signals = R"([signals]
+x = { x = "B" }
+y = { y = "B" }
+t = { ratio = ["y", "x"] }
+s = { sum = { t = 2 } }
+)";
+    const Json document = analysed_means(
+        turning_crank("", signals),
+        {"t.greatest", "t.least", "t.range", "t.mean", "t.rms", "t.speed.greatest", "s.greatest", "t.at(90)",
+         "t.greatest(100, 280)", "t.greatest(90, 180)", "t.at(45)", "t.greatest(-45, 45)", "t.speed.least(100, 260)"});
+    for (const Json& one : document["requirements"]) {
+        const std::string name = one["quantity"];
+        const bool has = name == "t.at(45)" || name == "t.greatest(-45, 45)" || name == "t.speed.least(100, 260)";
+        EXPECT_EQ(one.contains("value"), has) << name;
+    }
+    expect_near(document, {{"t.at(45)", 1}, {"t.greatest(-45, 45)", 1}, {"t.speed.least(100, 260)", 1}});
+    EXPECT_TRUE(is_refused(document));  // what has no value meets no requirement
+    testing::count_of_stated(document);
+    for (const std::size_t i : {0, 7, 9}) {  // over the turn, at an input, over a stretch
+        Json stated = document;
+        stated["requirements"][i]["value"] = 0.0;
+        stated["requirements"][i]["violation"] = 0.0;
+        const auto checks = verify(stated);
+        EXPECT_TRUE(std::any_of(checks.begin(), checks.end(), [&](const Check& check) {
+            return !check.passed &&
+                   check.name == document["requirements"][i]["quantity"].get<std::string>() + " is as stated";
+        })) << document["requirements"][i];
+    }
+}
+
+TEST(LinkageMeans, NoDesignMeetsWhatARatioThatPassesInfinityIsRequiredToBe) {
+    const ReadProblem read = parse_problem(R"(
+schema = 1
+mechanism = "linkage"
+[dimensions]
+r = { min = 20, max = 60 }
+[links]
+frame = { O = [0, 0] }
+arm   = { O = [0, 0], Q = ["r", 0] }
+[drive]
+link = "arm"
+[signals]
+x = { x = "Q" }
+y = { y = "Q" }
+t = { ratio = ["y", "x"] }
+[[require]]
+quantity = "t.greatest"
+max = 2
+[objective]
+maximize = "x.range"
+[solver]
+starts = 1
+)",
+                                           "tangent.toml");
+    ASSERT_TRUE(read.ok());
+    const Result result = solve(read.problem, {});
+    EXPECT_NE(result.status, Status::solved);
+    EXPECT_TRUE(!result.best || !result.best->feasible);
 }
 
 }  // namespace

@@ -172,34 +172,58 @@ std::vector<double> stationary_inputs_in(Measured<double, K>& measured, const As
     return found;
 }
 
-/// Calls use(pin, order) for the derivatives of places by whose sizes a signal goes.
+/// Calls use(signal) for the sizes of vectors that what is asked goes by, and at whose corners it has one itself. A
+/// distance alone is no more than least there.
 template <class Use>
-void for_each_size(std::span<const Signal> signals, std::size_t signal, const Use& use) {
-    const Signal& s = signals[signal];
-    const bool ratio = s.kind == Signal::Kind::ratio;
-    if (s.kind == Signal::Kind::speed) use(s.of, std::size_t{1});
-    if (s.kind == Signal::Kind::acceleration) use(s.of, std::size_t{2});
-    if (ratio || s.kind == Signal::Kind::error) for_each_size(signals, s.of, use);
-    if (ratio) for_each_size(signals, s.to, use);
+void for_each_size(std::span<const Signal> signals, const Asked& asked, const Use& use) {
+    const Signal& s = signals[asked.signal];
+    if (is_size(s) && asked.derivative + order_of(signals, asked.signal) > 0) use(asked.signal);
+    const auto go_on = [&](std::size_t signal) { for_each_size(signals, {signal, asked.derivative + 1}, use); };
+    if (s.kind == Signal::Kind::ratio || s.kind == Signal::Kind::error) go_on(s.of);
+    if (s.kind == Signal::Kind::ratio) go_on(s.to);
     for (const Signal::Term& term : s.terms)
-        for_each_size(signals, term.signal, use);
+        go_on(term.signal);
 }
 
-/// Where a derivative of the place of a pin, which is not constant, vanishes inside a part of a stretch: there the
+/// So near to a rest, or to an end of the motion, an input is at it.
+template <std::size_t K>
+double near_rest(const Measured<double, K>& measured) {
+    return 1e-9 * measured.unit_of_input();
+}
+
+/// Whether a vector may vanish in a part of a stretch, as samples show: its size and by how much it changes from one to
+/// the next.
+template <class VectorAt>
+bool may_vanish(const VectorAt& vector_at, const Stretch& stretch, double rate) {
+    constexpr double safe = 4;
+    const auto samples = static_cast<int>(16 * first_panels(stretch));
+    double least = std::numeric_limits<double>::infinity(), steepest = 0;
+    for (int i = 0; i < samples; ++i) {
+        const auto v = vector_at(stretch.at((i + 0.5) / samples));
+        least = std::min(least, std::hypot(v.x.c[0], v.y.c[0]));
+        steepest = std::max(steepest, std::hypot(v.x.c[1], v.y.c[1]));
+    }
+    return least <= safe * steepest * stretch.length() / samples / std::abs(rate);
+}
+
+/// Where the vector whose size a signal is, which is not constant, vanishes inside a part of a stretch: there the
 /// square of its size is stationary.
 template <std::size_t K>
-void find_rests(Measured<double, K>& measured, std::size_t pin, std::size_t order, const Course& course,
-                const MotionPart& part, std::vector<double>& rests) {
+void find_rests(Measured<double, K>& measured, std::size_t signal, const Course& course, const MotionPart& part,
+                std::vector<double>& rests) {
     constexpr double moves = 1e-6;  // of the greatest
     const WithinPiece in_part(measured, part.within);
     const Stretch& stretch = part.stretch;
-    const auto motion_at = [&](double at) { return measured.motion_of(pin, order, at, course.turns.near(at)); };
+    const auto vector_at = [&](double at) { return measured.vector(signal, at, course.turns.near(at)); };
     const auto slope_at = [&](const auto& v) { return std::hypot(v.x.c[1], v.y.c[1]); };
-    const int powers = 4 * static_cast<int>(order);
+    const int order = static_cast<int>(order_of(measured.signals(), signal));
+    // Many distances never vanish, and that is soon seen of places, which do not grow beyond all bounds.
+    if (order == 0 && !may_vanish(vector_at, stretch, measured.rate())) return;
+    const int powers = order == 0 ? 1 : 4 * order;
     const auto share = [&](double s) { return stretch.speed(s) / stretch.length(); };
     double greatest = 0;
     const auto growth = [&](double s) {
-        const auto v = motion_at(stretch.at(s));
+        const auto v = vector_at(stretch.at(s));
         if (s > 0.01 && s < 0.99) greatest = std::max(greatest, slope_at(v));
         return (v.x.c[0] * v.x.c[1] + v.y.c[0] * v.y.c[1]) * std::pow(share(s), powers);
     };
@@ -208,22 +232,22 @@ void find_rests(Measured<double, K>& measured, std::size_t pin, std::size_t orde
                         {.first = first, .floor = 0, .most = first + 64, .everywhere = true});
     if (!panels.finite()) return;
     panels.zeros(growth, [&](double s) {
-        const double at = stretch.at(s);
-        const auto v = motion_at(at);
-        const double near = 1e-9 * measured.unit_of_input() / std::abs(measured.rate());
-        if (at > part.stretch.from && at < part.stretch.to && is_at_rest(v, near) && slope_at(v) > moves * greatest)
+        const double at = stretch.at(s), near = near_rest(measured);
+        const auto v = vector_at(at);
+        const bool inside = at - stretch.from > near && stretch.to - at > near;
+        if (inside && is_at_rest(v, near / std::abs(measured.rate())) && slope_at(v) > moves * greatest)
             rests.push_back(at);
     });
 }
 
-/// Inputs at which what a signal goes by the size of comes to rest, in order: the signal has corners there.
+/// Inputs at which what is asked goes by the size of something that vanishes, in order: it has corners there.
 template <std::size_t K>
-std::vector<double> rests_of(Measured<double, K>& measured, std::size_t signal, const Course& course,
+std::vector<double> rests_of(Measured<double, K>& measured, const Asked& asked, const Course& course,
                              const Stretch& stretch) {
     std::vector<double> rests;
-    for_each_size(measured.signals(), signal, [&](std::size_t pin, std::size_t order) {
+    for_each_size(measured.signals(), asked, [&](std::size_t signal) {
         for (const MotionPart& part : parts_of(measured.driven().laws, stretch))
-            find_rests(measured, pin, order, course, part, rests);
+            find_rests(measured, signal, course, part, rests);
     });
     std::sort(rests.begin(), rests.end());
     return rests;
@@ -360,16 +384,55 @@ double value_at_limit(Measured<double, K>& measured, const Asked& asked, const C
 
 /// All places in [from, to] at which what is asked can be extreme: where it is stationary, rests, and the ends. Of a
 /// whole motion that is asked for whole the ends are none, unless the signal does not come back. Where the linkage does
-/// not close over all of it one of them is not a number. K must be at least
+/// not close over all of it, or something is divided by zero, one of them is not a number. K must be at least
 /// `order_for` it.
+template <std::size_t K>
+std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked, const Course& course, double from,
+                              double to);
+
+/// Whether something that a signal is divided by vanishes somewhere in [from, to], to rounding. There the signal has no
+/// value and beside there, where the divisor passes zero, values without bounds. K must be at least 2 more than the
+/// order of the signal.
+template <std::size_t K>
+bool divides_by_zero(Measured<double, K>& measured, std::size_t signal, const Course& course, double from, double to) {
+    constexpr double rounding = 1e-12;  // of the greatest
+    return any_divisor(measured.signals(), signal, [&](std::size_t divisor) {
+        double least = std::numeric_limits<double>::infinity(), greatest = -least, size = 0;
+        const auto see = [&](double value) {
+            least = std::min(least, value);
+            greatest = std::max(greatest, value);
+            if (std::isfinite(value)) size = std::max(size, std::abs(value));
+        };
+        see(measured.value(divisor, 0.5 * (from + to), course.turns.near(0.5 * (from + to))).c[0]);
+        for (const Extreme& each : extremes(measured, {divisor, 0}, course, from, to))
+            see(each.value);
+        return !(least > rounding * size) && !(greatest < -rounding * size);
+    });
+}
+
+/// Whether something that a signal is divided by vanishes at an input, to the rounding of that.
+template <std::size_t K>
+bool divides_by_zero_at(Measured<double, K>& measured, std::size_t signal, const Course& course, double input) {
+    constexpr double rounding = 1e-12;
+    const double near = rounding * measured.unit_of_input() / std::abs(measured.rate());
+    return any_divisor(measured.signals(), signal, [&](std::size_t divisor) {
+        const auto f = measured.value(divisor, input, course.turns.near(input));
+        return !(std::abs(f.c[0]) > near * std::abs(f.derivative(K > 0 ? 1 : 0)));
+    });
+}
+
 template <std::size_t K>
 std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked, const Course& course, double from,
                               double to) {
     constexpr double overlap = detail::overlap_of_cycle, same_within = 1e-6;
     const Travel& travel = course.travel;
+    if (divides_by_zero(measured, asked.signal, course, from, to))
+        return {{from, std::numeric_limits<double>::quiet_NaN(), false}};
     const auto at = [&](double x) {
         return measured.value(asked.signal, x, course.turns.near(x)).derivative(asked.derivative);
     };
+    bool by_sizes = false;
+    detail::for_each_size(measured.signals(), asked, [&](std::size_t) { by_sizes = true; });
     std::vector<Extreme> found;
     bool comes_back = travel.whole && from == travel.from && to == travel.to;
     if (comes_back) {
@@ -380,11 +443,13 @@ std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked,
     const std::span<const DriveLaw> laws = measured.driven().laws;
     if (!comes_back) {
         const Stretch stretch = detail::stretch_of(course, from, to);
-        const std::vector<double> rests = detail::rests_of(measured, asked.signal, course, stretch);
+        const std::vector<double> rests = detail::rests_of(measured, asked, course, stretch);
         const auto parts = parts_of(laws, stretch, rests), pieces = parts_of(laws, stretch);
         const auto end = [&](double x, const Limit& limit, bool last) {
             const bool is_limit = limit.exists() && x == (last ? travel.to : travel.from);
-            const double within = last ? parts.back().within : parts.front().within;
+            // What goes by a size may have a corner at the very end: it is the value on this side of it.
+            const MotionPart& part = last ? parts.back() : parts.front();
+            const double within = by_sizes && std::isnan(part.within) ? part.stretch.at(0.5) : part.within;
             const WithinPiece in_piece(measured, within);
             if (!is_limit) return found.push_back({x, at(x), false, {}, within});
             found.push_back({x, value_at_limit(measured, asked, course, last), false, limit, within});
@@ -400,7 +465,7 @@ std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked,
     // One cycle and a little more, from a place where extremes seldom are; what is seen again does not count.
     const double period = course.period(), start = from + detail::seam_of_cycle;
     const Stretch stretch{start, start + period + overlap};
-    const std::vector<double> rests = detail::rests_of(measured, asked.signal, course, stretch);
+    const std::vector<double> rests = detail::rests_of(measured, asked, course, stretch);
     std::vector<Extreme> seen;
     for (const double x : detail::stationary_inputs(measured, asked, course, stretch, rests))
         seen.push_back({x, 0});

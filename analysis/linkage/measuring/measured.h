@@ -69,13 +69,10 @@ public:
         look_beside(master);
         return values_.value(signal, driven_, near);
     }
-    /// A derivative of the place of a pin by the time.
-    Vector<Value> motion_of(std::size_t pin, std::size_t order, double master, std::span<const double> near) {
+    /// The vector whose size a signal is (is_size).
+    Vector<Value> vector(std::size_t signal, double master, std::span<const double> near) {
         if (!place(master, near, {})) return {T(std::numeric_limits<double>::quiet_NaN()), T(0)};
-        Vector<Value> motion = driven_.pose.pins[pin];
-        for (std::size_t i = 0; i < order; ++i)
-            motion = {slope_of(motion.x), slope_of(motion.y)};
-        return motion;
+        return values_.vector(signal, driven_.pose);
     }
     /// A margin there; another one can be held at its limit. Of a larger group that is not held it is how far the
     /// master is beyond the limit, times its rate.

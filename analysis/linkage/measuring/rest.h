@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Where a vector that moves with the time comes to rest its size has a corner: it goes like the distance from there.
-/// Beside the corner the size is that distance times the size of what the vector is over it, which is smooth.
+/// Where a vector that moves with the time vanishes, as a velocity does at a rest, its size has a corner: it goes like
+/// the distance from there. Beside the corner the size is that distance times the size of what the vector is over it,
+/// which is smooth.
 
 #include <array>
 #include <cmath>

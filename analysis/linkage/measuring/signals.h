@@ -69,6 +69,33 @@ inline std::size_t order_of(std::span<const Signal> signals, std::size_t signal)
     }
 }
 
+/// Whether a signal is the size of a vector that moves: where that vanishes the signal has a corner.
+inline bool is_size(const Signal& s) {
+    switch (s.kind) {
+        case Signal::Kind::radius:
+        case Signal::Kind::from_place:
+        case Signal::Kind::distance:
+        case Signal::Kind::speed:
+        case Signal::Kind::acceleration: return true;
+        default: return false;
+    }
+}
+
+/// Whether a test holds of any of the signals by which a signal, or one that it is made of, is divided.
+template <class Test>
+bool any_divisor(std::span<const Signal> signals, std::size_t signal, const Test& test) {
+    const Signal& s = signals[signal];
+    const auto in = [&](std::size_t of) { return any_divisor(signals, of, test); };
+    switch (s.kind) {
+        case Signal::Kind::ratio: return in(s.of) || in(s.to) || test(s.to);
+        case Signal::Kind::error: return in(s.of);
+        case Signal::Kind::sum:
+            return std::any_of(s.terms.begin(), s.terms.end(),
+                               [&](const Signal::Term& term) { return in(term.signal); });
+        default: return false;
+    }
+}
+
 /// Whether a signal is an angle that is the same where it is a whole turn more: of a link, or a sum of such with whole
 /// factors.
 inline bool turns_are_alike(std::span<const Signal> signals, std::size_t signal) {
@@ -138,6 +165,8 @@ T transmission_angle(const Driven<T>& driven, std::size_t margin) {
 /// The signals of a linkage of given dimensions.
 template <class T>
 class SignalValues {
+    static constexpr bool is_series = requires(const T& number) { slope_of(number); };
+
 public:
     /// The signals must outlive this. `lines` of slides are taken from the structure and its numbers.
     SignalValues(const Structure& s, std::span<const Signal> all, std::span<const T> numbers, const Placing<T>& placing)
@@ -157,18 +186,9 @@ public:
             case Kind::x: return coordinates(s, pose).x;
             case Kind::y: return coordinates(s, pose).y;
             case Kind::along: return dot(coordinates(s, pose), detail::unit_at(T(s.number)));
-            case Kind::radius: {
-                const Vector<T> at = coordinates(s, pose);
-                return hypotenuse(at.x, at.y);
-            }
-            case Kind::from_place: {
-                const Vector<T> apart = coordinates(s, pose) - place_of_signal(s);
-                return hypotenuse(apart.x, apart.y);
-            }
-            case Kind::distance: {
-                const Vector<T> apart = pose.pins[s.to] - pose.pins[s.of];
-                return placing_.scale * hypotenuse(apart.x, apart.y);
-            }
+            case Kind::radius:
+            case Kind::from_place: return size(vector(signal, pose));
+            case Kind::distance: return placing_.scale * size(vector(signal, pose));
             case Kind::from_line: {
                 const Vector<T> line = pose.pins[s.end] - pose.pins[s.to];
                 const T height = cross(line, pose.pins[s.of] - pose.pins[s.to]);
@@ -185,8 +205,10 @@ public:
                 const Vector<T> way = pose.links[line.link].origin - on.at(line.through);
                 return placing_.scale * dot(turned(line.direction, on.along), way);
             }
-            case Kind::speed: return speed(pose.pins[s.of], 1);
-            case Kind::acceleration: return speed(pose.pins[s.of], 2);
+            case Kind::speed:
+            case Kind::acceleration:
+                if constexpr (is_series) return placing_.scale * size(vector(signal, pose));
+                return T(std::numeric_limits<double>::quiet_NaN());
             case Kind::transmission_angle: return transmission_angle(driven, s.of);
             case Kind::sum: {
                 T sum(0);
@@ -198,6 +220,19 @@ public:
             case Kind::error: return value(s.of, driven, near) - wanted.at(driven.inputs().front());
         }
         return T(0);
+    }
+
+    /// The vector whose size, in lengths of its own, such a signal is (is_size). Speeds need a series.
+    Vector<T> vector(std::size_t signal, const Pose<T>& pose) const {
+        const Signal& s = signals[signal];
+        if (s.kind == Signal::Kind::radius) return coordinates(s, pose);
+        if (s.kind == Signal::Kind::from_place) return coordinates(s, pose) - place_of_signal(s);
+        if (s.kind == Signal::Kind::distance) return pose.pins[s.to] - pose.pins[s.of];
+        Vector<T> by = pose.pins[s.of];
+        if constexpr (is_series)
+            for (int order = s.kind == Signal::Kind::speed ? 1 : 2; order > 0; --order)
+                by = {slope_of(by.x), slope_of(by.y)};
+        return by;
     }
 
     /// Angles are counted so that at turns of links at the start of motion each is in (near - pi, near + pi].
@@ -236,16 +271,11 @@ private:
         const LinkPlace<T>& link = pose.links[s.on];
         return placing_.scale * turned(at - link.origin, detail::conjugate(link.along));
     }
-    T speed(const Vector<T>& at, int order) const {
-        if constexpr (requires { slope_of(at.x); }) {
-            Vector<T> slope{slope_of(at.x), slope_of(at.y)};
-            if (order == 2) slope = {slope_of(slope.x), slope_of(slope.y)};
-            const bool rests = beside_rest.time != 0 && is_at_rest(slope, beside_rest.near);
-            return placing_.scale *
-                   (rests ? size_beside_rest(slope, beside_rest.time > 0) : hypotenuse(slope.x, slope.y));
-        } else {
-            return T(std::numeric_limits<double>::quiet_NaN());
-        }
+    T size(const Vector<T>& v) const {
+        if constexpr (is_series)
+            if (beside_rest.time != 0 && is_at_rest(v, beside_rest.near))
+                return size_beside_rest(v, beside_rest.time > 0);
+        return hypotenuse(v.x, v.y);
     }
 
     Placing<T> placing_;

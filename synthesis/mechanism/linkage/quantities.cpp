@@ -216,7 +216,10 @@ void measure(const Over& over, std::span<const double> arguments, const Measurem
     std::size_t order = over.measure.signals.empty() ? 2 : linkage::order_for(over.measure.signals, over.measure.asked);
     // A time ratio needs one derivative more for its second ones; what is given where it is, needs none.
     if (kind == Kind::time_ratio) ++order;
-    if (full_turn && (kind == Kind::mean || kind == Kind::rms || kind == Kind::at)) order -= 2;
+    // What divides is looked at for zeros, at its extremes.
+    const bool of_values = full_turn && (kind == Kind::mean || kind == Kind::rms || kind == Kind::at);
+    const auto divides = [](std::size_t) { return true; };
+    if (of_values && !linkage::any_divisor(over.measure.signals, over.measure.asked.signal, divides)) order -= 2;
     const bool could = order == 0   ? measure_by_series<0>(over, arguments, out)
                        : order <= 2 ? measure_by_series<2>(over, arguments, out)
                        : order <= 4 ? measure_by_series<4>(over, arguments, out)

@@ -149,8 +149,21 @@ void add_stationary(const Measured& f, const Looks& looks, std::vector<Candidate
     }
 }
 
-/// Where the derivative of a pin's place, which is not constant, vanishes.
-void add_corners(const Scan& scan, const PinMotion& motion, const Vector<double>& piece, bool whole,
+/// So near to a corner, or to an end of a piece, an input is at it.
+double near_corner(const Scan& scan) { return 1e-9 * (scan.model.driven_by_slide() ? scan.to() - scan.from() : 1); }
+
+/// Whether what it goes by the sizes of vanishes where a full turn begins and ends.
+bool has_corner_at_seam(const Measured& f) {
+    const SeriesSignals* signals = f.scan.full_turn() ? f.scan.look(f.scan.from()) : nullptr;
+    return signals != nullptr && std::any_of(f.sizes.begin(), f.sizes.end(), [&](std::size_t size) {
+               const Vector<InputSeries> v = signals->vector(f.scan.model.signals[size]);
+               const double slope = std::hypot(v.x.c[1], v.y.c[1]);
+               return slope > 0 && std::hypot(v.x.c[0], v.y.c[0]) <= near_corner(f.scan) * slope;
+           });
+}
+
+/// Where the vector whose size a signal is, which is not constant, vanishes inside a piece.
+void add_corners(const Scan& scan, const linkage::Signal& size_of, const Vector<double>& piece, bool whole,
                  std::vector<double>& corners) {
     constexpr double vanishes = 1e-9, moves = 1e-6;  // of the greatest
     const double within = whole ? linkage::by_itself : 0.5 * (piece.x + piece.y);
@@ -161,7 +174,7 @@ void add_corners(const Scan& scan, const PinMotion& motion, const Vector<double>
     const auto at = [&](double input) -> Motion {
         const SeriesSignals* signals = scan.look(input, within);
         if (signals == nullptr) return {input, missing, missing, missing, missing};
-        const Vector<InputSeries> v = signals->pin_by_time(motion.pin, motion.order);
+        const Vector<InputSeries> v = signals->vector(size_of);
         const Vector<double> value{v.x.c[0], v.y.c[0]}, slope{v.x.c[1], v.y.c[1]};
         const double growth = dot(value, slope), square = dot(slope, slope);
         return {input, growth, std::hypot(value.x, value.y), std::sqrt(square), growth / square};
@@ -169,7 +182,7 @@ void add_corners(const Scan& scan, const PinMotion& motion, const Vector<double>
     std::vector<Motion> seen;
     double size = 0, slope = 0;
     for (const double input : scan.at)
-        if (input > piece.x && input < piece.y) {
+        if (input >= piece.x && input <= piece.y) {
             seen.push_back(at(input));
             if (std::isfinite(seen.back().size)) size = std::max(size, seen.back().size);
             if (std::isfinite(seen.back().slope)) slope = std::max(slope, seen.back().slope);
@@ -183,7 +196,8 @@ void add_corners(const Scan& scan, const PinMotion& motion, const Vector<double>
             here = at(std::clamp(here.at - here.step, seen[i].at, seen[i + 1].at));
             if (here.at == last) break;
         }
-        if (here.size <= vanishes * size && here.slope > moves * slope) corners.push_back(here.at);
+        const bool inside = here.at - piece.x > near_corner(scan) && piece.y - here.at > near_corner(scan);
+        if (inside && here.size <= vanishes * size && here.slope > moves * slope) corners.push_back(here.at);
     }
 }
 
@@ -203,8 +217,8 @@ std::vector<Vector<double>> between_corners(const Measured& f, const std::vector
     const std::vector<Vector<double>> smooth = between_breaks(f.scan, parts);
     for (const Vector<double>& piece : smooth) {
         std::vector<double> ends{piece.x, piece.y};
-        for (const PinMotion& motion : f.sizes)
-            add_corners(f.scan, motion, piece, smooth.size() == parts.size(), ends);
+        for (const std::size_t size : f.sizes)
+            add_corners(f.scan, f.scan.model.signals[size], piece, smooth.size() == parts.size(), ends);
         std::sort(ends.begin(), ends.end());
         for (std::size_t i = 0; i + 1 < ends.size(); ++i)
             if (ends[i] < ends[i + 1]) pieces.push_back({ends[i], ends[i + 1]});
@@ -216,9 +230,9 @@ std::vector<Measured> on_each(const Measured& f, const std::vector<Vector<double
                               const std::vector<Vector<double>>& pieces) {
     // A break may be the end of a part.
     const auto& drives = f.scan.model.drives;
-    const bool any = pieces.size() > parts.size() || std::any_of(drives.begin(), drives.end(), [](const auto& drive) {
-                         return drive.motion != nullptr;
-                     });
+    const bool any =
+        pieces.size() > parts.size() || has_corner_at_seam(f) ||
+        std::any_of(drives.begin(), drives.end(), [](const auto& drive) { return drive.motion != nullptr; });
     std::vector<Measured> all;
     for (const Vector<double>& piece : pieces)
         all.push_back(any && piece.x < piece.y ? f.on(piece) : f);

@@ -15,12 +15,6 @@ namespace mechwright::again {
 
 inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// A derivative of the place of a pin.
-struct PinMotion {
-    std::size_t pin = 0;
-    int order = 1;
-};
-
 /// One function of the input, looked at in doubles and measured in fifty digits.
 struct Measured {
     const Scan& scan;
@@ -28,8 +22,8 @@ struct Measured {
     std::function<InputSeries(const SeriesSignals&)> look;
     /// Its derivative of some order by the input; -1: its integral, where it is a derivative itself.
     std::function<Digits50(SignalsAgain<Digits50>&, int, const Digits50&)> measure;
-    /// By the sizes of which it goes: where one vanishes it has a corner.
-    std::vector<PinMotion> sizes{};
+    /// Signals that are sizes of vectors by which it goes: where one vanishes it has a corner.
+    std::vector<std::size_t> sizes{};
     /// Inputs between which it is analytic, where the motion has such pieces: differences look no farther.
     Vector<double> piece{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 

@@ -86,27 +86,49 @@ Digits50 reduced(const Measured& f, const LinkageMeasure& q) {
     return missing;
 }
 
-/// The sizes of which a signal goes.
-void add_sizes(const std::vector<linkage::Signal>& signals, std::size_t signal, std::vector<again::PinMotion>& sizes) {
+/// The signals that are sizes by which a signal, or a derivative of it, goes; a distance alone is no more than least
+/// where it vanishes.
+void add_sizes(const std::vector<linkage::Signal>& signals, std::size_t signal, bool alone,
+               std::vector<std::size_t>& sizes) {
     using Kind = linkage::Signal::Kind;
     const linkage::Signal& s = signals[signal];
-    if (s.kind == Kind::speed || s.kind == Kind::acceleration) sizes.push_back({s.of, s.kind == Kind::speed ? 1 : 2});
+    if (s.kind == Kind::speed || s.kind == Kind::acceleration || (s.kind == Kind::distance && !alone))
+        sizes.push_back(signal);
     if (s.kind == Kind::ratio)
         for (const std::size_t of : {s.of, s.to})
-            add_sizes(signals, of, sizes);
+            add_sizes(signals, of, false, sizes);
     for (const linkage::Signal::Term& term : s.terms)
-        add_sizes(signals, term.signal, sizes);
+        add_sizes(signals, term.signal, false, sizes);
 }
 
-Digits50 of_signal(const Scan& scan, const LinkageMeasure& q) {
-    const std::size_t signal = q.asked.signal;
-    const int derivative = static_cast<int>(q.asked.derivative);
+/// A derivative of a signal by the time.
+Measured measured(const Scan& scan, std::size_t signal, int derivative) {
     Measured f{scan, [signal, derivative](const SeriesSignals& s) { return s.by_time(signal, derivative); },
                [signal, derivative](SignalsAgain<Digits50>& s, int order, const Digits50& x) {
                    return Digits50(s.by_input(signal, derivative + order, x) / pow(s.rate(), order));
                }};
-    add_sizes(scan.model.signals, signal, f.sizes);
-    return reduced(f, q);
+    add_sizes(scan.model.signals, signal, derivative == 0, f.sizes);
+    return f;
+}
+
+/// Whether what something is divided by vanishes where it is measured, to rounding: it has no value then.
+bool vanishes(const Measured& divisor, const LinkageMeasure& q) {
+    constexpr double rounding = 1e-12;  // of the greatest, or of the input
+    if (q.kind == LinkageMeasure::Kind::at) {
+        const auto parts = parts_of(divisor.scan, std::array{q.input, q.input});
+        return !parts.empty() && !(abs(divisor.at(parts[0].x)) > rounding * abs(divisor.at(parts[0].x, 1)));
+    }
+    const auto parts = parts_of(divisor.scan, q.stretch);
+    const Digits50 least = extreme(divisor, parts, -1).value, greatest = extreme(divisor, parts, 1).value;
+    const Digits50 size = std::max<Digits50>(isfinite(least) ? abs(least) : Digits50(0),
+                                             isfinite(greatest) ? abs(greatest) : Digits50(0));
+    return !(least > rounding * size) && !(greatest < -rounding * size);
+}
+
+Digits50 of_signal(const Scan& scan, const LinkageMeasure& q) {
+    const auto divides_by_zero = [&](std::size_t divisor) { return vanishes(measured(scan, divisor, 0), q); };
+    if (linkage::any_divisor(scan.model.signals, q.asked.signal, divides_by_zero)) return missing;
+    return reduced(measured(scan, q.asked.signal, static_cast<int>(q.asked.derivative)), q);
 }
 
 /// The distance of the guided point from what it follows at its greatest, or how far it follows.

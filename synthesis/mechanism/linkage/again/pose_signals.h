@@ -44,6 +44,8 @@ struct PoseSignals {
     Vector<T> in_drawing(std::size_t pin) const {
         return standing.origin + standing.scale * turned(loop.pin(pin, pose), standing.tilt);
     }
+    /// From one pin of a distance to the other, in the drawing.
+    Vector<T> apart(const linkage::Signal& s) const { return in_drawing(s.to) - in_drawing(s.of); }
     /// Between two pins, in the drawing.
     T distance(std::size_t a, std::size_t b) const {
         const Vector<T> apart = loop.pin(a, pose) - loop.pin(b, pose);

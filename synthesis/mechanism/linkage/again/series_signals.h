@@ -71,6 +71,13 @@ public:
         return at;
     }
 
+    /// The vector whose size a signal is (linkage::is_size).
+    Vector<InputSeries> vector(const linkage::Signal& s) const {
+        using Kind = linkage::Signal::Kind;
+        if (s.kind == Kind::distance) return in_pose().apart(s);
+        return pin_by_time(s.of, s.kind == Kind::speed ? 1 : 2);
+    }
+
 private:
     template <class Numbers>
     static std::vector<InputSeries> series(const Numbers& numbers) {
@@ -86,7 +93,7 @@ private:
             return sum;
         }
         if (s.kind != Kind::speed && s.kind != Kind::acceleration) return in_pose().value(s);
-        const Vector<InputSeries> by = pin_by_time(s.of, s.kind == Kind::speed ? 1 : 2);
+        const Vector<InputSeries> by = vector(s);
         return hypotenuse(by.x, by.y);
     }
 

@@ -177,13 +177,13 @@ private:
                 sum += T(term.factor) * series(model_.signals[term.signal], order, input);
             return sum;
         }
-        if (s.kind != Kind::speed && s.kind != Kind::acceleration) {
+        if (!linkage::is_size(s)) {
             const std::vector<T> c =
                 taylor([&](const T& x) { return at_pose(x, [&](const auto& p) { return p.value(s); }); }, order, input);
             return Value::by_powers([&](std::size_t k) { return k < c.size() ? c[k] : T(0); });
         }
-        const int own = s.kind == Kind::speed ? 1 : 2;
-        const std::vector<Vector<T>> c = pin_by_input(s.of, own + order, input);
+        const int own = s.kind == Kind::distance ? 0 : s.kind == Kind::speed ? 1 : 2;
+        const std::vector<Vector<T>> c = vector_by_input(s, own + order, input);
         Value x = Value::by_powers([&](std::size_t k) { return k < c.size() ? c[k].x : T(0); }),
               y = Value::by_powers([&](std::size_t k) { return k < c.size() ? c[k].y : T(0); });
         for (int i = 0; i < own; ++i) {
@@ -208,9 +208,12 @@ private:
             return k == 0 ? T(0) : after ? size.c[k - 1] : T(-size.c[k - 1]);
         });
     }
-    /// Taylor coefficients of a pin's place; at a limit the last alone.
-    std::vector<Vector<T>> pin_by_input(std::size_t pin, int order, const T& input) {
-        const auto place = [&](const T& x) { return at_pose(x, [pin](const auto& p) { return p.in_drawing(pin); }); };
+    /// Taylor coefficients of a pin's place, or of how far two pins are apart; at a limit the last alone.
+    std::vector<Vector<T>> vector_by_input(const linkage::Signal& s, int order, const T& input) {
+        const bool apart = s.kind == linkage::Signal::Kind::distance;
+        const auto place = [&](const T& x) {
+            return at_pose(x, [&](const auto& p) { return apart ? p.apart(s) : p.in_drawing(s.of); });
+        };
         if (!is_limit(input)) return taylor(place, order, input);
         std::vector<Vector<T>> c(order + 1, Vector<T>{T(0), T(0)});
         c.back() = difference(place, order, input);

@@ -152,7 +152,10 @@ Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, con
                       double to, double radius) {
     const LinkageMeasure& m = over.measure;
     Found found;
-    if (m.kind == Kind::mean || m.kind == Kind::rms) return found;
+    if (m.kind == Kind::mean || m.kind == Kind::rms) {
+        found.possible = !linkage::divides_by_zero(plain, m.asked.signal, course, from, to);
+        return found;
+    }
     if (m.kind == Kind::at) {
         const auto laws = std::span<const linkage::DriveLaw>(plain.driven().laws);
         const bool end = !course.travel.whole && from == course.travel.to;
@@ -161,7 +164,7 @@ Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, con
         const linkage::WithinPiece in_piece(plain, within);
         const double value = plain.value(m.asked.signal, from, course.turns.near(from)).derivative(m.asked.derivative);
         found.plus.push_back({m.asked, {from, value, false, {}, within}});
-        found.possible = !std::isnan(value);
+        found.possible = !std::isnan(value) && !linkage::divides_by_zero_at(plain, m.asked.signal, course, from);
         return found;
     }
     if (m.kind == Kind::extent) return found;
