@@ -305,6 +305,35 @@ starts = 1
     EXPECT_TRUE(!result.best || !result.best->feasible);
 }
 
+std::string folding(const std::string& links, const std::string& signals) {
+    return "schema = 1\nmechanism = \"linkage\"\n[links]\n" + links + "[drive]\nlink = \"crank\"\n[signals]\n" +
+           signals;
+}
+
+void expect_stated(const Json& document, const std::vector<std::string>& with,
+                   const std::vector<std::string>& without) {
+    for (const std::string& name : with)
+        EXPECT_TRUE(document["quantities"].contains(name)) << name;
+    for (const std::string& name : without)
+        EXPECT_FALSE(document["quantities"].contains(name)) << name;
+    ASSERT_TRUE(document.contains("warnings"));
+    EXPECT_NEAR(document["warnings"][0]["margin"].get<double>(), 0, 1e-6);
+}
+
+/// The slot goes through the lever's own pivot, where the pin comes to: there the lever may stand anywhere, and on its
+/// side it jumps by half a turn.
+TEST(LinkageMeans, WhatJumpsAtASingularPositionIsNotStated) {
+    const std::string slot = folding(
+        "frame = { O = [0, 0], Q = [0, -40] }\ncrank = { O = [0, 0], B = [40, 0] }\n"
+        "lever = { Q = [0, 0], T = [180, 0] }\n[[slot]]\npin = \"B\"\nin = \"lever\"\n"
+        "along = [\"Q\", \"T\"]\n",
+        "l = { angle = \"lever\" }\ntx = { x = \"T\" }\nb = { x = \"B\" }\n");
+    const Json document = analysed_means(slot, {"b.speed.greatest", "tx.range(0, 180)"});
+    expect_stated(document, {"b.range", "b.speed.greatest", "tx.range(0, 180)"},
+                  {"l.least", "l.range", "tx.least", "tx.greatest", "tx.range"});
+    EXPECT_NEAR(document["quantities"]["b.speed.greatest"].get<double>(), 40, 1e-12);
+}
+
 }  // namespace
 
 }  // namespace mechwright

@@ -103,9 +103,13 @@ void add_margin_places(Measured<double, K>& measured, std::size_t margin, std::s
         if (panels.greatest() > 4 * floor)
             panels.zeros(slope, [&](double s) {
                 const auto& at = both(stretch.at(s));
+                // Where a line passes through the pin that it turns about the margin has a cusp at 0.
+                constexpr double cusp = 1e-6;  // of the size
                 for (const bool inner : sought)
                     if (const auto& value = inner ? at.inner : at.outer; value.derivative(2) > 0)
                         found[inner].push_back({stretch.at(s), value.c[0]});
+                    else if (std::abs(value.c[0]) < cusp * size_of(measured.driven()))
+                        found[inner].push_back({stretch.at(s), value.c[0], false});
             });
         else
             for (const bool inner : sought) {

@@ -164,7 +164,7 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
                 stretch = *in;
             }
             const auto shape = over.shape_of(arguments);
-            found = found_of_signal(over, plain, course, stretch[0], stretch[1],
+            found = found_of_signal(over, plain, course, dimensions, stretch[0], stretch[1],
                                     shape.size() == ArcShape::parameters ? shape.back() : 0);
         }
     }

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "analysis/linkage/measuring/jumps.h"
 #include "analysis/linkage/measuring/margins.h"
 #include "synthesis/mechanism/linkage/measured_over.h"
 
@@ -146,13 +147,19 @@ Found found_of_all(const Over& over, linkage::Measured<double, K>& plain, const 
     return found;
 }
 
-/// `radius`: of the arc whose centre the signal is a distance from.
+/// `radius`: of the arc whose centre the signal is a distance from. Not possible where what is asked jumps at a
+/// singular position inside the motion: beside it the linkage goes on in more than one way.
 template <std::size_t K>
-Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, const Course& course, double from,
-                      double to, double radius) {
+Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, const Course& course,
+                      std::span<const double> dimensions, double from, double to, double radius) {
     const LinkageMeasure& m = over.measure;
     Found found;
-    if (m.kind == Kind::mean || m.kind == Kind::rms) {
+    const bool of_mean = m.kind == Kind::mean || m.kind == Kind::rms;
+    if (from < to && linkage::jumps_between(plain, {m.asked.signal, 0}, over.driven(dimensions), course, from, to)) {
+        found.possible = false;
+        return found;
+    }
+    if (of_mean) {
         found.possible = !linkage::divides_by_zero(plain, m.asked.signal, course, from, to);
         return found;
     }
