@@ -334,6 +334,28 @@ TEST(LinkageMeans, WhatJumpsAtASingularPositionIsNotStated) {
     EXPECT_NEAR(document["quantities"]["b.speed.greatest"].get<double>(), 40, 1e-12);
 }
 
+/// At a change point links fold onto each other and go on with another speed: a kite at both half turns, a slider
+/// with a rod as long as its crank at both quarter turns.
+TEST(LinkageMeans, SpeedsThatJumpAtAChangePointAreNotStated) {
+    const std::string kite = folding(
+        "frame = { A = [0, 0], D = [100, 0] }\ncrank = { A = [0, 0], B = [40, 0] }\n"
+        "coupler = { B = [0, 0], C = [40, 0] }\nrocker = { D = [0, 0], C = [100, 0] }\n",
+        "r = { angle = \"rocker\" }\nb = { y = \"B\" }\n");
+    const Json of_kite = analysed_means(kite, {"r.speed.greatest", "r.speed.least", "r.acceleration.greatest",
+                                               "r.speed.greatest(20, 160)", "b.speed.greatest"});
+    expect_stated(of_kite, {"r.least", "r.range", "r.speed.greatest(20, 160)", "b.speed.greatest"},
+                  {"r.speed.greatest", "r.speed.least", "r.acceleration.greatest"});
+    const std::string slider = folding(
+        "frame = { A = [0, 0] }\ncrank = { A = [0, 0], B = [50, 0] }\nrod = { B = [0, 0], C = [50, 0] }\n"
+        "block = { C = [0, 0] }\n[[slide]]\nname = \"block\"\nlink = \"block\"\non = \"frame\"\n"
+        "point = \"A\"\ndirection = 0\n",
+        "s = { slide = \"block\" }\n");
+    const Json of_slider = analysed_means(slider, {"s.speed.greatest", "s.speed.least", "s.speed.greatest(-80, 80)"});
+    expect_stated(of_slider, {"s.greatest", "s.speed.greatest(-80, 80)"}, {"s.speed.greatest", "s.speed.least"});
+    EXPECT_NEAR(of_slider["quantities"]["s.speed.greatest(-80, 80)"].get<double>(),
+                100 * std::sin(80 * std::numbers::pi / 180), 1e-9);
+}
+
 }  // namespace
 
 }  // namespace mechwright

@@ -155,7 +155,8 @@ Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, con
     const LinkageMeasure& m = over.measure;
     Found found;
     const bool of_mean = m.kind == Kind::mean || m.kind == Kind::rms;
-    if (from < to && linkage::jumps_between(plain, {m.asked.signal, 0}, over.driven(dimensions), course, from, to)) {
+    const Asked whole{m.asked.signal, of_mean ? 0 : m.asked.derivative};
+    if (from < to && linkage::jumps_between(plain, whole, over.driven(dimensions), course, from, to)) {
         found.possible = false;
         return found;
     }
