@@ -82,6 +82,89 @@ TEST(Analyse, AMechanismThatDoesNotAssembleEndsWithFour) {
     }
 }
 
+TEST(Analyse, ACrankRangeOverWhichItDoesNotAssembleEndsWithFour) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.toml",
+                                          "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 100\n"
+                                          "crank = 80\ncoupler = 50\nrocker = 60\n"
+                                          "[motion]\ncrank_range = [20, 200]\n");
+    const Outcome outcome = run({"analyse", file});
+    EXPECT_EQ(outcome.exit_code, 4);
+    for (std::string text : {outcome.out, outcome.err}) {
+        std::replace(text.begin(), text.end(), '\n', ' ');
+        for (const char* part :
+             {"not assemble throughout", "from 20 deg to 200 deg", "it does from 20 deg to 74.41 deg"})
+            expect_has(text, part);
+    }
+    expect_has_not(outcome.out, "close to a singular position");
+    const Outcome json = run({"analyse", "--json", file});
+    EXPECT_EQ(json.exit_code, 4);
+    EXPECT_FALSE(parsed(json.out).contains("warnings"));
+}
+
+/// A slide that drives from 80 mm to 160 mm, asked for from 70 mm on: tables and texts have what there is.
+TEST(Analyse, ADisplacementAtWhichItDoesNotAssembleIsTold) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.toml", R"(
+schema = 1
+mechanism = "linkage"
+[links]
+frame = { A = [0, 0] }
+crank = { A = [0, 0], B = [40, 0] }
+rod   = { B = [0, 0], C = [120, 0] }
+block = { C = [0, 0] }
+[[slide]]
+name = "block"
+link = "block"
+on = "frame"
+point = "A"
+direction = 0
+[drive]
+slide = "block"
+[motion]
+crank_range = [70, 160]
+[signals]
+c = { angle = "crank" }
+)");
+    const Outcome outcome = run({"analyse", file});
+    EXPECT_EQ(outcome.exit_code, 4);
+    expect_has(outcome.err, "displacements from 70 mm to 160 mm; it does from 80 mm to 160 mm");
+    const Outcome table = run({"analyse", "--csv", "--steps", "9", file});
+    EXPECT_EQ(table.exit_code, 4);
+    EXPECT_EQ(std::count(table.out.begin(), table.out.end(), '\n'), 10) << table.out;
+}
+
+TEST(Analyse, WhereNoLoopClosesNothingIsCloseToASingularPosition) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run({"analyse", folder.write("a.toml", R"(
+schema = 1
+mechanism = "linkage"
+[links]
+frame = { A = [0, 0] }
+wheel = { A = [0, 0] }
+bar   = { X = [0, 0] }
+[[slide]]
+link = "bar"
+on = "frame"
+name = "s"
+point = [0, 10]
+direction = 0
+[[rack]]
+link = "bar"
+wheel = "wheel"
+radius = 20
+phase = 5
+[drive]
+link = "wheel"
+[motion]
+crank_range = [0, 200]
+[signals]
+s = { slide = "s" }
+)")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_has_not(outcome.out, "Warning");
+}
+
 TEST(Analyse, RequirementsAreJudgedButDoNotDecide) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.toml", given("[[require]]\nquantity = \"swing\"\nmin = 70\n"));

@@ -89,9 +89,14 @@ int analyse(const AnalyseOptions& options, Console& console) {
         print(console, analysis_summary(problem, given, style_of(console, options.digits)));
 
     const Motion motion = motion_of(problem, given.design);
-    if (motion.from <= motion.to) return exit_code::solved;
-    complain(console, fmt::format("{}: the mechanism does not assemble at any {}", options.file,
-                                  input_word(*problem.mechanism)));
+    if (!(motion.from <= motion.to)) {
+        complain(console, fmt::format("{}: the mechanism does not assemble at any {}", options.file,
+                                      input_word(*problem.mechanism)));
+        return exit_code::infeasible;
+    }
+    const std::string apart = where_it_comes_apart(problem, given.design, style_of(console, options.digits).digits);
+    if (apart.empty()) return exit_code::solved;
+    complain(console, options.file + ": " + apart);
     return exit_code::infeasible;
 }
 

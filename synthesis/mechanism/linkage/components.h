@@ -73,7 +73,10 @@ public:
                                                                                      course_.turns.near(place.place.at),
                                                                                      course_.travel, ends_));
                 // Where no dyad closes by lengths nothing comes apart.
-                if (out.empty()) out.push_back(T(size_of(plain_.driven())));
+                if (out.empty()) {
+                    const double size = size_of(plain_.driven());
+                    out.push_back(T(size > 0 ? size : 1));
+                }
                 break;
             default:
                 for (const Term& term : found_.plus)

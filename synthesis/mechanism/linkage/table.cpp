@@ -78,7 +78,8 @@ std::vector<double> signal_values(const LinkageModel& model, const Motion& motio
     const bool first = input == whole.from, at_end = !whole.whole && (first || input == whole.to);
     linkage::Course course =
         linkage::course_along(over.driven(dimensions), at_end ? whole : linkage::Travel{whole.from, input});
-    values.start_at(course);
+    // Where the linkage does not close at the start angles are those of the pose alone.
+    if (!course.turns.empty()) values.start_at(course);
     const auto near = course.turns.near(input);
     const linkage::Limit limit = at_end ? linkage::limit_at(values, input, near) : linkage::Limit{};
     (first ? course.travel.first : course.travel.last) = limit;

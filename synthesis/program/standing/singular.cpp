@@ -50,6 +50,8 @@ void add_over_range(const Problem& problem, const Motion& motion, const Design& 
     const auto& families = problem.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
     if ((!problem.crank_range && !problem.use) || limited == families.end() || !limited->assembly_margin) return;
+    // What does not assemble is not close to it.
+    if (!assembles_over_range(problem, design)) return;
     Motion over = motion;
     over.family = static_cast<std::size_t>(limited - families.begin());
     const std::string_view range = problem.use ? "use" : input_word(*problem.mechanism);

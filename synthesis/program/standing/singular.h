@@ -21,7 +21,8 @@ struct SingularMargin {
 
 /// The margins of a design that are below the rule, each kind once with its least: of the conditions of a crank that
 /// turns fully, of the assembly over a given range of crank angles or an input range, and of the positions in which it
-/// meets the points of a path. A motion that ends where the linkage does is no reason: its ends are toggles.
+/// meets the points of a path. A motion that ends where the linkage does is no reason: its ends are toggles. Nor is a
+/// given range over which it does not assemble: that is worse, and told so.
 std::vector<SingularMargin> singular_margins(const Problem& problem, const Design& design);
 
 /// "crank turns past ...: 3e-05 mm, 2.1e-07 of the longest length"

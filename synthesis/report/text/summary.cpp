@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "synthesis/document/document.h"
 #include "synthesis/mechanism/input.h"
@@ -14,6 +15,7 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing/singular.h"
 #include "synthesis/program/standing/standing.h"
+#include "synthesis/report/drawing/finished.h"
 #include "synthesis/report/text/error_sections.h"
 #include "synthesis/report/text/sections.h"
 #include "synthesis/report/text/table.h"
@@ -281,11 +283,38 @@ std::string front_section(const Problem& problem, const Result& result, const Te
                                 "designs, each verified (see --json or --out)."));
 }
 
+/// The parts of a range of inputs over which a design assembles, their ends by halving; shorter ones than a sample is
+/// from the next are not seen.
+std::vector<Vector<double>> parts_that_assemble(const FinishedDesign& design, const Vector<double>& range) {
+    constexpr int samples = 720, halvings = 50;
+    const auto assembles = [&](double at) { return MotionRow(design, at).assembled(); };
+    const auto sample = [&](int i) { return range.x + (range.y - range.x) * i / samples; };
+    const auto end_between = [&](double inside, double outside) {
+        for (int k = 0; k < halvings; ++k) {
+            const double middle = 0.5 * (inside + outside);
+            (assembles(middle) ? inside : outside) = middle;
+        }
+        return inside;
+    };
+    std::vector<Vector<double>> parts;
+    bool before = false;
+    for (int i = 0; i <= samples; ++i) {
+        const bool here = assembles(sample(i));
+        if (here && !before) parts.push_back({i == 0 ? sample(0) : end_between(sample(i), sample(i - 1)), sample(i)});
+        if (here) parts.back().y = sample(i);
+        if (before && !here) parts.back().y = end_between(sample(i - 1), sample(i));
+        before = here;
+    }
+    return parts;
+}
+
 std::string motion_line(const Problem& problem, const Design& design, int digits) {
     const Motion motion = motion_of(problem, design);
     const std::string_view input = input_word(*problem.mechanism);
     const Unit unit = input_unit(*problem.mechanism);
     if (!(motion.from <= motion.to)) return fmt::format("\nIt does not assemble at any {}.\n", input);
+    if (const std::string apart = where_it_comes_apart(problem, design, digits); !apart.empty())
+        return '\n' + folded("", "I" + apart.substr(1) + '.');
     const auto found = circuit_of(problem, design);
     const std::string where = found ? fmt::format(", on branch {} of circuit {}", found->branch, found->circuit) : "";
     if (motion.full_turn) return fmt::format("\nThe crank turns fully{}.\n", where);
@@ -308,6 +337,27 @@ std::string warning_section(const Problem& problem, const Design& design) {
 }
 
 }  // namespace
+
+std::string where_it_comes_apart(const Problem& problem, const Design& design, int digits) {
+    const Motion motion = motion_of(problem, design);
+    if (!(motion.from <= motion.to) || assembles_over_range(problem, design)) return {};
+    const std::string_view input = input_word(*problem.mechanism);
+    const auto range = [&](const Vector<double>& over) {
+        const Unit unit = input_unit(*problem.mechanism);
+        return fmt::format("from {} to {}", quantity_with_unit(over.x, unit, problem, design, digits),
+                           quantity_with_unit(over.y, unit, problem, design, digits));
+    };
+    const Vector<double> given{motion.from, motion.to};
+    std::vector<Vector<double>> parts = parts_that_assemble(finished_design(problem, design), given);
+    if (parts.empty()) {
+        const Motion own = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
+        if (!own.full_turn && own.from <= own.to) parts.push_back({own.from, own.to});
+    }
+    std::string text = fmt::format("it does not assemble throughout the {}s {}", input, range(given));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += (i == 0 ? "; it does " : " and ") + range(parts[i]);
+    return text;
+}
 
 std::string summary(const Problem& problem, const Result& result, const TextStyle& style) {
     std::string text = title_section(problem, style) + status_section(result, style);

@@ -13,6 +13,9 @@ namespace mechwright {
 /// path, the verification and how the search went.
 std::string summary(const Problem& problem, const Result& result, const TextStyle& style);
 
+/// Over which given inputs a design does not assemble, and over which it does; empty where it does over all of them.
+std::string where_it_comes_apart(const Problem& problem, const Design& design, int digits);
+
 /// A design that was given: what kind of linkage it is, how it moves, every quantity, and its requirements and path if
 /// the problem has them.
 std::string analysis_summary(const Problem& problem, const Solution& solution, const TextStyle& style);
