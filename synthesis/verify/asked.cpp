@@ -7,7 +7,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "synthesis/document/cam_document.h"
 #include "synthesis/document/document.h"
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/problem/text.h"
@@ -68,6 +70,24 @@ std::string difference(const Json& stated, const Json& asked, const std::string&
     return {};
 }
 
+/// Why the rotation of a cam is none of those that the problem allows, or what is proven of it leaves one of its
+/// rotations or choices of laws out.
+std::string cam_defect(const Json& document, const Problem& problem) {
+    const auto rotation = [&](std::size_t assembly) { return cam_rotation_names[assembly % 2]; };
+    const Json::json_pointer of_design("/design/rotation");
+    if (document.contains(of_design) && std::none_of(problem.assemblies.begin(), problem.assemblies.end(),
+                                                     [&](std::size_t i) { return document[of_design] == rotation(i); }))
+        return fmt::format("design.rotation is {}, which was not asked for", json_text(&document[of_design]));
+    const Json::json_pointer of_proof("/search/certificate/parts");
+    if (!document.contains(of_proof) || !document[of_proof].is_array()) return {};
+    const Json& parts = document[of_proof];
+    for (const std::size_t asked : problem.assemblies)
+        if (std::none_of(parts.begin(), parts.end(),
+                         [&](const Json& part) { return part.is_object() && part.value("assembly", Json()) == asked; }))
+            return fmt::format("search.certificate has no part for cams {}", cam_choice_text(problem, asked));
+    return {};
+}
+
 /// Why the assembly of the design is none of those that the problem allows.
 std::string assembly_defect(const Json& document, const Problem& problem) {
     if (!document.contains("design") || !document["design"].is_object()) return {};
@@ -85,7 +105,8 @@ std::string assembly_defect(const Json& document, const Problem& problem) {
 std::string asked_otherwise(const Json& document, const Problem& problem) {
     if (!document.is_object()) return "it is not an object";
     std::string defect = difference(document, asked_document(problem), "", false);
-    return defect.empty() ? assembly_defect(document, problem) : defect;
+    if (!defect.empty()) return defect;
+    return is_cam(*problem.mechanism) ? cam_defect(document, problem) : assembly_defect(document, problem);
 }
 
 std::vector<Check> check_asked(const Json& document) {

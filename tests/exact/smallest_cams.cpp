@@ -9,9 +9,13 @@
 #include <random>
 #include <vector>
 
+#include "synthesis/document/cam_document.h"
+#include "synthesis/document/document.h"
 #include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/problem/reader.h"
+#include "synthesis/program/proof.h"
 #include "synthesis/solve/solve.h"
+#include "synthesis/verify/verify.h"
 #include "tests/degree.h"
 
 namespace mechwright {
@@ -212,6 +216,86 @@ TEST(SmallestCams, NearlyParallelLimitsOfAnOscillatingFollowerLeaveRoom) {
         ASSERT_EQ(result.status, Status::solved) << limit;
         EXPECT_LE(result.best->objective, known + 1e-6) << limit;
         EXPECT_TRUE(result.verified());
+    }
+}
+
+struct SmallCircle {
+    std::string head, rise_laws, return_laws, dimension, rest;
+    double lift, greatest;
+    std::string variant;  ///< that would do with least
+    std::string named;    ///< the dimension in words
+
+    std::string text(double most) const {
+        const auto moving = [&](const char* kind, double angle, const std::string& laws) {
+            return fmt::format("[[segment]]\nkind = \"{}\"\nangle = {}\nlift = {}\nlaw = {}\n", kind, angle, lift,
+                               laws);
+        };
+        const auto dwell = [](double angle) {
+            return fmt::format("[[segment]]\nkind = \"dwell\"\nangle = {}\n", angle);
+        };
+        return "schema = 1\nmechanism = \"cam\"\n[cam]\n" + head + moving("rise", 100, rise_laws) + dwell(40) +
+               moving("return", 80, return_laws) + dwell(140) +
+               fmt::format("[dimensions]\n{} = {{ min = 1, max = {} }}\n", dimension, most) + rest +
+               fmt::format("[objective]\nminimize = \"{}\"\n", dimension);
+    }
+};
+
+const std::string some_laws = R"(["cycloidal", "harmonic", "3-4-5"])";
+
+const std::vector<SmallCircle>& too_small_circles() {
+    static const std::vector<SmallCircle> all{
+        {"follower = \"roller\"\nmotion = \"oscillating\"\nrotation = \"either\"\n", "\"cycloidal\"", "\"3-4-5\"",
+         "prime-radius",
+         "pivot-distance = { min = 20, max = 300 }\narm-length = 60\nroller-radius = 5\n"
+         "[[require]]\nquantity = \"pressure-angle-rise\"\nmax = 30\n"
+         "[[require]]\nquantity = \"pressure-angle-return\"\nmax = 42\n",
+         22, 29.5, "turning clockwise", "prime-radius"},
+        {"follower = \"roller\"\nrotation = \"ccw\"\n", some_laws, some_laws, "prime-radius",
+         "roller-radius = 4\n[[require]]\nquantity = \"pressure-angle-max\"\nmax = 25\n", 15, 20, "harmonic return",
+         "prime-radius"},
+        {"follower = \"flat\"\nrotation = \"ccw\"\n", some_laws, some_laws, "base-radius",
+         "[[require]]\nquantity = \"profile-radius-min\"\nmin = 4\n", 15, 20, "harmonic return", "base radius"}};
+    return all;
+}
+
+// Of every rotation and choice of laws there is another least circle: the least of them is what a wider range gives.
+TEST(SmallestCams, WhereNoneFitsTheLeastOfAllVariantsIsNamed) {
+    for (const SmallCircle& circle : too_small_circles()) {
+        const Problem narrow = parse_problem(circle.text(circle.greatest), "narrow.toml").problem;
+        const Result none = solve(narrow, {});
+        ASSERT_EQ(none.status, Status::infeasible) << circle.text(circle.greatest);
+        EXPECT_TRUE(all_passed(verify(document(narrow, none))));
+        const std::string& argument = none.search.proof->argument;
+        const std::string before = "the least " + circle.named + " is ";
+        ASSERT_NE(argument.find(before), std::string::npos) << argument;
+        const double least = std::stod(argument.substr(argument.find(before) + before.size()));
+        EXPECT_GT(least, circle.greatest);
+        const std::string closest = cam_choice_text(narrow, none.best->design.assembly);
+        EXPECT_NE(closest.find(circle.variant), std::string::npos) << closest;
+
+        const Result wider = solve(parse_problem(circle.text(1.01 * least), "wider.toml").problem, {});
+        ASSERT_EQ(wider.status, Status::solved) << least;
+        EXPECT_TRUE(wider.search.complete());
+        EXPECT_NEAR(wider.best->objective, least, 1e-8 * least);
+        EXPECT_EQ(wider.best->design.assembly, none.best->design.assembly);
+    }
+}
+
+// A proof that says nothing of one of the variants, or a cam that turns as none was to.
+TEST(SmallestCams, ProofsThatLeaveAVariantOutDoNotVerify) {
+    for (const SmallCircle& circle : too_small_circles()) {
+        const Problem narrow = parse_problem(circle.text(circle.greatest), "narrow.toml").problem;
+        const auto good = document(narrow, solve(narrow, {}));
+        const std::size_t parts = good["search"]["certificate"]["parts"].size();
+        EXPECT_EQ(parts, narrow.assemblies.size());
+        for (std::size_t i = 0; i < parts; ++i) {
+            auto bad = good;
+            bad["search"]["certificate"]["parts"].erase(i);
+            EXPECT_FALSE(all_passed(verify(bad))) << i;
+        }
+        auto bad = good;
+        bad["design"]["rotation"] = good["design"]["rotation"] == "cw" ? "ccw" : "cw";
+        EXPECT_FALSE(all_passed(verify(bad)));
     }
 }
 

@@ -66,6 +66,7 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem, std::size_t assem
     const double base = std::max(radius - least, range.min);
     ClosedFormOutcome outcome;
     outcome.infeasible = radius - room(problem, radius) - least > range.max + room(problem, range.max);
+    if (outcome.infeasible) outcome.least = base;
     design.dimensions[0] = std::clamp(base, range.min, range.max);
     outcome.best = assess(problem, std::move(design));
     if (!outcome.infeasible && !outcome.best->feasible) return std::nullopt;  // something else is asked too
@@ -135,6 +136,7 @@ std::optional<ClosedFormOutcome> solve_swing(const Problem& problem, std::size_t
         (greatest_part < 0 || (needed - room(problem, needed)) / greatest_part > distances.max * (1 + 2 * tolerance));
     ClosedFormOutcome outcome;
     outcome.infeasible = none;
+    if (none && least > 0) outcome.least = distance;
     if (!none && !(least > 0)) return std::nullopt;
     std::string argument = fmt::format(
         "closed form: for this start angle the radius of curvature is the pivot distance times {:.9g}, less the "

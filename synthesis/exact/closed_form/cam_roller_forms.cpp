@@ -248,30 +248,35 @@ Vector<double> target_of(std::span<const double> d, std::size_t size) {
     return {Layout<F>::oscillating && size == 0 ? d[2] : 0, 0};
 }
 
-/// Whether no design is small enough, whatever the tolerance lets pass. Nothing where that is not proven. `asked` is
-/// the least size by the limits as they stand, or infinite.
+/// That no design is small enough, whatever the tolerance lets pass, without a design to show. Nothing where that is
+/// not proven. `asked` is the least size by the limits as they stand, or infinite.
 template <template <class> class F>
-std::shared_ptr<const Proof> why_none(const Problem& given, std::size_t assembly, std::size_t size, double asked) {
+std::optional<ClosedFormOutcome> why_none(const Problem& given, std::size_t assembly, std::size_t size, double asked) {
     const auto limits = loosened(angle_limits<F>(given), given.solver.tolerance);
-    if (!limits) return nullptr;
+    if (!limits) return std::nullopt;
     const Problem problem = loosened(given);
     const Motion motion = motion_of(problem, 0, assembly);
     const std::vector<double> d = smallest_design(problem, assembly).dimensions;
     const Vector<double> target = target_of<F>(d, size);
     const Centre centre = closest_centre<F>(problem, motion, d, *limits, target);
     const Digits50 least = certified_distance<F>(motion, d, centre, target);
-    if (!(least > problem.dimensions[size].max)) return nullptr;
+    if (!(least > problem.dimensions[size].max)) return std::nullopt;
+    ClosedFormOutcome outcome{.best = std::nullopt, .infeasible = true};
     HalfPlaneCertificate certificate{size, {part_of(centre, assembly)}};
-    if (centre.closest.region == Region::is_empty)
-        return proof_by(fmt::format("half-planes: for every cam angle a limit on the pressure angle is a half-plane "
-                                    "for the {}, and {} of them "
-                                    "exclude each other",
-                                    region_of(problem), centre.closest.binding_count),
-                        std::move(certificate));
-    return proof_by(
-        argument_of(centre, problem) + fmt::format("; the least {} is {:.9g}", problem.mechanism->dimensions[size].name,
-                                                   std::isfinite(asked) ? asked : least.convert_to<double>()),
-        std::move(certificate));
+    if (centre.closest.region == Region::is_empty) {
+        outcome.proof = proof_by(
+            fmt::format("half-planes: for every cam angle a limit on the pressure angle is a half-plane for the {}, "
+                        "and {} of them exclude each other",
+                        region_of(problem), centre.closest.binding_count),
+            std::move(certificate));
+        return outcome;
+    }
+    outcome.least = std::isfinite(asked) ? asked : least.convert_to<double>();
+    outcome.proof =
+        proof_by(argument_of(centre, problem) +
+                     fmt::format("; the least {} is {:.9g}", problem.mechanism->dimensions[size].name, outcome.least),
+                 std::move(certificate));
+    return outcome;
 }
 
 /// Every dimension at its preferred value, or in the middle of its range.
@@ -302,17 +307,18 @@ std::optional<ClosedFormOutcome> solve(const Problem& problem, std::size_t assem
             d[0] = problem.dimensions[0].min;  // a higher guide meets the limits too
         Solution best = assess(problem, design);
         if (best.feasible && proven)
-            return ClosedFormOutcome{
-                std::move(best), false,
-                proof_by(argument_of(centre, problem), HalfPlaneCertificate{size, {part_of(centre, assembly)}})};
+            return ClosedFormOutcome{.best = std::move(best),
+                                     .proof = proof_by(argument_of(centre, problem),
+                                                       HalfPlaneCertificate{size, {part_of(centre, assembly)}})};
     }
-    auto why = why_none<F>(problem, assembly, size, least);
-    if (!why) return std::nullopt;
+    auto outcome = why_none<F>(problem, assembly, size, least);
+    if (!outcome) return std::nullopt;
     if (centre.closest.region == Region::holds_the_point)
         d[size] = problem.dimensions[size].max;
     else
         design = middle_design(problem, assembly);
-    return ClosedFormOutcome{assess(problem, std::move(design)), true, std::move(why)};
+    outcome->best = assess(problem, std::move(design));
+    return outcome;
 }
 
 template <template <class> class F>

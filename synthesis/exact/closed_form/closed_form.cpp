@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace mechwright {
 
@@ -35,9 +36,11 @@ bool is_mechanism(const Mechanism& mechanism, const Design& design) {
 }  // namespace
 
 void keep_smaller(std::optional<ClosedFormOutcome>& best, ClosedFormOutcome outcome) {
-    const bool better = !best || (best->infeasible && !outcome.infeasible) ||
-                        (best->infeasible == outcome.infeasible && outcome.best->objective < best->best->objective);
-    if (better) best = std::move(outcome);
+    const auto order = [](const ClosedFormOutcome& one) {
+        return std::tuple(one.infeasible, one.infeasible ? one.least : one.best->objective,
+                          one.infeasible ? one.best->violation : 0);
+    };
+    if (!best || order(outcome) < order(*best)) best = std::move(outcome);
 }
 
 std::string why_no_closed_form(const Problem& problem) {

@@ -2,6 +2,7 @@
 /// \file
 /// Closed forms as methods: which problems they cover, and what they say of them.
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -11,8 +12,10 @@
 namespace mechwright {
 
 struct ClosedFormOutcome {
-    std::optional<Solution> best;          ///< the optimum, or where the problem is infeasible the best that can be had
-    bool infeasible = false;               ///< proved
+    std::optional<Solution> best;  ///< the optimum, or where the problem is infeasible the best that can be had
+    bool infeasible = false;       ///< proved
+    /// Of an infeasible problem the least that would do of what is to be least; infinite where nothing would.
+    double least = std::numeric_limits<double>::infinity();
     std::shared_ptr<const Proof> proof{};  ///< that this is the whole answer
 };
 
@@ -23,7 +26,9 @@ std::string why_no_closed_form(const Problem& problem);
 /// The answer in closed form, if there is one. Precondition: why_no_closed_form is empty.
 std::optional<ClosedFormOutcome> solve_in_closed_form(const Problem& problem);
 
-/// Keeps the better of two answers to one problem: one that is feasible, then the smaller objective.
+/// Keeps the better of two answers to one problem: one that is feasible, then the smaller objective. Where neither is,
+/// all designs that are shown are as large as is allowed, and the answer that would do with less counts; where none
+/// would do with anything, the one that misses less.
 void keep_smaller(std::optional<ClosedFormOutcome>& best, ClosedFormOutcome outcome);
 
 /// The smallest of all assemblies, each of which is answered by `of_assembly`; its proof has the parts of all. Nothing
@@ -36,11 +41,12 @@ std::optional<ClosedFormOutcome> best_of_assemblies(const Problem& problem, cons
         std::optional<ClosedFormOutcome> outcome = of_assembly(assembly);
         if (!outcome) return std::nullopt;
         const auto& one = std::get<CertificateKind>(outcome->proof->certificate);
-        all.dimension = one.dimension;
         all.parts.insert(all.parts.end(), one.parts.begin(), one.parts.end());
         keep_smaller(best, *std::move(outcome));
     }
-    if (best) best->proof = proof_by(best->proof->argument, std::move(all));
+    if (!best) return best;
+    all.dimension = std::get<CertificateKind>(best->proof->certificate).dimension;
+    best->proof = proof_by(best->proof->argument, std::move(all));
     return best;
 }
 

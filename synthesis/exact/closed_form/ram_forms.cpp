@@ -115,7 +115,9 @@ std::optional<ClosedFormOutcome> solve_slider_crank(const Problem& problem) {
     const auto unit = best_transmission_slider_crank(task.stroke > 0 ? task.stroke : 1, task.time_ratio);
     if (!unit) {
         auto none = proof_by_limits(problem);
-        return none ? std::optional(ClosedFormOutcome{std::nullopt, true, std::move(none)}) : std::nullopt;
+        return none ? std::optional(
+                          ClosedFormOutcome{.best = std::nullopt, .infeasible = true, .proof = std::move(none)})
+                    : std::nullopt;
     }
     for (const double side : {1.0, -1.0}) {
         const std::array<UnitDimension, 3> dimensions{{{0, unit->crank}, {1, unit->rod}, {2, side * unit->offset}}};

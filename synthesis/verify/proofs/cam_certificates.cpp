@@ -122,6 +122,18 @@ CamLimits cam_limits(const ProofContext& c) {
     return limits;
 }
 
+/// Whether in each sense of rotation that there is among some assemblies all choices of laws are.
+bool covers_all_laws(const std::vector<std::size_t>& assemblies, std::size_t choices) {
+    const auto has = [&](std::size_t assembly) {
+        return std::find(assemblies.begin(), assemblies.end(), assembly) != assemblies.end();
+    };
+    return std::all_of(assemblies.begin(), assemblies.end(), [&](std::size_t assembly) {
+        for (std::size_t choice = 0; choice < choices; ++choice)
+            if (!has(2 * choice + assembly % 2)) return false;
+        return true;
+    });
+}
+
 /// The least that all parts leave of the dimension: nothing below it, whatever the assembly.
 template <class CertificateKind>
 Finding check_cam(const ProofContext& c) {
@@ -152,9 +164,7 @@ Finding check_cam(const ProofContext& c) {
         assemblies.push_back(part.assembly);
         least = std::min(least, cam_bound(*c.problem.mechanism, program, dimensions, cam_limits(c), dimension, part));
     }
-    std::sort(assemblies.begin(), assemblies.end());
-    assemblies.erase(std::unique(assemblies.begin(), assemblies.end()), assemblies.end());
-    if (assemblies.size() % law_choices(program) != 0) return fails("it does not cover every choice of laws");
+    if (!covers_all_laws(assemblies, law_choices(program))) return fails("it does not cover every choice of laws");
     const std::string_view name = c.problem.mechanism->dimensions[dimension].name;
     const DimensionRange& range = c.problem.dimensions[dimension];
     if (c.infeasible) {
