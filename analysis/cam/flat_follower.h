@@ -60,6 +60,16 @@ T face_start(const OscillatingFlat<T>& f) {
     return atan2(sine, root_or_zero(T((f.pivot_distance - sine) * (f.pivot_distance + sine))));
 }
 
+/// Where along an oscillating face the foot of the cam centre is, from the pivot's foot. While the face turns against
+/// the cam the contact is on the same side, for it is at this over the turning: where it is not > 0 the contact is at
+/// the pivot's foot or beyond, and the cam's push no longer turns the face. That is where start angle and lift together
+/// reach a right angle.
+template <class T>
+T foot_along_face(const OscillatingFlat<T>& f, const Lift<T>& lift) {
+    using std::cos;
+    return f.pivot_distance * cos(T(face_start(f) + lift.s));
+}
+
 /// Precondition: 1 + sense * velocity differs from 0.
 template <class T>
 FaceContact<T> face_contact(const OscillatingFlat<T>& f, const Lift<T>& lift) {

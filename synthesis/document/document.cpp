@@ -224,6 +224,7 @@ void put_warnings(Json& json, const Problem& problem, const Design& design) {
         Json one{{of_warning("name"), m.name}};
         put(one, of_warning("margin"), m.margin);
         put(one, of_warning("relative"), m.relative);
+        if (m.impossible) one[of_warning("impossible")] = true;
         one[of_warning("warned_below")] = singular_below;
         warnings.push_back(std::move(one));
     }

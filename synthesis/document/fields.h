@@ -200,6 +200,7 @@ inline constexpr std::array warning{
     Key{"name", Shape::text, "Why the mechanism is close to a singular position.", true},
     Key{"margin", Shape::number, "By how much, a length."},
     Key{"relative", Shape::number, "The same over the longest length."},
+    Key{"impossible", Shape::flag, "Whether there is no such mechanism at all."},
     Key{"warned_below", Shape::number, "Relative margins below this are warned of.", true}};
 
 inline constexpr std::array check{Key{"name", Shape::text, "What was checked.", true},

@@ -30,6 +30,7 @@ Check check_warnings(const Json& document, const ClaimedDesign& claimed) {
         const Json& one = stated[i];
         const double size = again[i].relative == 0 ? 0 : std::abs(again[i].margin / again[i].relative);
         check.passed = one.is_object() && one.value("name", Json()) == again[i].name &&
+                       one.value("impossible", Json(false)) == again[i].impossible &&
                        close(one.value("relative", Json()), again[i].relative, within) &&
                        close(one.value("margin", Json()), again[i].margin, within * size) &&
                        one.value("warned_below", Json()) == singular_below;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "synthesis/document/document.h"
@@ -12,6 +13,7 @@
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/solve/solve.h"
 #include "synthesis/verify/rebuilt.h"
+#include "tests/degree.h"
 #include "tests/long_form.h"
 #include "tests/verify/documents.h"
 
@@ -111,6 +113,68 @@ TEST(CamsAgain, RandomCamsMeasureTheSame) {
                         << text;
             }
     EXPECT_GT(compared, 12 * 6 * 14);
+}
+
+/// A face that swings, on a cam that turns clockwise: with a pivot distance of 100 the base radius makes the start
+/// angle.
+std::string swinging_face(const std::string& dimensions, double lift, double rise) {
+    const auto number = [](double x) { return std::to_string(x); };
+    return "schema = 1\nmechanism = \"cam\"\n[cam]\nfollower = \"flat\"\nmotion = \"oscillating\"\nrotation = \"cw\"\n"
+           "[[segment]]\nkind = \"rise\"\nangle = " +
+           number(rise) + "\nlift = " + number(lift) +
+           "\nlaw = \"cycloidal\"\n[[segment]]\nkind = \"dwell\"\nangle = 40\n[[segment]]\nkind = \"return\"\nangle = "
+           "80\n"
+           "lift = " +
+           number(lift) + "\nlaw = \"3-4-5\"\n[[segment]]\nkind = \"dwell\"\nangle = " + number(240 - rise) +
+           "\n[dimensions]\n" + dimensions;
+}
+
+std::string face_starting_at(double degrees) {
+    return "base-radius = " + std::to_string(100 * std::sin(degrees * degree)) + "\npivot-distance = 100\n";
+}
+
+// Where start angle and lift together pass a right angle the contact passes over the pivot: all else of such a cam is
+// sound.
+TEST(CamsAgain, AFaceWhoseContactPassesItsPivotIsNotDriven) {
+    for (const auto& [start, driven] : {std::pair{67.9, true}, {68.1, false}, {79.0, false}}) {
+        const Problem problem = problem_of(swinging_face(face_starting_at(start), 22, 100));
+        const Result result = solve(problem, {});
+        EXPECT_EQ(result.status, driven ? Status::solved : Status::infeasible) << start;
+        EXPECT_EQ(result.best->feasible, driven) << start;
+        const Json json = document(problem, result);
+        Json as_solved = json;
+        as_solved["status"] = "solved";
+        const std::string checks = told(verify(as_solved));
+        EXPECT_EQ(failures(as_solved).empty(), driven) << checks;
+        EXPECT_NE(checks.find("least lever of the contact about the pivot " + std::string(driven ? "" : "-")),
+                  std::string::npos)
+            << checks;
+        EXPECT_TRUE(all_passed(verify(json))) << told(verify(json));
+        EXPECT_EQ(json.contains("warnings"), !driven);
+        if (driven) continue;
+        const std::string warning = json["warnings"][0]["name"];
+        EXPECT_EQ(
+            warning.find("there is no such cam: at cam angle 100 deg the contact passes over the follower's pivot"), 0)
+            << warning;
+        EXPECT_EQ(json["warnings"][0]["impossible"], true);
+        Json bad = json;
+        bad["warnings"][0].erase("impossible");
+        EXPECT_FALSE(all_passed(verify(bad)));
+    }
+}
+
+TEST(CamsAgain, SearchesKeepTheContactOnOneSideOfThePivot) {
+    const Problem problem = problem_of(
+        swinging_face("base-radius = { min = 5, max = 100 }\npivot-distance = { min = 20, max = 150 }\n"
+                      "face-offset = { min = -10, max = 10 }\n[[require]]\nquantity = \"profile-radius-min\"\nmin = 5\n"
+                      "[objective]\nminimize = \"face-length\"\n[solver]\nstarts = 8\n",
+                      22, 100));
+    const Result result = solve(problem, {});
+    ASSERT_EQ(result.status, Status::solved);
+    EXPECT_TRUE(result.verified()) << told(result.verification);
+    const auto start = quantity_value(
+        problem, static_cast<std::size_t>(find_quantity(*problem.mechanism, "start-angle")), result.best->design);
+    EXPECT_LT(*start / degree, 68);
 }
 
 TEST(CamDocument, IsSpoiltByAnotherLawRotationOrTable) {

@@ -4,6 +4,7 @@
 
 #include "synthesis/mechanism/cam/check_cam.h"
 #include "synthesis/mechanism/cam/drawing.h"
+#include "synthesis/mechanism/cam/nearest_limit.h"
 #include "synthesis/mechanism/cam/tasks.h"
 
 namespace mechwright {
@@ -311,6 +312,7 @@ std::shared_ptr<const Mechanism> entry() {
                       .motion = whole_turn,
                       .motion_again = whole_turn_again,
                       .describe = describe,
+                      .nearest_limit = nearest_limit<F>,
                       .check_motion = check_cam<F>,
                       .table = {columns(), column_units(oscillating), motion_row<F>},
                       .tasks = cam_tasks(kind),

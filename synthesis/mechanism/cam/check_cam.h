@@ -46,6 +46,23 @@ Check closes(std::span<const Digits50> d, std::size_t assembly) {
     return {"cam and follower can be assembled", margin >= 0, what + " " + short_number(margin)};
 }
 
+/// Whether the cam pushes the follower the way it has to go. A face that swings has to turn against the cam, or there
+/// is no envelope, and the contact has to be on the cam's side of the pivot, or the push turns it back.
+template <template <class> class F>
+Check holds(const Motion& motion, std::span<const Digits50> d) {
+    const Digits50 held = -again::over<F, anywhere, again::Released>(motion, d);
+    Check check{"the cam holds the follower everywhere", held > 0,
+                Layout<F>::roller ? "least cosine of the pressure angle " + short_number(held)
+                                  : "least turning of the face against the cam " + short_number(held)};
+    if constexpr (Layout<F>::oscillating && !Layout<F>::roller) {
+        if (!check.passed) return check;
+        const Digits50 lever = -again::over<F, anywhere, again::AlongFace<-1>>(motion, d);
+        check.passed = lever > 0;
+        check.detail += ", least lever of the contact about the pivot " + short_number(lever);
+    }
+    return check;
+}
+
 /// Whether every part of the cam is there after the roller or face has passed over it.
 template <template <class> class F>
 Check not_undercut(const Motion& motion, std::span<const Digits50> d, double closed_within) {
@@ -83,10 +100,7 @@ std::vector<Check> check_cam(const Motion& motion, std::span<const Digits50> d) 
                       "off by " + short_number(left)});
     checks.push_back(detail::closes<F>(d, motion.assembly));
     if (!checks.back().passed || !(least_angle > 0)) return checks;
-    const Digits50 released = again::over<F, anywhere, again::Released>(motion, d);
-    checks.push_back({"the cam holds the follower everywhere", released < 0,
-                      Layout<F>::roller ? "least cosine of the pressure angle " + short_number(-released)
-                                        : "least turning of the face against the cam " + short_number(-released)});
+    checks.push_back(detail::holds<F>(motion, d));
     if (!checks.back().passed) return checks;
     checks.push_back(detail::not_undercut<F>(motion, d, closed_within));
     return checks;

@@ -80,7 +80,10 @@ std::vector<Explanation> of_size() {
                        "the face touches the base circle"},
                       {"", "acos((pivot-distance^2 + arm-length^2 - prime-radius^2) / (2 pivot-distance arm-length))",
                        "law of cosines in the triangle of the centres"}},
-         .usual = "20 to 60 deg. A flat face at too small an angle has no cam at all: its profile would be hollow.",
+         .usual =
+             "20 to 60 deg. A flat face at too small an angle has no cam at all: its profile would be hollow; nor "
+             "has one whose start-angle and lift together reach 90 deg: the contact passes over its pivot, and the "
+             "cam cannot drive it.",
          .undefined = "",
          .require = "equal = 40",
          .objective = "",

@@ -108,6 +108,19 @@ struct FollowMargin {
     }
 };
 
+/// How far an oscillating face is from a position in which its contact passes over its pivot and the cam cannot turn
+/// it.
+struct LeverMargin {
+    template <template <class> class Follower, class T>
+    static T search(const Follower<T>& f, const Lift<T>& lift) {
+        return -value(f, lift);
+    }
+    template <template <class> class Follower, class T>
+    static T value(const Follower<T>& f, const Lift<T>& lift) {
+        return foot_along_face(f, lift);
+    }
+};
+
 /// Angle of the arm or face to the line of centres at the lowest position.
 struct StartAngle {
     template <template <class> class Follower, class T>

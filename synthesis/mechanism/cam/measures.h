@@ -53,18 +53,16 @@ template <template <class> class Follower>
 void ExistenceMargin<Follower>::measure(const Motion& motion, std::span<const double> dimensions,
                                         const Measurement& out) {
     clear(out, components(motion), dimension_count<Follower>);
-    for (std::size_t i = 0; i < program_of(motion).segments.size(); ++i) {
-        const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, i);
-        const auto worst = [&](const auto& search) {
-            return greatest_places<1>(placed.segment, i, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
-                return search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
-            })[0];
-        };
-        const auto held = [](const auto& f, const auto& lift) { return FollowMargin::search(f, lift); };
-        const auto cut = [](const auto& f, const auto& lift) { return UndercutMargin::search(f, lift); };
-        add_term<Follower>(motion, dimensions, {worst(held), 1}, follows, 2 * i, out);
-        add_term<Follower>(motion, dimensions, {worst(cut), 1}, not_undercut, 2 * i + 1, out);
+    const std::size_t count = program_of(motion).segments.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const SegmentPlace held = least_place<Follower, FollowMargin>(motion, dimensions, i);
+        const SegmentPlace cut = least_place<Follower, UndercutMargin>(motion, dimensions, i);
+        add_term<Follower>(motion, dimensions, {held, 1}, follows, 2 * i, out);
+        add_term<Follower>(motion, dimensions, {cut, 1}, not_undercut, 2 * i + 1, out);
     }
+    if constexpr (has_lever)
+        add_term<Follower>(motion, dimensions, {least_place<Follower, LeverMargin>(motion, dimensions), 1}, levers,
+                           2 * count, out);
 }
 
 }  // namespace mechwright::cam

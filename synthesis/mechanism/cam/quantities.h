@@ -243,7 +243,8 @@ void measure_lift_balance(const Motion& motion, std::span<const double> dimensio
             add_dimension(slots<Follower>.lift(i), sign, dimensions, out);
 }
 
-/// What must be >= 0 for a cam to exist: the follower is held, and the cam is not undercut. Both as lengths.
+/// What must be >= 0 for a cam to exist, as lengths: in each segment the follower is held and the cam is not undercut,
+/// and over the whole turn the contact of an oscillating face stays on one side of the pivot.
 template <template <class> class Follower>
 struct ExistenceMargin {
     static constexpr auto follows = [](const auto& f, const auto& lift) { return FollowMargin::value(f, lift); };
@@ -255,9 +256,45 @@ struct ExistenceMargin {
             return decltype(margin)(margin * f.base_radius);
     };
 
-    static std::size_t components(const Motion& motion) { return 2 * program_of(motion).segments.size(); }
+    static constexpr auto levers = [](const auto& f, const auto& lift) { return LeverMargin::value(f, lift); };
+    static constexpr bool has_lever = std::is_same_v<Follower<double>, OscillatingFlat<double>>;
+
+    /// Two for each segment, then that of the lever.
+    static std::size_t components(const Motion& motion) {
+        return 2 * program_of(motion).segments.size() + (has_lever ? 1 : 0);
+    }
 
     static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out);
 };
+
+/// The place of a segment at which a margin is least.
+template <template <class> class Follower, class Margin>
+SegmentPlace least_place(const Motion& motion, std::span<const double> dimensions, std::size_t segment) {
+    const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, segment);
+    return greatest_places<1>(placed.segment, segment, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
+        return Margin::search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
+    })[0];
+}
+
+/// A margin at a place.
+template <template <class> class Follower, class Margin>
+double value_at(const Motion& motion, std::span<const double> dimensions, const SegmentPlace& place) {
+    const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, place.segment);
+    return Margin::value(follower_of<Follower, double>(dimensions, motion.assembly),
+                         lift_at(placed.segment, place.piece, place.u, placed.start_lift));
+}
+
+/// The place of the whole turn at which a margin is least.
+template <template <class> class Follower, class Margin>
+SegmentPlace least_place(const Motion& motion, std::span<const double> dimensions) {
+    SegmentPlace least = least_place<Follower, Margin>(motion, dimensions, 0);
+    for (std::size_t i = 1; i < program_of(motion).segments.size(); ++i) {
+        const SegmentPlace place = least_place<Follower, Margin>(motion, dimensions, i);
+        if (value_at<Follower, Margin>(motion, dimensions, place) <
+            value_at<Follower, Margin>(motion, dimensions, least))
+            least = place;
+    }
+    return least;
+}
 
 }  // namespace mechwright::cam

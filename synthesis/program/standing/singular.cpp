@@ -36,9 +36,11 @@ void add_conditions(const Mechanism& mechanism, const Motion& motion, const Desi
     }
     if (!family.assembly_margin) return;
     const double margin = least_component(*family.assembly_margin, motion, design.dimensions);
-    margins.add(mechanism.nearest_limit && margins.is_small(margin) ? mechanism.nearest_limit(motion, design.dimensions)
-                                                                    : family.assembly_margin->meaning,
-                margin);
+    if (!mechanism.nearest_limit || !margins.is_small(margin))
+        return margins.add(family.assembly_margin->meaning, margin);
+    constexpr double rounding = 1e-9;  // of a margin over the longest length
+    margins.add(mechanism.nearest_limit(motion, design.dimensions), margin);
+    margins.found.back().impossible = margin < -rounding * margins.longest;
 }
 
 void add_over_range(const Problem& problem, const Motion& motion, const Design& design, Margins& margins) {
@@ -90,6 +92,7 @@ std::vector<SingularMargin> singular_margins(const Problem& problem, const Desig
 }
 
 std::string to_text(const SingularMargin& margin, const Units& units) {
+    if (margin.impossible) return margin.name;
     return fmt::format("{}: by {:.2g} {}, {:.2g} of the longest length", margin.name, margin.margin, units.length,
                        margin.relative);
 }

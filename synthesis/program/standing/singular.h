@@ -14,9 +14,10 @@ namespace mechwright {
 inline constexpr double singular_below = 1e-4;
 
 struct SingularMargin {
-    std::string name;     ///< of what nearly happens
-    double margin = 0;    ///< a length, in the problem's unit; < 0 where it happens
-    double relative = 0;  ///< to the longest length
+    std::string name;         ///< of what nearly happens
+    double margin = 0;        ///< a length, in the problem's unit; < 0 where it happens
+    double relative = 0;      ///< to the longest length
+    bool impossible = false;  ///< by more than rounding: there is no such mechanism, and the name says why
 };
 
 /// The margins of a design that are below the rule, each kind once with its least: of the conditions of a crank that
@@ -25,7 +26,7 @@ struct SingularMargin {
 /// given range over which it does not assemble: that is worse, and told so.
 std::vector<SingularMargin> singular_margins(const Problem& problem, const Design& design);
 
-/// "crank turns past ...: 3e-05 mm, 2.1e-07 of the longest length"
+/// "crank turns past ...: 3e-05 mm, 2.1e-07 of the longest length"; of what is impossible its name alone.
 std::string to_text(const SingularMargin& margin, const Units& units);
 
 }  // namespace mechwright

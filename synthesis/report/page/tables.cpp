@@ -259,14 +259,17 @@ std::string range_of_use_text(const Json& document, const UnitsOf& units) {
         cell_text(used[0]), unit, cell_text(used[1]), unit, whole_suffix);
 }
 
-/// Where the design stands close to a singular position.
+/// Where the design stands close to a singular position, or why there is none like it.
 std::string warnings_of(const Json& document) {
     std::string text;
-    for (const Json& one : list_in(document, "warnings"))
-        text += "<p class=\"bad\">Close to a singular position. " +
-                escaped(fmt::format("{}: by {}, {} of the longest length.", text_in(one, "name"),
-                                    text_in(one, "margin"), text_in(one, "relative"))) +
+    for (const Json& one : list_in(document, "warnings")) {
+        const bool impossible = one.is_object() && one.value("impossible", Json(false)) == true;
+        text += std::string("<p class=\"bad\">") + (impossible ? "Warning: " : "Close to a singular position. ") +
+                escaped(impossible ? text_in(one, "name") + "."
+                                   : fmt::format("{}: by {}, {} of the longest length.", text_in(one, "name"),
+                                                 text_in(one, "margin"), text_in(one, "relative"))) +
                 "</p>";
+    }
     return text;
 }
 

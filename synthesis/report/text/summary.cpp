@@ -325,14 +325,16 @@ std::string motion_line(const Problem& problem, const Design& design, int digits
                        : fmt::format("\nMotion: {}.\n", range);
 }
 
-/// Where the design stands close to a singular position.
+/// Where the design stands close to a singular position, or why there is none like it.
 std::string warning_section(const Problem& problem, const Design& design) {
     std::string text;
     for (const SingularMargin& m : singular_margins(problem, design))
         text +=
-            folded("Warning: ", fmt::format("close to a singular position, where the errors of manufacture decide what "
-                                            "it does: {} (warned of below {:g}).",
-                                            to_text(m, problem.units), singular_below));
+            folded("Warning: ",
+                   m.impossible ? to_text(m, problem.units) + "."
+                                : fmt::format("close to a singular position, where the errors of manufacture decide "
+                                              "what it does: {} (warned of below {:g}).",
+                                              to_text(m, problem.units), singular_below));
     return text.empty() ? text : '\n' + text;
 }
 
