@@ -163,6 +163,31 @@ TEST(CamsAgain, AFaceWhoseContactPassesItsPivotIsNotDriven) {
     }
 }
 
+// A rise of 60 deg in 40 turns the face faster than the cam turns, and the other way round: there is no envelope, and
+// what is measured of the contact on both sides of infinity means nothing.
+TEST(CamsAgain, AFaceThatTurnsWithTheCamHasNoContact) {
+    for (const auto& [rise, touches] : {std::pair{160.0, true}, {40.0, false}}) {
+        const Problem problem = problem_of(swinging_face(face_starting_at(25), 60, rise));
+        const Result result = solve(problem, {});
+        const Json json = document(problem, result);
+        for (const char* name : {"pressure-angle-rise", "pressure-angle-return", "pressure-angle-max",
+                                 "profile-radius-min", "undercut-margin", "face-length", "cam-size"})
+            EXPECT_EQ(json["quantities"].contains(name), touches) << name;
+        for (const char* name : {"base-radius", "start-angle", "velocity-max", "acceleration-max"})
+            EXPECT_TRUE(json["quantities"].contains(name)) << name;
+        EXPECT_TRUE(all_passed(verify(json))) << told(verify(json));
+        if (touches) continue;
+        const std::string warning = json["warnings"][0]["name"];
+        EXPECT_EQ(
+            warning,
+            "there is no such cam: at cam angle 20 deg the face turns with the cam, not against it, and no cam can "
+            "guide it; a greater angle or less lift of that segment would help");
+        Json bad = json;
+        bad["quantities"]["cam-size"] = 100;
+        EXPECT_FALSE(all_passed(verify(bad)));
+    }
+}
+
 TEST(CamsAgain, SearchesKeepTheContactOnOneSideOfThePivot) {
     const Problem problem = problem_of(
         swinging_face("base-radius = { min = 5, max = 100 }\npivot-distance = { min = 20, max = 150 }\n"

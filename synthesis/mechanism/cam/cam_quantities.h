@@ -125,30 +125,31 @@ std::vector<Quantity> cam_quantities() {
                        again::start_angle<F>});
     all.push_back(extreme<F, PressureAngle, in_rises, true, Reduce::greatest>(
         "pressure-angle-rise", angle, "greatest size of the pressure angle over the rises",
-        again::over<F, in_rises, again::PressureSize>));
+        again::of_contact<F, again::over<F, in_rises, again::PressureSize>>));
     all.push_back(extreme<F, PressureAngle, in_returns, true, Reduce::greatest>(
         "pressure-angle-return", angle, "greatest size of the pressure angle over the returns",
-        again::over<F, in_returns, again::PressureSize>));
+        again::of_contact<F, again::over<F, in_returns, again::PressureSize>>));
     all.push_back(extreme<F, PressureAngle, anywhere, true, Reduce::greatest>(
         "pressure-angle-max", angle, "greatest size of the pressure angle over the whole turn",
-        again::over<F, anywhere, again::PressureSize>));
+        again::of_contact<F, again::over<F, anywhere, again::PressureSize>>));
     if constexpr (Layout<F>::roller)
         all.push_back(extreme<F, PitchRadius, anywhere, false, Reduce::least>(
             "pitch-radius-min", length, "least convex radius of curvature of the pitch curve", again::pitch_radius<F>));
     all.push_back(extreme<F, ProfileRadius, anywhere, false, Reduce::least>(
         "profile-radius-min", length, "least convex radius of curvature of the cam; negative where it is undercut",
-        again::profile_radius<F>));
+        again::of_contact<F, again::profile_radius<F>>));
     all.push_back(extreme<F, UndercutMargin, anywhere, false, Reduce::least>(
         "undercut-margin", Unit::none,
         Layout<F>::roller ? "1 less the roller radius times the greatest curvature of the pitch curve: 0 is a cusp"
                           : "least radius of curvature of the cam over its base radius: 0 is a cusp",
-        again::undercut_margin<F>));
+        again::of_contact<F, again::undercut_margin<F>>));
     if constexpr (!Layout<F>::roller)
         all.push_back({"face-length", length, "length of the face that the contact passes over", Reduce::greatest,
                        dimension_count<F>, has_program, FaceLength<F>::components, FaceLength<F>::measure,
-                       again::face_length<F>});
+                       again::of_contact<F, again::face_length<F>>});
     all.push_back(extreme<F, ContactDistance, anywhere, false, Reduce::greatest>(
-        "cam-size", length, "greatest radius of the cam", again::over<F, anywhere, again::Distance>));
+        "cam-size", length, "greatest radius of the cam",
+        again::of_contact<F, again::over<F, anywhere, again::Distance>>));
     all.push_back(extreme<F, Velocity, anywhere, true, Reduce::greatest>(
         "velocity-max", lift, "greatest velocity of the follower, for unit angular velocity of the cam",
         again::over<F, anywhere, again::LiftDerivative<1>>));

@@ -7,6 +7,7 @@ namespace mechwright {
 namespace {
 
 constexpr std::string_view whole_turn = "the whole turn of the cam, continuously";
+constexpr std::string_view no_contact = "where an oscillating flat face turns with the cam somewhere";
 constexpr std::string_view unless_dynamics = "unless [dynamics] says mass and speed";
 constexpr std::string_view pressure_related =
     "pressure-angle-rise, pressure-angle-return, pressure-angle-max, prime-radius, offset, jamming-angle";
@@ -93,7 +94,7 @@ std::vector<Explanation> of_size() {
          .over = whole_turn,
          .formulas = {{"", "greatest distance of the contact from the cam's centre", "definition"}},
          .usual = "as small as pressure angle and curvature let it be.",
-         .undefined = "",
+         .undefined = no_contact,
          .require = "max = 80",
          .objective = "minimize",
          .related = "prime-radius, base-radius"},
@@ -106,7 +107,7 @@ std::vector<Explanation> of_size() {
                        "contact of the face with its envelope"},
                       {"", "greatest v less least v", "the contact stands at v from the guide"}},
          .usual = "add a few millimetres on each side to what it says.",
-         .undefined = "",
+         .undefined = no_contact,
          .require = "max = 40",
          .objective = "minimize",
          .related = "velocity-max, base-radius"},
@@ -177,7 +178,7 @@ std::vector<Explanation> of_pressure() {
          .over = "all rises, continuously; a cycle counts whole",
          .formulas = pressure_formulas(),
          .usual = usual,
-         .undefined = "for motions without a rise",
+         .undefined = "for motions without a rise, and where an oscillating face turns with the cam somewhere",
          .require = "max = 30",
          .objective = "minimize",
          .related = pressure_related},
@@ -187,7 +188,7 @@ std::vector<Explanation> of_pressure() {
          .formulas = pressure_formulas(),
          .usual = "at most 45 deg where a spring alone drives the return, else as on the rise: 30 deg for translating "
                   "followers (Theory of Machines, chapter 6), 45 deg for oscillating ones in practice.",
-         .undefined = "for motions without a return",
+         .undefined = "for motions without a return, and where an oscillating face turns with the cam somewhere",
          .require = "max = 45",
          .objective = "minimize",
          .related = pressure_related},
@@ -196,7 +197,7 @@ std::vector<Explanation> of_pressure() {
          .over = "the whole turn of the cam, dwells too: with an offset they have a pressure angle",
          .formulas = pressure_formulas(),
          .usual = usual,
-         .undefined = "",
+         .undefined = no_contact,
          .require = "max = 30",
          .objective = "minimize",
          .related = pressure_related},
@@ -234,7 +235,7 @@ std::vector<Explanation> of_curvature() {
                       {"", "pitch-radius-min - roller-radius", "the cam is the parallel curve of the pitch curve"}},
          .usual = "some millimetres: what contact stress allows. Under a flat face it must be > 0, hollows are "
                   "impossible.",
-         .undefined = "",
+         .undefined = no_contact,
          .require = "min = 5",
          .objective = "maximize",
          .related = "undercut-margin, pitch-radius-min, prime-radius, base-radius"},
@@ -246,7 +247,7 @@ std::vector<Explanation> of_curvature() {
                        "definition"}},
          .usual = "at least 0.3: the roller at most 0.7 of the least radius of the pitch curve (Theory of Machines, "
                   "chapter 6). A knife edge has 1.",
-         .undefined = "",
+         .undefined = no_contact,
          .require = "min = 0.3",
          .objective = "maximize",
          .related = "pitch-radius-min, profile-radius-min"},

@@ -1,6 +1,7 @@
 #include "synthesis/mechanism/cam/measured_program.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace mechwright::cam {
 
@@ -37,6 +38,10 @@ void clear(const Measurement& out, std::size_t components, std::size_t dimension
     zero(out.value, components);
     zero(out.gradient, components * dimensions);
     zero(out.hessian, components * (dimensions * (dimensions + 1) / 2));
+}
+
+void set_to_nothing(const Measurement& out, std::size_t components) {
+    if (!out.value.empty()) std::fill_n(out.value.begin(), components, std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace mechwright::cam

@@ -156,6 +156,9 @@ void add_term(const Motion& motion, std::span<const double> dimensions, const Te
 /// Sets the first components to zero, where terms are to be added.
 void clear(const Measurement& out, std::size_t components, std::size_t dimensions);
 
+/// Says of the first components that they have no value.
+void set_to_nothing(const Measurement& out, std::size_t components);
+
 /// A segment as it stands, with the lift at its start.
 struct PlacedSegment {
     Segment<double> segment;

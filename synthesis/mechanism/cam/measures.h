@@ -32,6 +32,10 @@ template <template <class> class Follower, class Formula>
 template <template <class> class Follower, class Formula, Kinds kinds, bool both>
 void Extremes<Follower, Formula, kinds, both>::measure(const Motion& motion, std::span<const double> dimensions,
                                                        const Measurement& out) {
+    if (of_contact<Formula> && !has_contact<Follower>(motion, dimensions)) {
+        clear(out, components(motion), dimension_count<Follower>);
+        return set_to_nothing(out, components(motion));
+    }
     measure_extremes<Follower, Formula>(motion, dimensions, kinds, signs, each(motion), out);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "synthesis/mechanism/cam/formulas.h"
 
@@ -127,6 +128,52 @@ struct Jumps {
     }
 };
 
+/// The place of a segment at which a margin is least.
+template <template <class> class Follower, class Margin>
+SegmentPlace least_place(const Motion& motion, std::span<const double> dimensions, std::size_t segment) {
+    const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, segment);
+    return greatest_places<1>(placed.segment, segment, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
+        return Margin::search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
+    })[0];
+}
+
+/// A margin at a place.
+template <template <class> class Follower, class Margin>
+double value_at(const Motion& motion, std::span<const double> dimensions, const SegmentPlace& place) {
+    const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, place.segment);
+    return Margin::value(follower_of<Follower, double>(dimensions, motion.assembly),
+                         lift_at(placed.segment, place.piece, place.u, placed.start_lift));
+}
+
+/// The place of the whole turn at which a margin is least.
+template <template <class> class Follower, class Margin>
+SegmentPlace least_place(const Motion& motion, std::span<const double> dimensions) {
+    SegmentPlace least = least_place<Follower, Margin>(motion, dimensions, 0);
+    for (std::size_t i = 1; i < program_of(motion).segments.size(); ++i) {
+        const SegmentPlace place = least_place<Follower, Margin>(motion, dimensions, i);
+        if (value_at<Follower, Margin>(motion, dimensions, place) <
+            value_at<Follower, Margin>(motion, dimensions, least))
+            least = place;
+    }
+    return least;
+}
+
+/// Whether there is a contact: of an oscillating face where it turns against the cam everywhere. Else there is no
+/// envelope, and on the way there the contact passes infinity.
+template <template <class> class Follower>
+bool has_contact(const Motion& motion, std::span<const double> dimensions) {
+    if constexpr (!std::is_same_v<Follower<double>, OscillatingFlat<double>>)
+        return true;
+    else
+        return value_at<Follower, FollowMargin>(motion, dimensions,
+                                                least_place<Follower, FollowMargin>(motion, dimensions)) > 0;
+}
+
+/// Measures of the contact, which have no value where there is none.
+template <class Formula>
+inline constexpr bool of_contact = std::is_same_v<Formula, PressureAngle> || std::is_same_v<Formula, ProfileRadius> ||
+                                   std::is_same_v<Formula, UndercutMargin> || std::is_same_v<Formula, ContactDistance>;
+
 /// Greatest less least place of the contact along the face: every difference of the five greatest and the five least
 /// of the segments.
 template <template <class> class Follower>
@@ -138,6 +185,7 @@ struct FaceLength {
 
     static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out) {
         clear(out, components(motion), dimension_count<Follower>);
+        if (!has_contact<Follower>(motion, dimensions)) return set_to_nothing(out, components(motion));
         const auto value = [](const auto& f, const auto& lift) { return ContactAlongFace::value(f, lift); };
         const auto greatest = ends(motion, dimensions, 1), least = ends(motion, dimensions, -1);
         std::size_t component = 0;
@@ -266,35 +314,5 @@ struct ExistenceMargin {
 
     static void measure(const Motion& motion, std::span<const double> dimensions, const Measurement& out);
 };
-
-/// The place of a segment at which a margin is least.
-template <template <class> class Follower, class Margin>
-SegmentPlace least_place(const Motion& motion, std::span<const double> dimensions, std::size_t segment) {
-    const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, segment);
-    return greatest_places<1>(placed.segment, segment, placed.start_lift, [&]<class T>(const Lift<T>& lift) {
-        return Margin::search(follower_of<Follower, T>(dimensions, motion.assembly), lift);
-    })[0];
-}
-
-/// A margin at a place.
-template <template <class> class Follower, class Margin>
-double value_at(const Motion& motion, std::span<const double> dimensions, const SegmentPlace& place) {
-    const PlacedSegment placed = placed_segment<Follower>(motion, dimensions, place.segment);
-    return Margin::value(follower_of<Follower, double>(dimensions, motion.assembly),
-                         lift_at(placed.segment, place.piece, place.u, placed.start_lift));
-}
-
-/// The place of the whole turn at which a margin is least.
-template <template <class> class Follower, class Margin>
-SegmentPlace least_place(const Motion& motion, std::span<const double> dimensions) {
-    SegmentPlace least = least_place<Follower, Margin>(motion, dimensions, 0);
-    for (std::size_t i = 1; i < program_of(motion).segments.size(); ++i) {
-        const SegmentPlace place = least_place<Follower, Margin>(motion, dimensions, i);
-        if (value_at<Follower, Margin>(motion, dimensions, place) <
-            value_at<Follower, Margin>(motion, dimensions, least))
-            least = place;
-    }
-    return least;
-}
 
 }  // namespace mechwright::cam

@@ -70,6 +70,14 @@ Digits50 over(const Motion& motion, std::span<const Digits50> d) {
     return greatest(Rebuilt<F>(motion, d), kinds, Measure{});
 }
 
+/// What is measured of the contact, which an oscillating face that does not turn against the cam has not.
+template <template <class> class F, Digits50 (*measure)(const Motion&, std::span<const Digits50>)>
+Digits50 of_contact(const Motion& motion, std::span<const Digits50> d) {
+    if constexpr (Layout<F>::oscillating && !Layout<F>::roller)
+        if (!(over<F, anywhere, Released>(motion, d) < 0)) return std::numeric_limits<Digits50>::quiet_NaN();
+    return measure(motion, d);
+}
+
 /// Forces, from the same differences: what presses on the cam along the guide.
 template <class R>
 R axial(const FollowerLoad<Digits50>& l, const Here<R>& here) {
