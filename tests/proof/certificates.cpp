@@ -202,6 +202,25 @@ TEST(Certificates, ThatWereTamperedWithDoNotHold) {
     expect_refused(bad, "status");
 }
 
+// The least size that would do, which the argument names, is that of the certificate.
+TEST(Certificates, ArgumentsNameTheLeastSizeThatTheyShow) {
+    for (const std::string& text : {flat_cam(10), shipped("not-possible.toml", "cam")}) {
+        const Solved s = solved(text);
+        const Json good = document(s.problem, s.result);
+        ASSERT_TRUE(all_passed(check_proof(good))) << text;
+        const auto argument = good["search"]["argument"].get<std::string>();
+        const std::size_t at = argument.find("; the least ");
+        ASSERT_NE(at, std::string::npos) << argument;
+        const std::size_t number = argument.find(" is ", at) + 4;
+        const double least = std::stod(argument.substr(number));
+        for (const double other : {0.99, 1.01, 10.0}) {
+            Json bad = good;
+            bad["search"]["argument"] = argument.substr(0, number) + std::to_string(other * least);
+            expect_refused(bad, "argument");
+        }
+    }
+}
+
 // A linkage that does not turn fully moves over the range in which it assembles: 95, 151 and 60 meet the requirement.
 const std::string triple_rockers = R"(schema = 1
 mechanism = "four-bar"

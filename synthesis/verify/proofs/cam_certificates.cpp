@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "synthesis/document/proof_document.h"
@@ -46,20 +49,26 @@ Digits50 loosened(const ProofContext& c, const Digits50& limit) {
     return c.infeasible ? Digits50(2 * c.problem.solver.tolerance * abs(limit)) : Digits50(0);
 }
 
-/// Whether a limit on the pressure angle in a segment is one that the problem has, loosened or not.
-bool is_asked(const ProofContext& c, std::size_t segment, double limit) {
-    constexpr double same_within = 1e-14;
-    if (segment >= program_of(*c.problem.mechanism)->segments.size()) return false;
+/// The least limit on the pressure angle in a segment that the problem has; infinite where it has none.
+double asked_limit(const ProofContext& c, std::size_t segment) {
+    double least = std::numeric_limits<double>::infinity();
+    if (segment >= program_of(*c.problem.mechanism)->segments.size()) return least;
     const cam::SegmentKind kind = program_of(*c.problem.mechanism)->segments[segment].kind;
-    const double slack = c.infeasible ? c.problem.solver.tolerance : 0;
-    return std::any_of(c.problem.requirements.begin(), c.problem.requirements.end(), [&](const Requirement& r) {
+    for (const Requirement& r : c.problem.requirements) {
         const std::string_view name = c.problem.mechanism->quantities[r.quantity].name;
         const bool covers = name == "pressure-angle-max" ||
                             (name == "pressure-angle-rise" && kind == cam::SegmentKind::rise) ||
                             (name == "pressure-angle-return" && kind == cam::SegmentKind::fall);
-        const double most = r.max.value_or(r.equal.value_or(10));
-        return covers && limit < 0.5 * pi && limit >= most + slack * std::max(most, 1.0) - same_within;
-    });
+        if (covers) least = std::min(least, r.max.value_or(r.equal.value_or(least)));
+    }
+    return least;
+}
+
+/// Whether a limit on the pressure angle in a segment is one that the problem has, loosened or not.
+bool is_asked(const ProofContext& c, std::size_t segment, double limit) {
+    constexpr double same_within = 1e-14;
+    const double least = asked_limit(c, segment), slack = c.infeasible ? c.problem.solver.tolerance : 0;
+    return limit < 0.5 * pi && limit >= least + slack * std::max(least, 1.0) - same_within;
 }
 
 CamPlace read_place(Reader& in, const Json& json) {
@@ -122,6 +131,26 @@ CamLimits cam_limits(const ProofContext& c) {
     return limits;
 }
 
+/// The same part with limits as they stand.
+HalfPlaneCertificate::Part as_asked(HalfPlaneCertificate::Part part, const ProofContext& c) {
+    for (WeightedHalfPlane& row : part.rows)
+        if (row.origin == WeightedHalfPlane::Origin::pressure_angle) row.limit = asked_limit(c, row.place.segment);
+    return part;
+}
+
+CurvatureCertificate::Part as_asked(const CurvatureCertificate::Part& part, const ProofContext&) { return part; }
+
+/// The number after "; the least NAME is" in the argument in words; nothing where it names none.
+std::optional<double> least_in_words(const ProofContext& c) {
+    const Json* argument = member(c.search, "argument");
+    if (!argument || !argument->is_string()) return std::nullopt;
+    const auto text = argument->get<std::string>();
+    const std::size_t at = text.find("; the least ");
+    const std::size_t is = at == std::string::npos ? at : text.find(" is ", at);
+    if (is == std::string::npos) return std::nullopt;
+    return std::strtod(text.c_str() + is + 4, nullptr);
+}
+
 /// Whether in each sense of rotation that there is among some assemblies all choices of laws are.
 bool covers_all_laws(const std::vector<std::size_t>& assemblies, std::size_t choices) {
     const auto has = [&](std::size_t assembly) {
@@ -152,7 +181,12 @@ Finding check_cam(const ProofContext& c) {
     const std::size_t first = cam_angle_dimension(*c.problem.mechanism, 0);
     for (std::size_t i = first; i < dimensions.size(); ++i)
         if (!c.problem.dimensions[i].fixed()) return fails("the motion is not given");
-    Digits50 least = std::numeric_limits<Digits50>::infinity();
+    // With what the tolerance lets pass, and as it is asked for: what is named in words lies between them.
+    ProofContext strict = c;
+    strict.infeasible = false;
+    std::vector<Digits50> asked_dimensions = dimensions;
+    if (!arm.fixed()) asked_dimensions[2] = arm.min;
+    Digits50 least = std::numeric_limits<Digits50>::infinity(), least_asked = least;
     std::vector<std::size_t> assemblies;
     for (const Json& json : *parts) {
         auto part = read_part(in, json, c, static_cast<const CertificateKind*>(nullptr));
@@ -163,6 +197,8 @@ Finding check_cam(const ProofContext& c) {
         part.assembly = static_cast<std::size_t>(assembly);
         assemblies.push_back(part.assembly);
         least = std::min(least, cam_bound(*c.problem.mechanism, program, dimensions, cam_limits(c), dimension, part));
+        least_asked = std::min(least_asked, cam_bound(*c.problem.mechanism, program, asked_dimensions,
+                                                      cam_limits(strict), dimension, as_asked(part, c)));
     }
     if (!covers_all_laws(assemblies, law_choices(program))) return fails("it does not cover every choice of laws");
     const std::string_view name = c.problem.mechanism->dimensions[dimension].name;
@@ -172,6 +208,12 @@ Finding check_cam(const ProofContext& c) {
         if (!(least > most + loosened(c, most) / 2))
             return fails(fmt::format("a {} of {:.12g} is not excluded, and {:.12g} is allowed", name,
                                      least.convert_to<double>(), most.convert_to<double>()));
+        // The weights are those of the limits with their tolerance, and as good for the others but for its square.
+        constexpr double named_within = 1e-4;
+        if (const auto named = least_in_words(c);
+            named && !(*named >= least * (1 - same_within) && *named <= least_asked * (1 + named_within)))
+            return fails(fmt::format("the least {} is said to be {:.9g}, and it is {:.9g}", name, *named,
+                                     least_asked.convert_to<double>()));
         return holds(isfinite(least) && least < 1e6 * range.max
                          ? fmt::format("{} is at least {:.12g}", name, least.convert_to<double>())
                          : std::string("the limits on the pressure angle exclude each other"));
