@@ -48,6 +48,22 @@ inline double velocity_ratio_at_toggle(const FourBar<double>& m, double crank_an
 /// to spare for rounding.
 using VelocityRatioExtremes = CrankAngles<10>;
 
+/// The velocity ratios from either side at a change point, where all pins are in one line with the crank away from the
+/// rocker pivot or towards it: while one assembly is kept the rocker there goes on with another velocity. The diagonal
+/// d from crank pin to rocker pivot turns by its own rate, and the rocker against it as the root of the squared area of
+/// the triangle, 16 A^2 = ((coupler + rocker)^2 - d^2) (d^2 - (coupler - rocker)^2), one of whose factors is ground
+/// crank times the square of the crank's way from there. Derivation.
+template <class T>
+std::array<T, 2> velocity_ratios_at_change_point(const FourBar<T>& m, bool away) {
+    using std::abs, std::sqrt;
+    const T diagonal = away ? T(m.ground + m.crank) : T(m.ground - m.crank);
+    const T own = (away ? m.crank : T(-m.crank)) / diagonal;
+    const T sum = m.coupler + m.rocker, difference = m.coupler - m.rocker;
+    const T other = away ? T(diagonal * diagonal - difference * difference) : T(sum * sum - diagonal * diagonal);
+    const T against = sqrt(T(m.ground * m.crank * other)) / (T(2) * m.rocker * abs(diagonal));
+    return {own - against, own + against};
+}
+
 namespace detail {
 
 /// How far, in radians, the nearest singularity of the pose lies from the crank on the ground line (0 or pi): the

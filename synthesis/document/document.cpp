@@ -309,6 +309,8 @@ Json search_of(const Problem& problem, const SearchReport& search) {
             if (search.discrete->continuous) put(discrete, of_discrete("continuous"), *search.discrete->continuous);
             put(discrete, of_discrete("gap"), search.discrete->gap);
         }
+        if (search.discrete->combinations > 0) discrete[of_discrete("combinations")] = search.discrete->combinations;
+        if (search.discrete->left_out > 0) discrete[of_discrete("left_out")] = search.discrete->left_out;
         json[of_search("discrete")] = std::move(discrete);
     }
     json[of_search("evaluations")] = search.evaluations;

@@ -256,7 +256,10 @@ inline constexpr std::array certificate{
 inline constexpr std::array discrete{
     Key{"problems", Shape::whole_number, "How many were solved with ranges in place of allowed values.", true},
     Key{"continuous", Shape::number, "The objective that the ranges allow where any value of them may be taken."},
-    Key{"gap", Shape::number, "By how much values that were not looked at may be better, as far as was found."}};
+    Key{"gap", Shape::number, "By how much values that were not looked at may be better, as far as was found."},
+    Key{"combinations", Shape::whole_number, "Combinations of allowed values, where each of them was looked at."},
+    Key{"left_out", Shape::whole_number,
+        "Parts of the allowed values in which a search found no design and nothing proves that there is none."}};
 
 inline constexpr std::array search{
     Key{"method", Shape::text, "How the design was found.", true},

@@ -20,6 +20,14 @@ double at_step(const DimensionRange& range, double count) {
 
 }  // namespace
 
+std::size_t count_allowed(const DimensionRange& range) {
+    return range.choices.empty() ? static_cast<std::size_t>(last_step(range)) + 1 : range.choices.size();
+}
+
+double allowed_value(const DimensionRange& range, std::size_t number) {
+    return range.choices.empty() ? at_step(range, static_cast<double>(number)) : range.choices[number];
+}
+
 double nearest_allowed(const DimensionRange& range, double value) {
     if (range.choices.empty()) return at_step(range, std::round(steps_to(range, value)));
     return *std::min_element(range.choices.begin(), range.choices.end(),

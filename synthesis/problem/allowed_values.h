@@ -12,6 +12,10 @@ namespace mechwright {
 inline constexpr std::size_t most_choices = 1000;  ///< of a dimension
 inline constexpr double most_steps = 1e6;          ///< of a dimension, from the least value to the greatest
 
+/// How many values are allowed, and the one with a number from 0, the least. `range` is discrete.
+std::size_t count_allowed(const DimensionRange& range);
+double allowed_value(const DimensionRange& range, std::size_t number);
+
 /// The allowed value that is nearest to another. `range` is discrete.
 double nearest_allowed(const DimensionRange& range, double value);
 

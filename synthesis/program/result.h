@@ -59,7 +59,9 @@ struct Proof;
 struct DiscreteReport {
     long problems = 0;                   ///< that were solved with ranges in place of allowed values
     std::optional<double> continuous{};  ///< the objective that the whole ranges allow
-    double gap = 0;  ///< by how much, in the objective's unit, allowed values not looked at may be better
+    double gap = 0;         ///< by how much, in the objective's unit, allowed values not looked at may be better
+    long combinations = 0;  ///< of allowed values, where each of them was looked at and nothing else was to be found
+    long left_out = 0;      ///< parts of the allowed values in which a search found no design and nothing proves that
 };
 
 struct SearchReport {

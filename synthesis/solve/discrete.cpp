@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "synthesis/problem/allowed_values.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/program/condition_margin.h"
+#include "synthesis/program/quantity_value.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/solve/methods.h"
 #include "synthesis/solve/parts.h"
@@ -23,6 +27,17 @@ struct Part {
     double cost;
 };
 
+/// Kinds of motion end at change points, which programs keep from by this much, too.
+bool keeps_from_change_points(const Problem& problem, const Design& design) {
+    const Mechanism& mechanism = *problem.mechanism;
+    const auto& conditions = mechanism.families[motion_of(problem, design).family].conditions;
+    const double least = condition_margin * longest_length(mechanism, design.dimensions);
+    return std::all_of(conditions.begin(), conditions.end(), [&](const LinearCondition& c) {
+        return std::inner_product(c.coefficients.begin(), c.coefficients.end(), design.dimensions.begin(), 0.0) >=
+               least;
+    });
+}
+
 struct BranchAndBound {
     const Problem& problem;
     const RunOptions& options;
@@ -37,6 +52,9 @@ struct BranchAndBound {
     static constexpr int starts_of_part = 8;     ///< beside the one near the best design of what it is a part of
     static constexpr std::size_t most_kept = 4;  ///< designs of one choice
     static constexpr double unlimited_cost = std::numeric_limits<double>::infinity();
+    /// Combinations of allowed values that are all looked at, where parts of them would be left out because no search
+    /// found a design there: so many where nothing else is left to be found, and so many where something is.
+    static constexpr std::size_t most_combinations = 4000, most_combinations_searched = 64;
 
     /// Less is better.
     double cost(double objective) const { return maximizes(problem) ? -objective : objective; }
@@ -69,6 +87,7 @@ struct BranchAndBound {
     }
 
     void keep(const Design& design) {
+        if (!keeps_from_change_points(problem, design)) return;
         Solution solution = assess(problem, design);
         if (solution.feasible) least = std::min(least, cost(solution.objective));
         const auto place =
@@ -111,7 +130,10 @@ struct BranchAndBound {
         }
         const Found result = solved(ranges, near);
         if (end.reached()) return push({std::move(ranges), *near, of_whole});
-        if (result.candidates.empty() || !result.candidates.front().feasible) return;
+        if (result.candidates.empty() || !result.candidates.front().feasible) {
+            if (!result.infeasible) ++report.left_out;
+            return;
+        }
         const double promised = cost(result.candidates.front().objective);
         if (is_behind(promised)) return;
         push({std::move(ranges), result.candidates.front().design, promised});
@@ -165,6 +187,81 @@ struct BranchAndBound {
         }
     }
 
+    /// The combination of allowed values with a number, in the order of numbers with a digit for each dimension.
+    std::vector<double> combination(std::size_t number) const {
+        std::vector<double> values;
+        for (const std::size_t i : discrete) {
+            const std::size_t count = count_allowed(problem.dimensions[i]);
+            values.push_back(allowed_value(problem.dimensions[i], number % count));
+            number /= count;
+        }
+        return values;
+    }
+
+    /// How many there are; nothing where that is more than a number.
+    std::optional<std::size_t> combinations(std::size_t most) const {
+        std::size_t all = 1;
+        for (const std::size_t i : discrete) {
+            const std::size_t count = count_allowed(problem.dimensions[i]);
+            if (count > most / all) return {};
+            all *= count;
+        }
+        return all;
+    }
+
+    /// The designs of a combination, where nothing but the assembly is left to be found.
+    void keep_given(const std::vector<double>& values) {
+        Design design;
+        for (const DimensionRange& range : problem.dimensions)
+            design.dimensions.push_back(range.min);
+        for (std::size_t k = 0; k < discrete.size(); ++k)
+            design.dimensions[discrete[k]] = values[k];
+        for (const std::size_t assembly : problem.assemblies) {
+            design.assembly = assembly;
+            keep(design);
+        }
+    }
+
+    /// Whether nothing but discrete dimensions is to be found.
+    bool is_all_discrete() const {
+        return !problem.path && std::all_of(problem.dimensions.begin(), problem.dimensions.end(),
+                                            [](const auto& r) { return r.fixed() || r.discrete(); });
+    }
+
+    /// Looks at every combination of allowed values that was not, where there are few. False: there are too many.
+    bool look_at_all(const Design& near) {
+        const bool given = is_all_discrete();
+        const auto all = combinations(given ? most_combinations : most_combinations_searched);
+        if (!all) return false;
+        for (std::size_t number = 0; number < *all && !end.reached(); ++number) {
+            const std::vector<double> values = combination(number);
+            if (given) {
+                keep_given(values);
+            } else if (settled.insert(values).second) {
+                std::vector<DimensionRange> numbers;
+                for (std::size_t k = 0; k < discrete.size(); ++k)
+                    numbers.push_back(allowed_between(problem.dimensions[discrete[k]], values[k], values[k]));
+                keep_all(solved(numbers, &near));
+            }
+            keep_best();
+        }
+        if (given && !end.reached()) report.combinations = static_cast<long>(*all);
+        return !end.reached();
+    }
+
+    void keep_best() {
+        constexpr std::size_t most = 64;
+        if (found.candidates.size() > most) found.candidates.resize(most);
+    }
+
+    void branch(Part whole) {
+        push(std::move(whole));
+        while (!open.empty() && !end.reached() && !is_behind(open.front().cost)) {
+            if (!problem.objective && least < unlimited_cost) break;  // any design will do
+            split(pop());
+        }
+    }
+
     void run() {
         for (std::size_t i = 0; i < problem.dimensions.size(); ++i)
             if (problem.dimensions[i].discrete()) discrete.push_back(i);
@@ -175,22 +272,23 @@ struct BranchAndBound {
         found.report.method = whole.report.method;
         found.report.bound = whole.report.bound;
         found.report.boxes = whole.report.boxes;
-        if (whole.candidates.empty() || !whole.candidates.front().feasible) {
-            keep_all(whole);
+        const bool feasible = !whole.candidates.empty() && whole.candidates.front().feasible;
+        if (feasible) {
+            const Solution& best = whole.candidates.front();
+            report.continuous = best.objective;
+            branch({std::move(all), best.design, cost(best.objective)});
+        } else {
             found.infeasible = whole.infeasible;
             found.report.proof = whole.infeasible ? whole.report.proof : nullptr;
             found.note = whole.note;
-            found.stopped = end.reached();
-            return;
+            report.left_out = whole.infeasible ? 0 : 1;
+            if (!whole.candidates.empty()) settle(whole.candidates.front().design);
         }
-        const Solution& best = whole.candidates.front();
-        report.continuous = best.objective;
-        push({std::move(all), best.design, cost(best.objective)});
-        while (!open.empty() && !end.reached() && !is_behind(open.front().cost)) {
-            if (!problem.objective && least < unlimited_cost) break;  // any design will do
-            split(pop());
-        }
-        if (!found.candidates.empty() && is_at_zero(problem, found.candidates.front()))
+        const bool any_will_do = !problem.objective && least < unlimited_cost;
+        const bool may_miss = !feasible || report.left_out > 0 || is_all_discrete();
+        if (may_miss && !any_will_do && !whole.candidates.empty() && look_at_all(whole.candidates.front().design))
+            report.left_out = 0;
+        if (!found.infeasible && !found.candidates.empty() && is_at_zero(problem, found.candidates.front()))
             found.report.proof = proof_by_zero(problem);
         found.stopped = end.reached();
         if (found.stopped && !open.empty() && least < unlimited_cost)

@@ -196,5 +196,23 @@ TEST(VelocityRatioExtremes, AreExactToRounding) {
     }
 }
 
+TEST(VelocityRatio, HasTwoValuesAtAChangePoint) {
+    // Of a parallelogram: that of parallel cranks, and that of the contraparallelogram; folded and stretched.
+    for (const bool away : {false, true}) {
+        const auto ratios = velocity_ratios_at_change_point(FourBar<double>{100, 40, 100, 40}, away);
+        const double contrary = away ? -60.0 / 140 : -140.0 / 60;
+        EXPECT_NEAR(ratios[0], contrary, 1e-14);
+        EXPECT_NEAR(ratios[1], 1, 1e-14);
+    }
+    // Others are what the ratio tends to on either side, by Richardson's extrapolation.
+    const FourBar<double> folding{75, 51, 65, 89};
+    const auto ratios = velocity_ratios_at_change_point(folding, false);
+    for (const int side : {-1, 1}) {
+        const auto near = [&](double step) { return velocity_ratio(folding, side * step, Assembly::open); };
+        const double limit = 2 * near(1e-5) - near(2e-5);
+        EXPECT_NEAR(std::min(std::abs(ratios[0] - limit), std::abs(ratios[1] - limit)), 0, 1e-8);
+    }
+}
+
 }  // namespace
 }  // namespace mechwright::test

@@ -1,5 +1,6 @@
 // Dimensions with a few allowed values, against all their combinations counted out.
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <numbers>
@@ -77,6 +78,52 @@ TEST(Discrete, TheGapOfARunThatIsStoppedHoldsWhatWasNotLookedAt) {
         EXPECT_GE(result.best->objective + result.search.discrete->gap, best - 1e-9) << problems;
     }
     EXPECT_GE(with_design, 3);
+}
+
+/// Four choices of lengths, with a narrow range of swing: searches among any values of the ranges end where no allowed
+/// ones are near.
+std::string of_narrow_swing(const std::array<std::string, 4>& choices, double from, double to) {
+    std::string text = "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n";
+    const std::array<std::string, 4> links{"ground", "crank", "coupler", "rocker"};
+    for (std::size_t i = 0; i < 4; ++i)
+        text += links[i] + " = { choices = [" + choices[i] + "] }\n";
+    return text + "[[require]]\nquantity = \"swing\"\nmin = " + std::to_string(from) + "\nmax = " + std::to_string(to) +
+           "\n[objective]\nminimize = \"total-length\"\n";
+}
+
+TEST(Discrete, NoCombinationIsLeftOutWhereSearchesFindNothing) {
+    const Solved a = solved(of_narrow_swing({"118, 123, 130", "17, 18, 25, 29", "45, 83, 113, 131", "82, 112, 139"},
+                                            24.2011359, 24.7786530));
+    ASSERT_EQ(a.result.status, Status::solved);
+    EXPECT_NEAR(a.result.best->objective, 335, 1e-9);
+    EXPECT_EQ(a.result.search.discrete->combinations, 3 * 4 * 4 * 3);
+    EXPECT_EQ(a.result.search.discrete->left_out, 0);
+    const Solved b = solved(of_narrow_swing({"96, 128", "20, 25", "80, 100", "81, 90"}, 30.2, 30.4));
+    ASSERT_EQ(b.result.status, Status::solved);
+    EXPECT_NEAR(b.result.best->objective, 309, 1e-9);
+}
+
+TEST(Discrete, ChangePointsAreNoChoice) {
+    // 75, 51, 65, 89 has the same total length, and its links fall into one line.
+    const Solved s =
+        solved(of_narrow_swing({"75, 82", "50, 51", "65, 75, 85", "80, 89, 104"}, 87.60111752778, 91.46158015850592));
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.result.best->objective, 280, 1e-9);
+    EXPECT_NEAR(s.dimension("crank"), 50, 1e-12);
+}
+
+TEST(Discrete, WhatComesClosestIsAllowed) {
+    const std::string text =
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 100\ncrank = { choices = [20, 30] }\n"
+        "coupler = { choices = [50, 90] }\nrocker = { choices = [40, 60, 80] }\n[[require]]\n"
+        "quantity = \"swing\"\nequal = 45\n[objective]\nmaximize = \"transmission-angle-worst\"\n";
+    const Solved s = solved(text);
+    EXPECT_EQ(s.result.status, Status::infeasible);
+    ASSERT_TRUE(s.result.best);
+    // With 90 and 80 the swing is 45.95 deg; every other crank-rocker is farther off.
+    EXPECT_NEAR(s.dimension("crank"), 30, 1e-12);
+    EXPECT_NEAR(s.dimension("coupler"), 90, 1e-12);
+    EXPECT_NEAR(s.dimension("rocker"), 80, 1e-12);
 }
 
 TEST(Discrete, TheRestIsDesignedForEachChoice) {

@@ -101,6 +101,9 @@ TEST(Function, AnExpressionMustHaveValuesAndBeSmoothInItsRange) {
                           {"not smooth", "samples"}));
     EXPECT_TRUE(
         only_says(read_function("expression = \"(x-1.5)^2\"\nx = [1, 2]\n" + scales), "p.toml:9:14", {"same value"}));
+    // The sine of a whole turn is a rounding of 0 away from where it began.
+    EXPECT_TRUE(only_says(read_function("expression = \"sin(x)\"\nx = [0, 6.283185307179586]\n" + scales),
+                          "p.toml:9:14", {"same value"}));
 }
 
 TEST(Function, SamplesRiseInX) {

@@ -160,8 +160,8 @@ std::vector<ExactDisplacement> exact_coupler(const PoseTargets& g, const std::op
 }
 
 constexpr std::string_view not_independent =
-    "the targets are special: whole families of dyads meet them, of which none are listed; one target less leaves a "
-    "family that is searched";
+    "the targets are special, like poses without a turn: their conditions on dyads depend on each other, so that whole "
+    "families meet them or none, and none are listed; one target less leaves a family that is searched";
 
 ExactDesigns through_five_poses(const PoseTargets& g) {
     ExactDesigns out;

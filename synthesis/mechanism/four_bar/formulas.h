@@ -152,8 +152,15 @@ struct GrashofMargin {
     }
 };
 
+/// Whether a motion goes through a crank angle and not only up to it.
+inline bool goes_through(const Motion& motion, double crank_angle) {
+    const double turn = 2 * pi<double>();
+    const double next = crank_angle + turn * std::ceil((motion.from - crank_angle) / turn);
+    return motion.full_turn || (motion.from < next && next < motion.to) || next + turn < motion.to;
+}
+
 /// The greatest (sense = +1) or least (-1) stationary values of the velocity ratio, the worst first; where there are
-/// fewer than there are places, the last is repeated.
+/// fewer than there are places, the last is repeated. At change points it has the values from either side.
 template <int sense>
 struct VelocityRatioExtreme {
     static constexpr std::size_t reads = links;
@@ -176,12 +183,14 @@ struct VelocityRatioExtreme {
         struct Found {
             double angle;
             double value;
-            const T* end;  ///< null where the ratio is stationary
+            const T* end;           ///< null where the ratio is stationary
+            int change_point = -1;  ///< number of one of those values
         };
         const auto ratio = [&]<class U>(const std::array<U, links>& lengths, const U& angle) {
             return velocity_ratio(linkage(lengths), angle, assembly);
         };
-        std::array<Found, VelocityRatioExtremes::capacity> found{};
+        std::array<T, 4> at_change_points{};
+        std::array<Found, VelocityRatioExtremes::capacity + at_change_points.size()> found{};
         for (std::size_t i = 0; i < extremes.count; ++i) {
             const bool first = !motion.full_turn && i == 0, last = !motion.full_turn && i + 1 == extremes.count;
             found[i] = {extremes.at[i], velocity_ratio(plain, extremes.at[i], assembly),
@@ -191,18 +200,35 @@ struct VelocityRatioExtreme {
             if (found[i].end != nullptr && is_toggle(plain, half_turn(extremes.at[i])))
                 found[i].value = velocity_ratio_at_toggle(plain, extremes.at[i], assembly);
         }
+        std::size_t known = extremes.count;
+        for (const bool away : {false, true}) {
+            const double angle = away ? pi<double>() : 0;
+            const HalfTurn<double> half = away ? HalfTurn<double>{0, 1} : HalfTurn<double>{1, 0};
+            if (!is_toggle(plain, half) || !goes_through(motion, angle)) continue;
+            const auto ratios = velocity_ratios_at_change_point(m, away);
+            for (const int side : {0, 1}) {
+                const int number = (away ? 2 : 0) + side;
+                at_change_points[static_cast<std::size_t>(number)] = ratios[static_cast<std::size_t>(side)];
+                if (const double value = value_of(at_change_points[static_cast<std::size_t>(number)]);
+                    std::isfinite(value))
+                    found[known++] = {angle, value, nullptr, number};
+            }
+        }
         // The worst first, of equals the one that comes first. A stable sort of the library would allocate.
-        std::sort(found.begin(), found.begin() + extremes.count, [](const Found& a, const Found& b) {
-            return a.value != b.value ? sense * a.value > sense * b.value : a.angle < b.angle;
-        });
+        std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(known),
+                  [](const Found& a, const Found& b) {
+                      return a.value != b.value ? sense * a.value > sense * b.value : a.angle < b.angle;
+                  });
         const std::size_t count = places(motion);
         for (std::size_t k = 0; k < count; ++k) {
-            if (extremes.count == 0) {  // no stationary point: a parallelogram, whose ratio is constant
+            if (known == 0) {  // no stationary point: the ratio is constant
                 out[k] = velocity_ratio(m, T(1), assembly);
                 continue;
             }
-            const Found& f = found[std::min(k, extremes.count - 1)];
-            if (std::isinf(f.value))  // at a toggle
+            const Found& f = found[std::min(k, known - 1)];
+            if (f.change_point >= 0)
+                out[k] = at_change_points[static_cast<std::size_t>(f.change_point)];
+            else if (std::isinf(f.value))  // at a toggle
                 out[k] = T(f.value);
             else
                 out[k] = f.end == nullptr ? at_stationary(x, f.angle, ratio) : ratio(x, *f.end);

@@ -133,10 +133,18 @@ std::string discrete_text(const DiscreteReport& discrete, int digits) {
     if (discrete.continuous)
         text +=
             fmt::format(": {} could be had with any values of the ranges", rounded_text(*discrete.continuous, digits));
-    return text + (discrete.gap > 0
-                       ? fmt::format("; allowed values that were not looked at may be better by {}.",
-                                     rounded_text(discrete.gap, digits))
-                       : "; no allowed values are left that could be better, as far as these searches see.");
+    if (discrete.gap > 0)
+        return text + fmt::format("; allowed values that were not looked at may be better by {}.",
+                                  rounded_text(discrete.gap, digits));
+    if (discrete.combinations > 0)
+        return text + fmt::format("; all of their {} were looked at.",
+                                  counted(discrete.combinations, "combination", "combinations"));
+    if (discrete.left_out > 0)
+        return text + fmt::format(
+                          "; {} of them {} left out because no search found a design there, which proves "
+                          "nothing.",
+                          counted(discrete.left_out, "part", "parts"), discrete.left_out == 1 ? "was" : "were");
+    return text + "; no allowed values are left that could be better, as far as these searches see.";
 }
 
 /// What a proof says, without the method's name before it: "closed form: ..." of closed-form.

@@ -121,7 +121,7 @@ Digits50 function_rms_again(const Motion& motion, std::span<const Digits50> dime
         return sqrt(sum);
     }
     using Rule = boost::math::quadrature::gauss_kronrod<Digits50, 31>;
-    constexpr int most_halvings = 16;
+    constexpr int most_halvings = 10;  // four do for what is smooth; what is not would go on for ever
     const Digits50 precision = std::max(1e-11, e.relative_noise());
     // With share = sin^2 a, square roots at the ends of the range are smooth in a.
     const auto square = [&](const Digits50& a) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,11 +25,23 @@ void prepare(mu::Parser& parser, double* x, const std::string& expression) {
     parser.SetExpr(expression);
 }
 
+/// The output's range stands for how much the function grows from one end to the other. A function that swings farther
+/// than this part of its greatest change allows would have the output turn a million times its range.
+constexpr double least_growth = 1e-6;
+
+std::string why_not_scaled(double growth, double greatest_change) {
+    if (std::abs(growth) > least_growth * greatest_change) return {};
+    return "the function has the same value at both ends of its range: nothing then scales the output";
+}
+
 std::string complete_samples(FunctionTarget& target) {
     const auto& samples = target.samples;
     const double x0 = samples.front().x, y0 = samples.front().y;
     const double width = samples.back().x - x0, height = samples.back().y - y0;
-    if (height == 0) return "the function has the same value at both ends of its range: nothing then scales the output";
+    double greatest_change = 0;
+    for (const Vector<double>& s : samples)
+        greatest_change = std::max(greatest_change, std::abs(s.y - y0));
+    if (std::string why = why_not_scaled(height, greatest_change); !why.empty()) return why;
     target.parts.clear();
     for (const Vector<double>& s : samples)
         target.parts.push_back({(s.x - x0) / width, (s.y - y0) / height});
@@ -83,12 +96,14 @@ std::string complete(FunctionTarget& target) {
     if (std::string why = why_not_understood(target.expression); !why.empty()) return why;
     ExpressionValues y(target.expression);
     constexpr int probes = 1000;
-    for (int i = 0; i <= probes; ++i) {
-        const double x = target.from + (target.to - target.from) * i / probes;
-        if (!std::isfinite(y(x))) return fmt::format("the expression has no value at x = {}, inside its range", x);
-    }
     const double y0 = y(target.from), height = y(target.to) - y0;
-    if (height == 0) return "the function has the same value at both ends of its range: nothing then scales the output";
+    double greatest_change = 0;
+    for (int i = 0; i <= probes; ++i) {
+        const double x = target.from + (target.to - target.from) * i / probes, change = y(x) - y0;
+        if (!std::isfinite(change)) return fmt::format("the expression has no value at x = {}, inside its range", x);
+        greatest_change = std::max(greatest_change, std::abs(change));
+    }
+    if (std::string why = why_not_scaled(height, greatest_change); !why.empty()) return why;
     const double middle = 0.5 * (target.from + target.to), half = 0.5 * (target.to - target.from);
     auto series = chebyshev_series([&](double s) { return (y(middle + half * s) - y0) / height; });
     if (!series) return "the expression is not smooth inside its range: give samples = [[x, y], ...] instead";
