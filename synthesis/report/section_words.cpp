@@ -42,8 +42,9 @@ std::vector<FileTable> all_sections() {
 std::string number_words(std::string_view noun, const Limits& limits) {
     const bool below = std::isfinite(limits.most), above = std::isfinite(limits.least);
     if (above && below)
-        return fmt::format("{} {} {:g} to {:g}", noun, limits.above ? "above" : "from", limits.least, limits.most);
-    if (below) return fmt::format("{} up to {:g}", noun, limits.most);
+        return fmt::format("{} {} {:g} {} {:g}", noun, limits.above ? "above" : "from", limits.least,
+                           limits.below ? "and below" : "to", limits.most);
+    if (below) return fmt::format("{} {} {:g}", noun, limits.below ? "below" : "up to", limits.most);
     if (above) return fmt::format("{} {} {:g}", noun, limits.above ? "above" : "from", limits.least);
     return std::string(noun);
 }

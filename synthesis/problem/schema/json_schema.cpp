@@ -12,7 +12,7 @@ namespace {
 Json number_of(std::string_view type, const Limits& limits) {
     Json schema{{"type", type}};
     if (std::isfinite(limits.least)) schema[limits.above ? "exclusiveMinimum" : "minimum"] = limits.least;
-    if (std::isfinite(limits.most)) schema["maximum"] = limits.most;
+    if (std::isfinite(limits.most)) schema[limits.below ? "exclusiveMaximum" : "maximum"] = limits.most;
     return schema;
 }
 

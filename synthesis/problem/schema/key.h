@@ -41,6 +41,7 @@ struct Limits {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
     bool above = false;  ///< greater than `least`, not equal to it
+    bool below = false;  ///< less than `most`, not equal to it
 };
 
 inline constexpr Limits positive{.least = 0, .above = true};

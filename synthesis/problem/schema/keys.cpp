@@ -36,7 +36,7 @@ struct FileKeys {
     }
 
     static Limits limits_of(const Setting& setting) {
-        return {.least = setting.above, .most = setting.below, .above = !setting.or_above};
+        return {.least = setting.above, .most = setting.below, .above = !setting.or_above, .below = true};
     }
 };
 
