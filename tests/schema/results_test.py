@@ -156,6 +156,7 @@ GIVEN = {
     "range of use": WHOLE_LINKAGE + USED + "[path]\npoints = [[0, 0], [10, 5], [20, 0]]\n" + POINTS,
     "arc": WHOLE_LINKAGE + "[arc]\nstart = 10\nrange = 60\ncentre-x = 0\ncentre-y = 0\nradius = 50\n",
     "cam": CAM,
+    "no cam": NO_CAM,
     "links of one's own": OWN_LINKS,
     "several targets": OWN_LINKS + SEVERAL_TARGETS,
 }
@@ -172,6 +173,36 @@ rocker = { choices = [40, 60, 80] }
 quantity = "swing"
 min = 45
 max = 47
+[objective]
+minimize = "total-length"
+"""
+# Its face would turn with it.
+NO_CAM = """schema = 1
+mechanism = "cam"
+[cam]
+follower = "flat"
+motion = "oscillating"
+rotation = "ccw"
+[dimensions]
+base-radius = 91.4949
+pivot-distance = 142.912
+face-offset = -5.97594
+[[segment]]
+kind = "rise"
+angle = 305
+lift = 18
+law = "3-4-5"
+[[segment]]
+kind = "dwell"
+angle = 27
+[[segment]]
+kind = "return"
+angle = 10
+lift = 18
+law = "cycloidal"
+[[segment]]
+kind = "dwell"
+angle = 18
 """
 
 # Where the file of a linkage makes the names itself.

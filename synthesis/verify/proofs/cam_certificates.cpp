@@ -151,6 +151,15 @@ std::optional<double> least_in_words(const ProofContext& c) {
     return std::strtod(text.c_str() + is + 4, nullptr);
 }
 
+/// Whether a number in words is the least size, of which a proof shows one that counts what the tolerance lets pass,
+/// and by the same weights one for limits as they stand. The true one is not below the first; where both are all but
+/// equal it is the second, for what the weights are off by counts with its square.
+bool is_least(double named, const Digits50& with_tolerance, const Digits50& as_asked) {
+    constexpr double digits = 1e-8, all_but_equal = 1e-4, same_within = 1e-3;
+    if (!(named >= with_tolerance * (1 - digits))) return false;
+    return as_asked > with_tolerance * (1 + all_but_equal) || named <= as_asked * (1 + same_within);
+}
+
 /// Whether in each sense of rotation that there is among some assemblies all choices of laws are.
 bool covers_all_laws(const std::vector<std::size_t>& assemblies, std::size_t choices) {
     const auto has = [&](std::size_t assembly) {
@@ -208,10 +217,7 @@ Finding check_cam(const ProofContext& c) {
         if (!(least > most + loosened(c, most) / 2))
             return fails(fmt::format("a {} of {:.12g} is not excluded, and {:.12g} is allowed", name,
                                      least.convert_to<double>(), most.convert_to<double>()));
-        // The weights are those of the limits with their tolerance, and as good for the others but for its square.
-        constexpr double named_within = 1e-4;
-        if (const auto named = least_in_words(c);
-            named && !(*named >= least * (1 - same_within) && *named <= least_asked * (1 + named_within)))
+        if (const auto named = least_in_words(c); named && !is_least(*named, least, least_asked))
             return fails(fmt::format("the least {} is said to be {:.9g}, and it is {:.9g}", name, *named,
                                      least_asked.convert_to<double>()));
         return holds(isfinite(least) && least < 1e6 * range.max
