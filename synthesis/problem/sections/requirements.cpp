@@ -213,6 +213,7 @@ std::set<std::size_t> asked_quantities(const Problem& problem) {
 bool has_value_over_range(const Problem& problem, const Quantity& quantity) {
     if (quantity.path != PathMeasure::none || quantity.whole || !quantity.section.empty()) return true;
     Motion over{};
+    over.full_turn = false;
     over.settings = problem.settings;
     over.model = problem.mechanism->model.data();
     over.from = problem.crank_range->x;
@@ -231,6 +232,7 @@ bool has_value_over_input(const Problem& problem, const Quantity& quantity) {
         std::find_if(moving.begin(), moving.end(), [&](const Quantity& one) { return one.name == quantity.name; });
     if (same == moving.end()) return false;
     Motion over{};
+    over.full_turn = false;
     over.settings = problem.settings;
     over.model = problem.mechanism->model.data();
     over.function = problem.function.get();
