@@ -210,6 +210,11 @@ TEST(LinkageMeans, DerivativesOfDistancesAreExtremeBesideWhereTheyVanish) {
         expect_near(document, whole);
         expect_verified(document);
     }
+    // At such a place itself the slope has two values, and none is stated.
+    const Json at = analysed_means(turning_crank(", F = [0, 30]", distance), {"d.speed.at(90)", "d.speed.at(60)"});
+    EXPECT_FALSE(at["quantities"].contains("d.speed.at(90)"));
+    expect_near(at, {{"d.speed.at(60)", -30 * std::cos(15 * std::numbers::pi / 180)}});
+    testing::count_of_stated(at);
     const Json half = analysed_means(turning_crank(", F = [30, 0]", "[motion]\ncrank_range = [0, 180]\n" + distance),
                                      {"d.speed.greatest", "d.speed.least", "d.speed.mean"});
     expect_near(half, {{"d.speed.greatest", 30}, {"d.speed.least", 0}, {"d.speed.mean", 60 / std::numbers::pi}});

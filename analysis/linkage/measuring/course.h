@@ -410,6 +410,19 @@ bool divides_by_zero(Measured<double, K>& measured, std::size_t signal, const Co
     });
 }
 
+/// Whether a derivative that is asked for has two values at an input, one on each side: what it goes by the size of
+/// vanishes there.
+template <std::size_t K>
+bool has_two_values_at(Measured<double, K>& measured, const Asked& asked, const Course& course, double input) {
+    bool vanishes = false;
+    if (asked.derivative > 0)
+        detail::for_each_size(measured.signals(), asked, [&](std::size_t signal) {
+            const auto v = measured.vector(signal, input, course.turns.near(input));
+            vanishes = vanishes || is_at_rest(v, detail::near_rest(measured) / std::abs(measured.rate()));
+        });
+    return vanishes;
+}
+
 /// Whether something that a signal is divided by vanishes at an input, to the rounding of that.
 template <std::size_t K>
 bool divides_by_zero_at(Measured<double, K>& measured, std::size_t signal, const Course& course, double input) {

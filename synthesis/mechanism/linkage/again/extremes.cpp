@@ -12,6 +12,9 @@ namespace mechwright::again {
 
 namespace {
 
+/// So near to a corner, or to an end of a piece, an input is at it.
+double near_corner(const Scan& scan) { return 1e-9 * (scan.model.driven_by_slide() ? scan.to() - scan.from() : 1); }
+
 /// What is measured at an input, its sign turned where the least is sought.
 struct Seen {
     double at = 0;
@@ -149,18 +152,8 @@ void add_stationary(const Measured& f, const Looks& looks, std::vector<Candidate
     }
 }
 
-/// So near to a corner, or to an end of a piece, an input is at it.
-double near_corner(const Scan& scan) { return 1e-9 * (scan.model.driven_by_slide() ? scan.to() - scan.from() : 1); }
-
-/// Whether what it goes by the sizes of vanishes where a full turn begins and ends.
-bool has_corner_at_seam(const Measured& f) {
-    const SeriesSignals* signals = f.scan.full_turn() ? f.scan.look(f.scan.from()) : nullptr;
-    return signals != nullptr && std::any_of(f.sizes.begin(), f.sizes.end(), [&](std::size_t size) {
-               const Vector<InputSeries> v = signals->vector(f.scan.model.signals[size]);
-               const double slope = std::hypot(v.x.c[1], v.y.c[1]);
-               return slope > 0 && std::hypot(v.x.c[0], v.y.c[0]) <= near_corner(f.scan) * slope;
-           });
-}
+/// Where a full turn begins and ends there may be one.
+bool has_corner_at_seam(const Measured& f) { return f.scan.full_turn() && has_corner_at(f, f.scan.from()); }
 
 /// Where the vector whose size a signal is, which is not constant, vanishes inside a piece.
 void add_corners(const Scan& scan, const linkage::Signal& size_of, const Vector<double>& piece, bool whole,
@@ -202,6 +195,15 @@ void add_corners(const Scan& scan, const linkage::Signal& size_of, const Vector<
 }
 
 }  // namespace
+
+bool has_corner_at(const Measured& f, double input) {
+    const SeriesSignals* signals = f.scan.look(input);
+    return signals != nullptr && std::any_of(f.sizes.begin(), f.sizes.end(), [&](std::size_t size) {
+               const Vector<InputSeries> v = signals->vector(f.scan.model.signals[size]);
+               const double slope = std::hypot(v.x.c[1], v.y.c[1]);
+               return slope > 0 && std::hypot(v.x.c[0], v.y.c[0]) <= near_corner(f.scan) * slope;
+           });
+}
 
 std::vector<Vector<double>> between_breaks(const Scan& scan, const std::vector<Vector<double>>& parts) {
     const auto laws = laws_in<double>(scan.model.drives);

@@ -83,6 +83,8 @@ private:
     }
 };
 
+/// Whether what it goes by the sizes of vanishes at an input.
+bool has_corner_at(const Measured& f, double input);
 /// Parts of the motion as those between the breaks of drives' motions.
 std::vector<Vector<double>> between_breaks(const Scan& scan, const std::vector<Vector<double>>& parts);
 /// The same, and between the corners of what is measured.

@@ -128,7 +128,15 @@ bool vanishes(const Measured& divisor, const LinkageMeasure& q) {
 Digits50 of_signal(const Scan& scan, const LinkageMeasure& q) {
     const auto divides_by_zero = [&](std::size_t divisor) { return vanishes(measured(scan, divisor, 0), q); };
     if (linkage::any_divisor(scan.model.signals, q.asked.signal, divides_by_zero)) return missing;
-    return reduced(measured(scan, q.asked.signal, static_cast<int>(q.asked.derivative)), q);
+    const Measured f = measured(scan, q.asked.signal, static_cast<int>(q.asked.derivative));
+    // At a corner a derivative has two values; where drives move by pieces it is the one after.
+    const auto& drives = scan.model.drives;
+    const bool by_pieces =
+        std::any_of(drives.begin(), drives.end(), [](const auto& drive) { return drive.motion != nullptr; });
+    if (q.kind == LinkageMeasure::Kind::at && q.asked.derivative > 0 && !by_pieces)
+        for (const Vector<double>& part : parts_of(scan, std::array{q.input, q.input}))
+            if (again::has_corner_at(f, part.x)) return missing;
+    return reduced(f, q);
 }
 
 /// The distance of the guided point from what it follows at its greatest, or how far it follows.

@@ -172,7 +172,10 @@ Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, con
         const linkage::WithinPiece in_piece(plain, within);
         const double value = plain.value(m.asked.signal, from, course.turns.near(from)).derivative(m.asked.derivative);
         found.plus.push_back({m.asked, {from, value, false, {}, within}});
-        found.possible = !std::isnan(value) && !linkage::divides_by_zero_at(plain, m.asked.signal, course, from);
+        // Of drives that move by pieces it is the value after.
+        const bool of_two = std::isnan(within) && linkage::has_two_values_at(plain, m.asked, course, from);
+        found.possible =
+            !std::isnan(value) && !of_two && !linkage::divides_by_zero_at(plain, m.asked.signal, course, from);
         return found;
     }
     if (m.kind == Kind::extent) return found;
