@@ -52,6 +52,10 @@ bool is_among(std::string_view name, const std::vector<std::string>& names) {
 
 }  // namespace
 
+double margin_of(const LinearCondition& c, std::span<const double> dimensions) {
+    return std::inner_product(c.coefficients.begin(), c.coefficients.end(), dimensions.begin(), 0.0);
+}
+
 std::string why_not_whole(const Mechanism& m) {
     if (m.name.empty() || m.meaning.empty()) return "it has no name or no meaning";
     if (m.dimensions.empty() || m.families.empty()) return "it has no dimensions or no families of motion";

@@ -57,6 +57,9 @@ struct LinearCondition {
     std::vector<double> coefficients;
 };
 
+/// How far dimensions, of which there are as many as coefficients or more, are from where a condition ends.
+double margin_of(const LinearCondition& condition, std::span<const double> dimensions);
+
 /// A kind of motion that designs can have: with all its conditions met a design has that motion at every crank angle.
 struct Family {
     std::string name;

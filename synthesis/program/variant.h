@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "synthesis/problem/judged_motion.h"
 #include "synthesis/problem/problem.h"
 
 namespace mechwright {
@@ -18,20 +19,6 @@ struct Variant {
     int direction = 1;                 ///< of the crank along an untimed path: +1 counter-clockwise, -1 clockwise
     std::vector<std::size_t> choices;  ///< one per disjunction, in the order of `disjunctions`
 };
-
-/// The motion over which the quantities of a problem are judged in a family.
-Motion motion_of(const Problem& problem, std::size_t family, std::size_t assembly);
-
-/// That motion as the functions of a quantity get it: over a full turn for one that is over the whole motion, where the
-/// family has it.
-Motion motion_of(const Problem& problem, const Quantity& quantity, Motion motion);
-
-/// A quantity as it enters programs: where the motion is that over an input range which is not known, the one that
-/// knows that its ends move.
-const Quantity& programmed_quantity(const Problem& problem, std::size_t quantity);
-
-/// Whether it is one of those.
-bool has_moving_ends(const Problem& problem, const Quantity& quantity);
 
 /// Whether every quantity that the problem names has a value in this motion.
 bool all_defined(const Problem& problem, const Motion& motion);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -27,15 +26,15 @@ struct Part {
     double cost;
 };
 
-/// Kinds of motion end at change points, which programs keep from by this much, too.
+/// Kinds of motion end at change points, which programs keep from by this much, too. A part of the motion need not
+/// come to one.
 bool keeps_from_change_points(const Problem& problem, const Design& design) {
     const Mechanism& mechanism = *problem.mechanism;
+    if (problem.crank_range || has_moving_ends(problem)) return true;
     const auto& conditions = mechanism.families[motion_of(problem, design).family].conditions;
     const double least = condition_margin * longest_length(mechanism, design.dimensions);
-    return std::all_of(conditions.begin(), conditions.end(), [&](const LinearCondition& c) {
-        return std::inner_product(c.coefficients.begin(), c.coefficients.end(), design.dimensions.begin(), 0.0) >=
-               least;
-    });
+    return std::all_of(conditions.begin(), conditions.end(),
+                       [&](const LinearCondition& c) { return margin_of(c, design.dimensions) >= least; });
 }
 
 struct BranchAndBound {
@@ -273,26 +272,29 @@ struct BranchAndBound {
         found.report.bound = whole.report.bound;
         found.report.boxes = whole.report.boxes;
         const bool feasible = !whole.candidates.empty() && whole.candidates.front().feasible;
+        const bool few = is_all_discrete() && combinations(most_combinations);
         if (feasible) {
             const Solution& best = whole.candidates.front();
             report.continuous = best.objective;
-            branch({std::move(all), best.design, cost(best.objective)});
+            if (!few) branch({std::move(all), best.design, cost(best.objective)});
         } else {
             found.infeasible = whole.infeasible;
             found.report.proof = whole.infeasible ? whole.report.proof : nullptr;
             found.note = whole.note;
             report.left_out = whole.infeasible ? 0 : 1;
-            if (!whole.candidates.empty()) settle(whole.candidates.front().design);
+            if (!few && !whole.candidates.empty()) settle(whole.candidates.front().design);
         }
         const bool any_will_do = !problem.objective && least < unlimited_cost;
-        const bool may_miss = !feasible || report.left_out > 0 || is_all_discrete();
+        const bool may_miss = !feasible || report.left_out > 0 || few;
         if (may_miss && !any_will_do && !whole.candidates.empty() && look_at_all(whole.candidates.front().design))
             report.left_out = 0;
         if (!found.infeasible && !found.candidates.empty() && is_at_zero(problem, found.candidates.front()))
             found.report.proof = proof_by_zero(problem);
         found.stopped = end.reached();
-        if (found.stopped && !open.empty() && least < unlimited_cost)
-            report.gap = std::max(0.0, least - open.front().cost);
+        if (found.stopped && least < unlimited_cost) {
+            if (few && report.continuous) report.gap = std::max(0.0, least - cost(*report.continuous));
+            if (!open.empty()) report.gap = std::max(0.0, least - open.front().cost);
+        }
         found.report.local_optima = static_cast<int>(
             std::count_if(found.candidates.begin(), found.candidates.end(), [](const auto& s) { return s.feasible; }));
     }

@@ -50,6 +50,26 @@ motion = { crank_range = [-40, 180] }
     EXPECT_TRUE(accepted(read(drive + "objective = { minimize = \"ram-acceleration-max\" }\n")));
 }
 
+/// The swing is that of a full turn, which the input range of a function, a line or an arc is not.
+TEST(Motion, AnInputRangeHasNoQuantitiesOfAFullTurn) {
+    const std::string four_bar = R"(schema = 1
+mechanism = "four-bar"
+dimensions = { ground = 100, crank = { min = 5, max = 60 }, coupler = { min = 20, max = 300 }, rocker = 80 }
+objective = { maximize = "transmission-angle-worst" }
+)";
+    const std::string swing = "[[require]]\nquantity = \"swing\"\nequal = 60\n";
+    for (const char* start : {"30", "{ min = 0, max = 360 }"}) {
+        const std::string function = std::string("[function]\nexpression = \"x\"\nx = [0, 1]\ninput = { start = ") +
+                                     start +
+                                     ", range = 60 }\noutput = { start = { min = 0, max = 360 }, range = 20 }\n";
+        EXPECT_TRUE(only_says(read(four_bar + function + swing), "p.toml:5:1", {"'swing'", "full turn", "[function]"}));
+        EXPECT_TRUE(accepted(read(four_bar + function)));
+        const std::string line = std::string("[line]\nangle = 0\noffset = 0\nstart = ") + start + "\nrange = 60\n";
+        EXPECT_TRUE(only_says(read(four_bar + line + swing), "p.toml:5:1", {"'swing'", "full_turn = true", "[line]"}));
+        EXPECT_TRUE(accepted(read(four_bar + line)));
+    }
+}
+
 TEST(Motion, ACrankRangeIsOneTurnAtMost) {
     EXPECT_TRUE(accepted(read_motion("crank_range = [10, 370]")));
     EXPECT_TRUE(only_says(read_motion("crank_range = [10, 371]"), "p.toml:9:15", {"10", "371", "one full turn"}));

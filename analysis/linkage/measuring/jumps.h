@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/linkage/measuring/course.h"
+#include "analysis/numbers/golden_section.h"
 
 namespace mechwright::linkage {
 
@@ -25,28 +26,18 @@ inline double least_margin(Driven<double>& driven, const Course& course, double 
     return least;
 }
 
-/// Where a function is least between two places: golden section.
-template <class Function>
-double least_between(const Function& f, double from, double to) {
-    constexpr int halvings = 80;
-    constexpr double golden = 0.38196601125010515;
-    for (int i = 0; i < halvings; ++i) {
-        const double a = from + golden * (to - from), b = to - golden * (to - from);
-        (f(a) < f(b) ? to : from) = f(a) < f(b) ? b : a;
-    }
-    return 0.5 * (from + to);
-}
-
 }  // namespace detail
 
 /// The inputs along a motion at which a dyad is at its limit, to rounding, and closes again on both sides.
 inline std::vector<double> singular_inputs(const Driven<double>& driven, const Course& course) {
+    constexpr int halvings = 80;
     constexpr double rounding = 1e-12;  // of the size
     constexpr double may_touch = 0.6;   // of the changes on both sides: what touches 0 between two samples has less
     const double from = course.travel.from, way = course.travel.to - from, size = size_of(driven);
     Driven<double> moving = driven;
     moving.shortfall = rounding * size;
     const auto margin_at = [&](double at) { return detail::least_margin(moving, course, at); };
+    const auto shortfall_at = [&](double at) { return -margin_at(at); };
     const auto samples = static_cast<int>(18 * detail::first_panels({from, course.travel.to}));
     std::vector<double> margin;
     for (int i = 0; i <= samples + 1; ++i)
@@ -55,7 +46,8 @@ inline std::vector<double> singular_inputs(const Driven<double>& driven, const C
     for (int i = 1; i <= samples; ++i) {
         const double changes = std::abs(margin[i + 1] - margin[i]) + std::abs(margin[i] - margin[i - 1]);
         if (!(margin[i] <= may_touch * changes)) continue;
-        const double at = detail::least_between(margin_at, from + (i - 1) * way / samples, from + i * way / samples);
+        const double at =
+            greatest_between(shortfall_at, from + (i - 1) * way / samples, from + i * way / samples, halvings);
         if (margin_at(at) <= rounding * size) found.push_back(at);
     }
     return found;

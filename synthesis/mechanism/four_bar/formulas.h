@@ -155,8 +155,8 @@ struct GrashofMargin {
 /// Whether a motion goes through a crank angle and not only up to it.
 inline bool goes_through(const Motion& motion, double crank_angle) {
     const double turn = 2 * pi<double>();
-    const double next = crank_angle + turn * std::ceil((motion.from - crank_angle) / turn);
-    return motion.full_turn || (motion.from < next && next < motion.to) || next + turn < motion.to;
+    const double next = crank_angle + turn * (std::floor((motion.from - crank_angle) / turn) + 1);
+    return motion.full_turn || next < motion.to;
 }
 
 /// The greatest (sense = +1) or least (-1) stationary values of the velocity ratio, the worst first; where there are
@@ -183,14 +183,14 @@ struct VelocityRatioExtreme {
         struct Found {
             double angle;
             double value;
-            const T* end;           ///< null where the ratio is stationary
-            int change_point = -1;  ///< number of one of those values
+            const T* end;                      ///< null where the ratio is stationary
+            const T* beside_change = nullptr;  ///< the ratio on one side of a change point
         };
         const auto ratio = [&]<class U>(const std::array<U, links>& lengths, const U& angle) {
             return velocity_ratio(linkage(lengths), angle, assembly);
         };
-        std::array<T, 4> at_change_points{};
-        std::array<Found, VelocityRatioExtremes::capacity + at_change_points.size()> found{};
+        std::array<std::array<T, 2>, 2> beside_changes{};
+        std::array<Found, VelocityRatioExtremes::capacity + 4> found{};
         for (std::size_t i = 0; i < extremes.count; ++i) {
             const bool first = !motion.full_turn && i == 0, last = !motion.full_turn && i + 1 == extremes.count;
             found[i] = {extremes.at[i], velocity_ratio(plain, extremes.at[i], assembly),
@@ -202,17 +202,13 @@ struct VelocityRatioExtreme {
         }
         std::size_t known = extremes.count;
         for (const bool away : {false, true}) {
-            const double angle = away ? pi<double>() : 0;
             const HalfTurn<double> half = away ? HalfTurn<double>{0, 1} : HalfTurn<double>{1, 0};
+            const double angle = away ? pi<double>() : 0;
             if (!is_toggle(plain, half) || !goes_through(motion, angle)) continue;
-            const auto ratios = velocity_ratios_at_change_point(m, away);
-            for (const int side : {0, 1}) {
-                const int number = (away ? 2 : 0) + side;
-                at_change_points[static_cast<std::size_t>(number)] = ratios[static_cast<std::size_t>(side)];
-                if (const double value = value_of(at_change_points[static_cast<std::size_t>(number)]);
-                    std::isfinite(value))
-                    found[known++] = {angle, value, nullptr, number};
-            }
+            beside_changes[away] = velocity_ratios_at_change_point(m, away);
+            for (const T& beside : beside_changes[away])
+                if (const double value = value_of(beside); std::isfinite(value))
+                    found[known++] = {angle, value, nullptr, &beside};
         }
         // The worst first, of equals the one that comes first. A stable sort of the library would allocate.
         std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(known),
@@ -226,8 +222,8 @@ struct VelocityRatioExtreme {
                 continue;
             }
             const Found& f = found[std::min(k, known - 1)];
-            if (f.change_point >= 0)
-                out[k] = at_change_points[static_cast<std::size_t>(f.change_point)];
+            if (f.beside_change != nullptr)
+                out[k] = *f.beside_change;
             else if (std::isinf(f.value))  // at a toggle
                 out[k] = T(f.value);
             else

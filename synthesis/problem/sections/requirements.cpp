@@ -5,6 +5,7 @@
 #include <set>
 
 #include "synthesis/mechanism/whole_quantities.h"
+#include "synthesis/problem/judged_motion.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
@@ -209,37 +210,12 @@ std::set<std::size_t> asked_quantities(const Problem& problem) {
     return asked;
 }
 
-/// Whether a quantity has a value over a given range of crank angles in any kind of motion.
-bool has_value_over_range(const Problem& problem, const Quantity& quantity) {
-    if (quantity.path != PathMeasure::none || quantity.whole || !quantity.section.empty()) return true;
-    Motion over{};
-    over.full_turn = false;
-    over.settings = problem.settings;
-    over.model = problem.mechanism->model.data();
-    over.from = problem.crank_range->x;
-    over.to = problem.crank_range->y;
-    for (over.family = 0; over.family < problem.mechanism->families.size(); ++over.family)
-        if (is_defined(quantity, over)) return true;
-    return false;
-}
-
-/// The same over the input range of a function, a line or an arc.
-bool has_value_over_input(const Problem& problem, const Quantity& quantity) {
-    if (!quantity.of_motion || quantity.whole || quantity.path != PathMeasure::none || !quantity.section.empty())
-        return true;
-    const auto& moving = problem.mechanism->input->quantities;
-    const auto same =
-        std::find_if(moving.begin(), moving.end(), [&](const Quantity& one) { return one.name == quantity.name; });
-    if (same == moving.end()) return false;
-    Motion over{};
-    over.full_turn = false;
-    over.settings = problem.settings;
-    over.model = problem.mechanism->model.data();
-    over.function = problem.function.get();
-    over.followed = problem.followed ? problem.followed->shape : Followed::nothing;
-    over.asked = problem.over_input.get();
-    for (over.family = 0; over.family < problem.mechanism->families.size(); ++over.family)
-        if (is_defined(*same, over)) return true;
+/// Whether a quantity has a value in any kind of motion that designs may have.
+bool has_value_anywhere(const Problem& problem, std::size_t index) {
+    const Quantity& quantity = problem.mechanism->quantities[index];
+    if (quantity.whole || !quantity.section.empty()) return true;
+    for (std::size_t family = 0; family < problem.mechanism->families.size(); ++family)
+        if (may_have_family(problem, family) && has_value(problem, index, motion_of(problem, family, 0))) return true;
     return false;
 }
 
@@ -249,29 +225,25 @@ void check_quantities_over_range(const Section& file, const Problem& problem, Me
     if (problem.mechanism == nullptr) return;
     const toml::table* motion = (*file.table)["motion"].as_table();
     const toml::node* range = motion == nullptr ? nullptr : motion->get("crank_range");
-    std::string_view section;
-    for (const std::string_view one : {"function", "line", "arc"})
-        if (range == nullptr && has(file, one)) {
-            section = one;
-            range = file.table->get(section);
-        }
-    if (range == nullptr) return;
-    // A range that falls has been told, and what else is wrong has no model, no function to ask.
-    const bool over_range = problem.crank_range && problem.crank_range->x < problem.crank_range->y &&
-                            !std::ranges::all_of(problem.mechanism->families, &Family::full_turn);
-    const bool over_input = !problem.crank_range && moves_over_targets(problem) && !problem.use &&
-                            problem.mechanism->input && !messages.failed;
-    if (!over_range && !over_input) return;
-    for (const std::size_t index : asked_quantities(problem)) {
-        const Quantity& quantity = problem.mechanism->quantities[index];
-        if (over_range ? has_value_over_range(problem, quantity) : has_value_over_input(problem, quantity)) continue;
-        const std::string why =
-            section.empty() ? "crank_range: leave that out, or do not ask for it"
-                            : fmt::format("the input range of [{}], which is the motion here: do not ask for it{}",
-                                          section, section == "function" ? "" : ", or write full_turn = true there");
-        add_error(messages, place_of(*range),
-                  fmt::format("'{}' is of a full turn of the crank, and has no value over {}", quantity.name, why));
+    std::string over = "crank_range: leave that out, or do not ask for it";
+    if (range != nullptr) {
+        // A range that falls has been told, and a cam that is wrong has no model to ask.
+        const bool risen = problem.crank_range && problem.crank_range->x < problem.crank_range->y;
+        if (!risen || std::ranges::all_of(problem.mechanism->families, &Family::full_turn)) return;
+    } else {
+        // What is wrong with a target leaves nothing to ask.
+        if (messages.failed || !moves_over_targets(problem) || problem.use) return;
+        const std::string_view section = problem.function ? "function" : has(file, "line") ? "line" : "arc";
+        range = file.table->get(section);
+        if (range == nullptr) return;
+        over = fmt::format("the input range of [{}], which is the motion here: do not ask for it{}", section,
+                           section == "function" ? "" : ", or write full_turn = true there");
     }
+    for (const std::size_t index : asked_quantities(problem))
+        if (!has_value_anywhere(problem, index))
+            add_error(messages, place_of(*range),
+                      fmt::format("'{}' is of a full turn of the crank, and has no value over {}",
+                                  problem.mechanism->quantities[index].name, over));
 }
 
 }  // namespace mechwright::reading

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numeric>
 
 #include "analysis/numbers/scalar.h"
 #include "synthesis/program/condition_margin.h"
@@ -73,10 +72,6 @@ void set_moments(CurveProblem& p, const std::vector<Vector<double>>& targets, co
 }
 
 }  // namespace
-
-double margin_of(const LinearCondition& c, const CurveArguments& a) {
-    return std::inner_product(c.coefficients.begin(), c.coefficients.end(), a.begin(), 0.0);
-}
 
 bool CurveProblem::keeps_from_borders(const CurveArguments& a) const {
     return std::all_of(fit->borders().begin(), fit->borders().end(), [&](const LinearCondition& c) {

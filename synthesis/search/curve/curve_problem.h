@@ -52,9 +52,6 @@ struct CurveProblem {
     bool allows(std::size_t assembly, const CurveArguments& a) const;
 };
 
-/// How far arguments are from where a linear condition ends, in the units of a program.
-double margin_of(const LinearCondition& condition, const CurveArguments& arguments);
-
 /// What of a problem can be searched so: a path in any order with one target, whose points count by their distance
 /// alone, of a mechanism that knows how (CurveFit), without ties; its requirements do not speak of the path, and leave
 /// nothing open. `programs` are those of all variants of the problem, and outlive what is returned.
