@@ -18,7 +18,7 @@ namespace mechwright {
 /// Fifty decimal digits: what verification computes with.
 using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
-enum class Unit { none, length, area, angle, force, torque, rate };
+enum class Unit { none, length, area, curvature, angle, force, torque, rate };
 
 /// A plain number that says how a mechanism is judged, from a section of its own in the problem file.
 struct Setting {

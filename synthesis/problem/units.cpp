@@ -93,6 +93,7 @@ std::string unit_label(Unit unit, const Units& units) {
         case Unit::angle: return units.degrees ? "deg" : "rad";
         case Unit::length: return reading::printable(units.length, longest_label);
         case Unit::area: return reading::printable(units.length, longest_label) + "^2";
+        case Unit::curvature: return "1/" + reading::printable(units.length, longest_label);
     }
     return {};
 }

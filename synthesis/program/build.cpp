@@ -54,6 +54,7 @@ double unit_scale(Unit unit, double length) {
         case Unit::force: return length;
         case Unit::area:
         case Unit::torque: return length * length;
+        case Unit::curvature: return 1 / length;
         case Unit::none:
         case Unit::rate:
         case Unit::angle: return 1;

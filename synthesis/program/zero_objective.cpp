@@ -43,6 +43,7 @@ bool is_at_zero(const Problem& problem, const Solution& solution) {
     switch (quantity.unit) {
         case Unit::length: return value <= exact_within * size;
         case Unit::area: return value <= exact_within * exact_within * size * size;
+        case Unit::curvature: return value * size <= exact_within;
         case Unit::none:
         case Unit::angle: return value <= exact_within;
         case Unit::force:

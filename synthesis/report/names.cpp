@@ -19,6 +19,7 @@ std::string_view name_of(Unit unit) {
         case Unit::none: return "number";
         case Unit::length: return "length";
         case Unit::area: return "area";
+        case Unit::curvature: return "curvature";
         case Unit::angle: return "angle";
         case Unit::force: return "force";
         case Unit::torque: return "torque";

@@ -10,7 +10,7 @@
 
 namespace mechwright {
 
-/// "number", "length", "area", "angle", "force" or "torque".
+/// "number", "length", "area", "curvature", "angle", "force" or "torque".
 std::string_view name_of(Unit unit);
 
 /// The names of all mechanisms, each once.

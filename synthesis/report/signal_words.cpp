@@ -12,7 +12,7 @@ namespace mechwright {
 
 namespace {
 
-constexpr std::array<SignalWord, 13> kinds{{
+constexpr std::array<SignalWord, 14> kinds{{
     {"angle", "{ angle = \"rocker\", to = \"coupler\", near = 0 }",
      "turn of a link against the frame or another link, continuous along the motion; at its start within half a turn "
      "of "
@@ -27,6 +27,10 @@ constexpr std::array<SignalWord, 13> kinds{{
     {"speed-of", "{ speed-of = \"P\" }",
      "magnitude of a point's velocity: per radian of the drive, per second where it has a speed"},
     {"acceleration-of", "{ acceleration-of = \"P\" }", "magnitude of a point's acceleration"},
+    {"curvature-of", "{ curvature-of = \"P\" }",
+     "of a point's path, 1 over its radius of curvature: (x' y'' - y' x'') / (x'^2 + y'^2)^(3/2), positive where the "
+     "path bends to the left of the direction in which it is passed and 0 where it is straight (do Carmo, Differential "
+     "Geometry of Curves and Surfaces, section 1-5); none where the point comes to rest, as at a cusp"},
     {"transmission-angle", "{ transmission-angle = \"C\" }", "of the dyad that is closed at a pin, in (0, 180) deg"},
     {"sum", "{ sum = { swing = 1, other = -0.5 } }", "of other signals of one unit, times numbers"},
     {"ratio", "{ ratio = [\"a\", \"b\"] }", "of one signal to another"},

@@ -24,7 +24,8 @@ double longest_dimension(const Problem& problem, const Design& design) {
 MetWish met(const Problem& problem, const Wish& wish, const Design& best) {
     const Unit unit = problem.mechanism->quantities[wish.term.quantity].unit;
     const double value = *quantity_value(problem, wish.term.quantity, best);
-    const double size = unit == Unit::length ? longest_dimension(problem, best) : 1;
+    const double longest = longest_dimension(problem, best);
+    const double size = unit == Unit::length ? longest : unit == Unit::curvature ? 1 / longest : 1;
     const double room = std::max({wish.within, 1e-6 * std::abs(value), 1e-9 * size});
     return {value, wish.term.maximize ? value - room : value + room};
 }

@@ -162,6 +162,7 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
         case Unit::torque: return Measured{value, relative * abs(value) + rounding * design.strongest * design.longest};
         case Unit::length: return Measured{value, relative * abs(value) + rounding * design.longest};
         case Unit::area: return Measured{value, relative * abs(value) + rounding * design.longest * design.longest};
+        case Unit::curvature: return Measured{value, relative * abs(value) + rounding / design.longest};
     }
     return std::nullopt;
 }

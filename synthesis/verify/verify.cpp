@@ -144,6 +144,16 @@ bool has_its_lengths(const Claim& claim) {
     return true;
 }
 
+/// The longest link to the power in which lengths are in a unit; 1 of a unit that is none of lengths.
+Digits50 length_of_unit(const Rebuilt& design, Unit unit) {
+    switch (unit) {
+        case Unit::length: return design.longest;
+        case Unit::area: return design.longest * design.longest;
+        case Unit::curvature: return 1 / design.longest;
+        default: return 1;
+    }
+}
+
 /// What a violation is relative to: the greatest limit, but at least 1 for plain numbers and angles in radians; for
 /// lengths (areas) whose limits are all 0 the longest link (its square).
 Digits50 violation_scale(const Rebuilt& design, Unit unit, const std::vector<Digits50>& limits) {
@@ -153,7 +163,7 @@ Digits50 violation_scale(const Rebuilt& design, Unit unit, const std::vector<Dig
     if (unit == Unit::none || unit == Unit::rate || unit == Unit::angle) return std::max(scale, Digits50(1));
     if (scale > 0) return scale;
     if (unit == Unit::force || unit == Unit::torque) return 1;
-    return unit == Unit::length ? design.longest : Digits50(design.longest * design.longest);
+    return length_of_unit(design, unit);
 }
 
 /// "is at least 40 deg", for each limit of a requirement.
@@ -255,10 +265,7 @@ std::string standing_defect(const ClaimedRequirement& r, Measurements& measureme
     Digits50 scale = 0, most = shortfalls.front();
     for (const Digits50& limit : limits)
         scale = std::max<Digits50>(scale, abs(limit));
-    if (scale == 0)
-        scale = unit == Unit::length ? design.longest
-                : unit == Unit::area ? Digits50(design.longest * design.longest)
-                                     : Digits50(1);
+    if (scale == 0) scale = length_of_unit(design, unit);
     for (const Digits50& shortfall : shortfalls)
         most = std::max(most, shortfall);
     const Digits50 violation = std::max<Digits50>(most, 0) / scale;

@@ -128,7 +128,7 @@ TEST(Explain, TellsWhatSignalsAreAndWhatIsMadeOfThem) {
     EXPECT_EQ(quantity.exit_code, 0);
     for (const char* part : {"'foot', as [signals]", "first derivative", "greatest value", "through a full turn"})
         expect_has(quantity.out, part);
-    for (const char* word : {"angle", "from-line", "deviation", "jerk", "signals", "time-ratio"}) {
+    for (const char* word : {"angle", "from-line", "curvature-of", "deviation", "jerk", "signals", "time-ratio"}) {
         const Outcome one = run({"explain", word});
         EXPECT_EQ(one.exit_code, 0) << one.err;
         expect_has(one.out, "signal");

@@ -19,6 +19,7 @@ double grown(Unit unit, double size) {
         case Unit::force: return size;
         case Unit::area:
         case Unit::torque: return size * size;
+        case Unit::curvature: return 1 / size;
         case Unit::none:
         case Unit::rate:
         case Unit::angle: break;

@@ -135,7 +135,7 @@ void compare(const SixBar& kind, std::mt19937_64& engine, Tally& tally) {
         const auto found = values.value(i, input, turns);
         // What the rounding of the input and of the links' numbers does grows with the next derivative.
         for (int order = 0; order <= 2; ++order) {
-            const double expected = signals.by_input(i, order, Digits50(input)).convert_to<double>();
+            const double expected = signals.by_input(model.signals[i], order, Digits50(input)).convert_to<double>();
             const double next = std::abs(found.derivative(order + 1));
             const double scale = 1 + std::abs(expected) + next;
             tally.worst = std::max(tally.worst, std::abs(found.derivative(order) - expected) / scale);

@@ -50,6 +50,7 @@ TEST(Units, Labels) {
     EXPECT_EQ(unit_label(Unit::angle, radians), "rad");
     EXPECT_EQ(unit_label(Unit::length, radians), "in");
     EXPECT_EQ(unit_label(Unit::area, degrees), "mm^2");
+    EXPECT_EQ(unit_label(Unit::curvature, degrees), "1/mm");
     EXPECT_EQ(unit_label(Unit::none, degrees), "");
 }
 

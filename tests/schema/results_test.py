@@ -69,6 +69,7 @@ rocker = { D = [0, 0], C = [70, 0] }
 link = "crank"
 [signals]
 swing = { angle = "rocker" }
+bend = { curvature-of = "B" }
 [[require]]
 quantity = "swing.range"
 min = 10

@@ -57,7 +57,8 @@ double size_of_inputs(const Measured<double, K>& measured, std::size_t signal) {
     const Signal& s = measured.signals()[signal];
     const Signal::Kind kind = s.kind == Signal::Kind::error ? measured.signals()[s.of].kind : s.kind;
     const bool angle = kind == Signal::Kind::angle || kind == Signal::Kind::transmission_angle;
-    return angle ? 1 : size_of(measured.driven());
+    const double size = size_of(measured.driven());
+    return angle ? 1 : kind == Signal::Kind::curvature ? 1 / size : size;
 }
 
 /// The dyad whose margins are stationary where what is asked is: the transmission angle of one is a monotonic function
@@ -253,7 +254,7 @@ double from_beside(Measured<double, K>& measured, std::size_t signal, const Cour
 }  // namespace detail
 
 /// What is asked at an end of the motion that is a limit: derivatives are infinite there, unless the signal does not
-/// depend on the dyad that ends it.
+/// depend on the dyad that ends it. Curvatures of paths whose points become infinitely fast are not known there.
 template <std::size_t K>
 double value_at_limit(Measured<double, K>& measured, const Asked& asked, const Course& course, bool last) {
     const Travel& travel = course.travel;
@@ -268,10 +269,21 @@ double value_at_limit(Measured<double, K>& measured, const Asked& asked, const C
                                                         : value;
     }
     const Stretch stretch = detail::stretch_of(course, travel.from, travel.to);
+    const auto place_beside = [&](double s) { return stretch.at(last ? 1 - s : s); };
     const auto beside = [&](double s) {
-        const double at = stretch.at(last ? 1 - s : s);
+        const double at = place_beside(s);
         return measured.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);
     };
+    const auto becomes_infinite = [&](std::size_t curvature) {
+        const auto speed = [&](double s) {
+            const double at = place_beside(s);
+            const auto v = measured.vector(curvature, at, course.turns.near(at));
+            return std::hypot(v.x.c[0], v.y.c[0]);
+        };
+        return !(speed(0x1p-13) <= 1.5 * speed(0x1p-12));
+    };
+    if (any_curvature(measured.signals(), asked.signal, becomes_infinite))
+        return std::numeric_limits<double>::quiet_NaN();
     // What goes like the inverse root of the distance or steeper at least doubles when that is quartered.
     const double nearer = beside(0x1p-13), farther = beside(0x1p-12);
     if (std::abs(nearer) > 1.5 * std::abs(farther))
@@ -287,24 +299,53 @@ template <std::size_t K>
 std::vector<Extreme> extremes(Measured<double, K>& measured, const Asked& asked, const Course& course, double from,
                               double to);
 
+namespace detail {
+
+/// Whether the velocity by which a curvature is divided vanishes at an input.
+template <std::size_t K>
+bool rests_at(Measured<double, K>& measured, std::size_t signal, const Course& course, double input) {
+    const auto v = measured.vector(signal, input, course.turns.near(input));
+    return is_at_rest(v, near_rest(measured) / std::abs(measured.rate())) || std::hypot(v.x.c[0], v.y.c[0]) == 0;
+}
+
+/// Whether it does somewhere in [from, to].
+template <std::size_t K>
+bool rests_between(Measured<double, K>& measured, std::size_t signal, const Course& course, double from, double to) {
+    std::vector<double> rests;
+    for (const MotionPart& part : parts_of(measured.driven().laws, stretch_of(course, from, to))) {
+        const WithinPiece in_part(measured, part.within);
+        if (rests_at(measured, signal, course, part.stretch.from) ||
+            rests_at(measured, signal, course, part.stretch.to))
+            return true;
+        find_rests(measured, signal, course, part, rests);
+    }
+    return !rests.empty();
+}
+
+}  // namespace detail
+
 /// Whether something that a signal is divided by vanishes somewhere in [from, to], to rounding. There the signal has no
 /// value and beside there, where the divisor passes zero, values without bounds. K must be at least 2 more than the
 /// order of the signal.
 template <std::size_t K>
 bool divides_by_zero(Measured<double, K>& measured, std::size_t signal, const Course& course, double from, double to) {
     constexpr double rounding = 1e-12;  // of the greatest
-    return any_divisor(measured.signals(), signal, [&](std::size_t divisor) {
-        double least = std::numeric_limits<double>::infinity(), greatest = -least, size = 0;
-        const auto see = [&](double value) {
-            least = std::min(least, value);
-            greatest = std::max(greatest, value);
-            if (std::isfinite(value)) size = std::max(size, std::abs(value));
-        };
-        see(measured.value(divisor, 0.5 * (from + to), course.turns.near(0.5 * (from + to))).c[0]);
-        for (const Extreme& each : extremes(measured, {divisor, 0}, course, from, to))
-            see(each.value);
-        return !(least > rounding * size) && !(greatest < -rounding * size);
-    });
+    const auto rests = [&](std::size_t curvature) {
+        return detail::rests_between(measured, curvature, course, from, to);
+    };
+    return any_curvature(measured.signals(), signal, rests) ||
+           any_divisor(measured.signals(), signal, [&](std::size_t divisor) {
+               double least = std::numeric_limits<double>::infinity(), greatest = -least, size = 0;
+               const auto see = [&](double value) {
+                   least = std::min(least, value);
+                   greatest = std::max(greatest, value);
+                   if (std::isfinite(value)) size = std::max(size, std::abs(value));
+               };
+               see(measured.value(divisor, 0.5 * (from + to), course.turns.near(0.5 * (from + to))).c[0]);
+               for (const Extreme& each : extremes(measured, {divisor, 0}, course, from, to))
+                   see(each.value);
+               return !(least > rounding * size) && !(greatest < -rounding * size);
+           });
 }
 
 /// Whether a derivative that is asked for has two values at an input, one on each side: what it goes by the size of
@@ -325,10 +366,12 @@ template <std::size_t K>
 bool divides_by_zero_at(Measured<double, K>& measured, std::size_t signal, const Course& course, double input) {
     constexpr double rounding = 1e-12;
     const double near = rounding * measured.unit_of_input() / std::abs(measured.rate());
-    return any_divisor(measured.signals(), signal, [&](std::size_t divisor) {
-        const auto f = measured.value(divisor, input, course.turns.near(input));
-        return !(std::abs(f.c[0]) > near * std::abs(f.derivative(K > 0 ? 1 : 0)));
-    });
+    const auto rests = [&](std::size_t curvature) { return detail::rests_at(measured, curvature, course, input); };
+    return any_curvature(measured.signals(), signal, rests) ||
+           any_divisor(measured.signals(), signal, [&](std::size_t divisor) {
+               const auto f = measured.value(divisor, input, course.turns.near(input));
+               return !(std::abs(f.c[0]) > near * std::abs(f.derivative(K > 0 ? 1 : 0)));
+           });
 }
 
 template <std::size_t K>

@@ -32,6 +32,7 @@ struct Signal {
         slide,               ///< displacement of the slide `of`
         speed,               ///< magnitude of the velocity of the pin `of`
         acceleration,        ///< of its acceleration
+        curvature,           ///< of the path of the pin `of`, positive where it bends to the left of its direction
         transmission_angle,  ///< of the dyad that has the margin `of` (margin_of), in (0, pi)
         sum,                 ///< of signals times factors
         ratio,               ///< of the signal `of` to the signal `to`
@@ -56,7 +57,8 @@ inline std::size_t order_of(std::span<const Signal> signals, std::size_t signal)
     const Signal& s = signals[signal];
     switch (s.kind) {
         case Signal::Kind::speed: return 1;
-        case Signal::Kind::acceleration: return 2;
+        case Signal::Kind::acceleration:
+        case Signal::Kind::curvature: return 2;
         case Signal::Kind::ratio: return std::max(order_of(signals, s.of), order_of(signals, s.to));
         case Signal::Kind::error: return order_of(signals, s.of);
         case Signal::Kind::sum: {
@@ -88,6 +90,22 @@ bool any_divisor(std::span<const Signal> signals, std::size_t signal, const Test
     const auto in = [&](std::size_t of) { return any_divisor(signals, of, test); };
     switch (s.kind) {
         case Signal::Kind::ratio: return in(s.of) || in(s.to) || test(s.to);
+        case Signal::Kind::error: return in(s.of);
+        case Signal::Kind::sum:
+            return std::any_of(s.terms.begin(), s.terms.end(),
+                               [&](const Signal::Term& term) { return in(term.signal); });
+        default: return false;
+    }
+}
+
+/// Whether a test holds of any curvature that a signal is, or is made of: such are divided by a velocity.
+template <class Test>
+bool any_curvature(std::span<const Signal> signals, std::size_t signal, const Test& test) {
+    const Signal& s = signals[signal];
+    const auto in = [&](std::size_t of) { return any_curvature(signals, of, test); };
+    switch (s.kind) {
+        case Signal::Kind::curvature: return test(signal);
+        case Signal::Kind::ratio: return in(s.of) || in(s.to);
         case Signal::Kind::error: return in(s.of);
         case Signal::Kind::sum:
             return std::any_of(s.terms.begin(), s.terms.end(),
@@ -209,6 +227,9 @@ public:
             case Kind::acceleration:
                 if constexpr (is_series) return placing_.scale * size(vector(signal, pose));
                 return T(std::numeric_limits<double>::quiet_NaN());
+            case Kind::curvature:
+                if constexpr (is_series) return curvature(vector(signal, pose)) / placing_.scale;
+                return T(std::numeric_limits<double>::quiet_NaN());
             case Kind::transmission_angle: return transmission_angle(driven, s.of);
             case Kind::sum: {
                 T sum(0);
@@ -222,7 +243,8 @@ public:
         return T(0);
     }
 
-    /// The vector whose size, in lengths of its own, such a signal is (is_size). Speeds need a series.
+    /// The vector whose size, in lengths of its own, such a signal is (is_size); of a curvature the velocity. Speeds
+    /// need a series.
     Vector<T> vector(std::size_t signal, const Pose<T>& pose) const {
         const Signal& s = signals[signal];
         if (s.kind == Signal::Kind::radius) return coordinates(s, pose);
@@ -230,7 +252,7 @@ public:
         if (s.kind == Signal::Kind::distance) return pose.pins[s.to] - pose.pins[s.of];
         Vector<T> by = pose.pins[s.of];
         if constexpr (is_series)
-            for (int order = s.kind == Signal::Kind::speed ? 1 : 2; order > 0; --order)
+            for (int order = s.kind == Signal::Kind::acceleration ? 2 : 1; order > 0; --order)
                 by = {slope_of(by.x), slope_of(by.y)};
         return by;
     }
@@ -270,6 +292,12 @@ private:
         if (s.on == none) return in_drawing(at);
         const LinkPlace<T>& link = pose.links[s.on];
         return placing_.scale * turned(at - link.origin, detail::conjugate(link.along));
+    }
+    /// Of the path that is passed with a velocity v: (x' y'' - y' x'') / (x'^2 + y'^2)^(3/2) (do Carmo, Differential
+    /// Geometry of Curves and Surfaces, section 1-5, exercise 12).
+    static T curvature(const Vector<T>& v) {
+        const T speed = hypotenuse(v.x, v.y);
+        return cross(v, {slope_of(v.x), slope_of(v.y)}) / (speed * speed * speed);
     }
     T size(const Vector<T>& v) const {
         if constexpr (is_series)

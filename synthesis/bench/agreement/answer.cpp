@@ -33,6 +33,7 @@ double scale_of(const Problem& problem, const Design& design, Unit unit) {
         case Unit::force: return length;
         case Unit::area:
         case Unit::torque: return length * length;
+        case Unit::curvature: return 1 / length;
         case Unit::angle: return file_units_per_inner(unit, problem.units);
         default: return 1;
     }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -39,8 +40,12 @@ std::string list_of(const Mechanism& mechanism, const std::string& word, bool co
     if (found.empty()) return {};
     std::string text =
         folded(emphasised(mechanism.name, Emphasis::strong, colour) + ": ", std::string(mechanism.meaning));
+    std::size_t width = name_of(Unit::length).size();
     for (const Quantity* quantity : found)
-        text += folded(fmt::format("  {:<24}  {:<6}  ", quantity->name, name_of(quantity->unit)), quantity->meaning);
+        width = std::max(width, name_of(quantity->unit).size());
+    for (const Quantity* quantity : found)
+        text += folded(fmt::format("  {:<24}  {:<{}}  ", quantity->name, name_of(quantity->unit), width),
+                       quantity->meaning);
     return text;
 }
 

@@ -219,7 +219,11 @@ void measure(const Over& over, std::span<const double> arguments, const Measurem
     // What divides is looked at for zeros, at its extremes.
     const bool of_values = full_turn && (kind == Kind::mean || kind == Kind::rms || kind == Kind::at);
     const auto divides = [](std::size_t) { return true; };
-    if (of_values && !linkage::any_divisor(over.measure.signals, over.measure.asked.signal, divides)) order -= 2;
+    const auto is_divided = [&] {
+        return linkage::any_divisor(over.measure.signals, over.measure.asked.signal, divides) ||
+               linkage::any_curvature(over.measure.signals, over.measure.asked.signal, divides);
+    };
+    if (of_values && !is_divided()) order -= 2;
     const bool could = order == 0   ? measure_by_series<0>(over, arguments, out)
                        : order <= 2 ? measure_by_series<2>(over, arguments, out)
                        : order <= 4 ? measure_by_series<4>(over, arguments, out)

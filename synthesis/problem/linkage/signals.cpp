@@ -24,7 +24,7 @@ struct SignalKind {
     linkage::Signal::Kind is;
 };
 
-constexpr std::array<SignalKind, 12> kinds{
+constexpr std::array<SignalKind, 13> kinds{
     {{"angle", {"to", "near"}, "angle", linkage::Signal::Kind::angle},
      {"x", {"on", ""}, "length", linkage::Signal::Kind::x},
      {"y", {"on", ""}, "length", linkage::Signal::Kind::y},
@@ -34,6 +34,7 @@ constexpr std::array<SignalKind, 12> kinds{
      {"slide", {"", ""}, "length", linkage::Signal::Kind::slide},
      {"speed-of", {"", ""}, "speed", linkage::Signal::Kind::speed},
      {"acceleration-of", {"", ""}, "acceleration", linkage::Signal::Kind::acceleration},
+     {"curvature-of", {"", ""}, "curvature", linkage::Signal::Kind::curvature},
      {"transmission-angle", {"", ""}, "angle", linkage::Signal::Kind::transmission_angle},
      {"sum", {"", ""}, "", linkage::Signal::Kind::sum},
      {"ratio", {"", ""}, "", linkage::Signal::Kind::ratio}}};
@@ -321,6 +322,7 @@ void read_signal_section(LinkageReading& reading) {
         const bool by_time = unit == "speed" || unit == "acceleration";
         reading.made.signals[i].unit = unit == "angle"                               ? Unit::angle
                                        : unit == "length" || (by_time && !by_length) ? Unit::length
+                                       : unit == "curvature"                         ? Unit::curvature
                                                                                      : Unit::none;
         if (unit == "circle")
             add_error(reading.messages, signals.places[i],

@@ -65,6 +65,8 @@ bool has_angle(const Linkage& linkage, std::size_t signal) {
 
 /// Why a signal cannot be the output of a function; empty if it can.
 std::string why_no_output(const Linkage& made, std::size_t output) {
+    if (made.signals[output].unit == Unit::curvature)
+        return "is a curvature: the output of a function is an angle or a length; name a signal that is one";
     if (made.signals[output].unit == Unit::none)
         return "is a ratio: the output of a function is an angle or a length; name a signal that is one";
     std::vector<linkage::Signal> signals;

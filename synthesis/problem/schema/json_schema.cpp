@@ -100,15 +100,15 @@ Json signal() {
         table["required"] = required;
         return table;
     };
-    return any_of({of({"angle"}, {{"angle", text}, {"to", text}, {"near", number}}),
-                   of({"x"}, {{"x", text}, {"on", text}}), of({"y"}, {{"y", text}, {"on", text}}),
-                   of({"along", "point"}, {{"along", number}, {"point", text}, {"on", text}}),
-                   of({"distance"}, {{"distance", two}}),
-                   of({"from-line", "point"}, {{"from-line", two}, {"point", text}}),
-                   of({"slide"}, {{"slide", any_of({text, Json{{"type", "integer"}, {"minimum", 1}}})}}),
-                   of({"speed-of"}, {{"speed-of", text}}), of({"acceleration-of"}, {{"acceleration-of", text}}),
-                   of({"transmission-angle"}, {{"transmission-angle", text}}), of({"sum"}, {{"sum", terms}}),
-                   of({"ratio"}, {{"ratio", two}})});
+    return any_of(
+        {of({"angle"}, {{"angle", text}, {"to", text}, {"near", number}}), of({"x"}, {{"x", text}, {"on", text}}),
+         of({"y"}, {{"y", text}, {"on", text}}),
+         of({"along", "point"}, {{"along", number}, {"point", text}, {"on", text}}),
+         of({"distance"}, {{"distance", two}}), of({"from-line", "point"}, {{"from-line", two}, {"point", text}}),
+         of({"slide"}, {{"slide", any_of({text, Json{{"type", "integer"}, {"minimum", 1}}})}}),
+         of({"speed-of"}, {{"speed-of", text}}), of({"acceleration-of"}, {{"acceleration-of", text}}),
+         of({"curvature-of"}, {{"curvature-of", text}}), of({"transmission-angle"}, {{"transmission-angle", text}}),
+         of({"sum"}, {{"sum", terms}}), of({"ratio"}, {{"ratio", two}})});
 }
 
 }  // namespace

@@ -20,7 +20,12 @@ double scale_of(const Problem& problem, const Requirement& requirement, const De
     const Unit unit = problem.mechanism->quantities[requirement.quantity].unit;
     const double length = longest_length(*problem.mechanism, design.dimensions);
     const double longest = length > 0 ? length : 1;
-    return unit == Unit::area ? longest * longest : unit == Unit::length ? longest : 1;
+    switch (unit) {
+        case Unit::length: return longest;
+        case Unit::area: return longest * longest;
+        case Unit::curvature: return 1 / longest;
+        default: return 1;
+    }
 }
 
 }  // namespace

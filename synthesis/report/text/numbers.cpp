@@ -27,6 +27,7 @@ double scale_of(Unit unit, const Problem& problem, const Design& design) {
         case Unit::angle: return 1;
         case Unit::length: return longest_length(problem, design);
         case Unit::area: return std::pow(longest_length(problem, design), 2);
+        case Unit::curvature: return 1 / longest_length(problem, design);
         case Unit::force:
         case Unit::torque:
         case Unit::rate: return 0;

@@ -46,6 +46,8 @@ Finding check_zero(const ProofContext& c) {
     if (quantity->unit == Unit::length || quantity->unit == Unit::area) {
         size = std::max(c.design.longest, c.design.path ? c.design.path->size : Digits50(0));
         if (quantity->unit == Unit::area) size *= size;
+    } else if (quantity->unit == Unit::curvature) {
+        size = 1 / c.design.longest;
     }
     if (!(again->value <= zero_within * size)) return fails("it is " + size_text(again->value) + ", not zero");
     return holds(fmt::format("{} cannot be negative, and is {}", quantity->name, size_text(again->value)));

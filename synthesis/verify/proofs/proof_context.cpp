@@ -22,7 +22,10 @@ Digits50 room_of(const ProofContext& c, Unit unit, const ClaimedRequirement& r) 
     Digits50 scale = unit == Unit::none || unit == Unit::angle ? 1 : 0;
     for (const auto& limit : {r.equal, r.min, r.max})
         if (limit) scale = std::max<Digits50>(scale, abs(from_document(*limit, unit, c.problem.units)));
-    if (scale == 0) scale = unit == Unit::area ? Digits50(longest_of_all(c) * longest_of_all(c)) : longest_of_all(c);
+    if (scale == 0) {
+        const Digits50 longest = longest_of_all(c);
+        scale = unit == Unit::area ? Digits50(longest * longest) : unit == Unit::curvature ? 1 / longest : longest;
+    }
     return c.design.claim->tolerance * scale;
 }
 

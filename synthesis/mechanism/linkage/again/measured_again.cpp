@@ -102,12 +102,21 @@ void add_sizes(const std::vector<linkage::Signal>& signals, std::size_t signal, 
 }
 
 /// A derivative of a signal by the time.
+Measured measured(const Scan& scan, const linkage::Signal& signal, int derivative) {
+    return {scan, [signal, derivative](const SeriesSignals& s) { return s.by_time(signal, derivative); },
+            [signal, derivative](SignalsAgain<Digits50>& s, int order, const Digits50& x) {
+                return Digits50(s.by_input(signal, derivative + order, x) / pow(s.rate(), order));
+            }};
+}
 Measured measured(const Scan& scan, std::size_t signal, int derivative) {
-    Measured f{scan, [signal, derivative](const SeriesSignals& s) { return s.by_time(signal, derivative); },
-               [signal, derivative](SignalsAgain<Digits50>& s, int order, const Digits50& x) {
-                   return Digits50(s.by_input(signal, derivative + order, x) / pow(s.rate(), order));
-               }};
+    Measured f = measured(scan, scan.model.signals[signal], derivative);
     add_sizes(scan.model.signals, signal, derivative == 0, f.sizes);
+    return f;
+}
+/// The speed of the point of whose path a signal is the curvature.
+Measured speed_of(const Scan& scan, std::size_t curvature) {
+    Measured f = measured(scan, {.kind = linkage::Signal::Kind::speed, .of = scan.model.signals[curvature].of}, 0);
+    f.sizes.push_back(curvature);
     return f;
 }
 
@@ -127,7 +136,10 @@ bool vanishes(const Measured& divisor, const LinkageMeasure& q) {
 
 Digits50 of_signal(const Scan& scan, const LinkageMeasure& q) {
     const auto divides_by_zero = [&](std::size_t divisor) { return vanishes(measured(scan, divisor, 0), q); };
-    if (linkage::any_divisor(scan.model.signals, q.asked.signal, divides_by_zero)) return missing;
+    const auto comes_to_rest = [&](std::size_t curvature) { return vanishes(speed_of(scan, curvature), q); };
+    if (linkage::any_divisor(scan.model.signals, q.asked.signal, divides_by_zero) ||
+        linkage::any_curvature(scan.model.signals, q.asked.signal, comes_to_rest))
+        return missing;
     const Measured f = measured(scan, q.asked.signal, static_cast<int>(q.asked.derivative));
     // At a corner a derivative has two values; where drives move by pieces it is the one after.
     const auto& drives = scan.model.drives;

@@ -31,7 +31,7 @@ double LinkageOutputAgain::error(double input, double asked) const {
     const double inside = std::clamp(input, scan_.at.front(), scan_.at.back());
     const SeriesSignals* signals = scan_.look(inside);
     if (signals == nullptr) return missing;
-    return signals->by_time(output_, 0).c[0] + 2 * std::numbers::pi * whole_turns_ - asked;
+    return signals->by_time(scan_.model.signals[output_], 0).c[0] + 2 * std::numbers::pi * whole_turns_ - asked;
 }
 
 Digits50 LinkageOutputAgain::error(const Digits50& input, const Digits50& asked) const {

@@ -32,6 +32,13 @@ struct Standing {
           start_turns(std::move(turns)) {}
 };
 
+/// The turn of the direction of a velocity, a series of the input, over the way: times the input's growth by the time
+/// the curvature of the path.
+template <class Value>
+Value curvature_again(const Vector<Value>& velocity) {
+    return slope_of(atan2(velocity.y, velocity.x)) / hypotenuse(velocity.x, velocity.y);
+}
+
 /// A linkage in a pose.
 template <class T>
 struct PoseSignals {
@@ -67,7 +74,7 @@ struct PoseSignals {
                       loop.direction(group.by_slide ? s.slides[group.joint].line : s.slots[group.joint].line, pose));
         return atan2(T(abs(cross(first, other))), dot(first, other));
     }
-    /// A signal that is no speed, no acceleration, no sum and no ratio of others.
+    /// A signal that is no speed, no acceleration, no curvature, no sum and no ratio of others.
     T value(const linkage::Signal& s) const {
         using std::cos, std::sin;
         using Kind = linkage::Signal::Kind;

@@ -57,8 +57,8 @@ public:
     PoseSignals<InputSeries> in_pose() const { return {model_, loop_, standing_, pose_}; }
 
     /// A signal, or its derivative of some order by the time, in which the input grows by its speed.
-    InputSeries by_time(std::size_t signal, int order) const {
-        InputSeries f = value(model_.signals[signal]);
+    InputSeries by_time(const linkage::Signal& signal, int order) const {
+        InputSeries f = value(signal);
         for (int i = 0; i < order; ++i)
             f = rate_ * slope_of(f);
         return f;
@@ -71,11 +71,11 @@ public:
         return at;
     }
 
-    /// The vector whose size a signal is (linkage::is_size).
+    /// The vector whose size a signal is (linkage::is_size); of a curvature the velocity.
     Vector<InputSeries> vector(const linkage::Signal& s) const {
         using Kind = linkage::Signal::Kind;
         if (s.kind == Kind::distance) return in_pose().apart(s);
-        return pin_by_time(s.of, s.kind == Kind::speed ? 1 : 2);
+        return pin_by_time(s.of, s.kind == Kind::acceleration ? 2 : 1);
     }
 
 private:
@@ -92,8 +92,10 @@ private:
                 sum += term.factor * value(model_.signals[term.signal]);
             return sum;
         }
-        if (s.kind != Kind::speed && s.kind != Kind::acceleration) return in_pose().value(s);
+        if (s.kind != Kind::speed && s.kind != Kind::acceleration && s.kind != Kind::curvature)
+            return in_pose().value(s);
         const Vector<InputSeries> by = vector(s);
+        if (s.kind == Kind::curvature) return rate_ * curvature_again(by);
         return hypotenuse(by.x, by.y);
     }
 

@@ -31,17 +31,16 @@ public:
           rate_(model.drives.front().speed ? *model.drives.front().speed * std::numbers::pi / 30 : 1) {}
 
     /// At the pose of an input near that where the follower stands, which it leaves as it was.
-    T value(std::size_t signal, const T& input) { return by_input(signal, 0, input); }
+    T value(std::size_t signal, const T& input) { return by_input(model_.signals[signal], 0, input); }
 
     /// The derivative of some order by the time, in which the input grows by its speed.
-    T by_input(std::size_t signal, int order, const T& input) {
-        const linkage::Signal& s = model_.signals[signal];
+    T by_input(const linkage::Signal& s, int order, const T& input) {
         T by(0);
         if (order == 0 || !is_limit(input)) {
             by = series(s, order, input).derivative(static_cast<std::size_t>(order));
         } else if (s.kind == linkage::Signal::Kind::sum) {
             for (const linkage::Signal::Term& term : s.terms)
-                by += T(term.factor) * by_input(term.signal, order, input);
+                by += T(term.factor) * by_input(model_.signals[term.signal], order, input);
             return by;
         } else {
             by = difference([&](const T& at) { return series(s, 0, at).c[0]; }, order, input);
@@ -177,6 +176,12 @@ private:
                 sum += T(term.factor) * series(model_.signals[term.signal], order, input);
             return sum;
         }
+        if (s.kind == Kind::curvature) {
+            const std::vector<Vector<T>> c = vector_by_input(s, 2 + order, input);
+            const Value x = Value::by_powers([&](std::size_t k) { return k < c.size() ? c[k].x : T(0); }),
+                        y = Value::by_powers([&](std::size_t k) { return k < c.size() ? c[k].y : T(0); });
+            return rate_ * curvature_again(Vector<Value>{rate_ * slope_of(x), rate_ * slope_of(y)});
+        }
         if (!linkage::is_size(s)) {
             const std::vector<T> c =
                 taylor([&](const T& x) { return at_pose(x, [&](const auto& p) { return p.value(s); }); }, order, input);
@@ -208,7 +213,8 @@ private:
             return k == 0 ? T(0) : after ? size.c[k - 1] : T(-size.c[k - 1]);
         });
     }
-    /// Taylor coefficients of a pin's place, or of how far two pins are apart; at a limit the last alone.
+    /// Taylor coefficients of a pin's place, or of how far two pins are apart; at a limit those of derivatives that a
+    /// signal goes by.
     std::vector<Vector<T>> vector_by_input(const linkage::Signal& s, int order, const T& input) {
         const bool apart = s.kind == linkage::Signal::Kind::distance;
         const auto place = [&](const T& x) {
@@ -216,9 +222,13 @@ private:
         };
         if (!is_limit(input)) return taylor(place, order, input);
         std::vector<Vector<T>> c(order + 1, Vector<T>{T(0), T(0)});
-        c.back() = difference(place, order, input);
-        for (int k = 2; k <= order; ++k)
-            c.back() = T(T(1) / T(k)) * c.back();
+        T factorial(1);
+        for (int k = 1; k <= order; ++k) {
+            factorial *= T(k);
+            if (k == order || s.kind == linkage::Signal::Kind::curvature)
+                c[k] = T(T(1) / factorial) * difference(place, k, input);
+        }
+        if (order == 0) c[0] = place(input);
         return c;
     }
 
