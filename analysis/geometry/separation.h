@@ -37,7 +37,7 @@ inline std::vector<std::size_t> convex_hull(std::span<const Vector<double>> poin
             const Vector<double>& p = points[*i];
             while (hull.size() >= start + 2) {
                 const Vector<double>&last = points[hull.back()], &before = points[hull[hull.size() - 2]];
-                if (cross(last - before, p - last) > rounding * size * size) break;
+                if (cross(last - before, p - last) > 0) break;
                 hull.pop_back();
             }
             const auto is_last = [&] {
@@ -51,6 +51,16 @@ inline std::vector<std::size_t> convex_hull(std::span<const Vector<double>> poin
     add_chain(order.begin(), order.end());
     add_chain(order.rbegin(), order.rend());
     if (hull.empty()) hull.push_back(order.front());
+    // Only what lies between its neighbours is on a side: of points in a line the last is a corner.
+    for (std::size_t i = 0; i < hull.size() && hull.size() > 2;) {
+        const Vector<double>&here = points[hull[i]], before = points[hull[(i + hull.size() - 1) % hull.size()]],
+              after = points[hull[(i + 1) % hull.size()]];
+        const bool on_side = cross(here - before, after - here) <= rounding * size * size;
+        if (on_side && dot(here - before, after - here) > 0)
+            hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+            ++i;
+    }
     return hull;
 }
 

@@ -84,6 +84,12 @@ TEST(ConvexHull, LeavesOutWhatIsInside) {
     EXPECT_EQ(convex_hull(Outline2d{{1, 1}, {1, 1}}).size(), 1u);
     EXPECT_EQ(convex_hull(Outline2d{{0, 0}, {2, 2}, {1, 1}}).size(), 2u);
     EXPECT_EQ(convex_hull(Outline2d{{3, 1}}).size(), 1u);
+    // Points that are on a line but for rounding, in an order that is not that along it.
+    const Outline2d upright{{-2e-13, 341}, {-1e-13, 400}, {0, 0}, {1e-13, 500}, {2e-13, 950}, {900, 300}};
+    const std::vector<std::size_t> corners = convex_hull(upright);
+    EXPECT_EQ(corners.size(), 3u);
+    for (const std::size_t corner : {2u, 4u, 5u})
+        EXPECT_NE(std::find(corners.begin(), corners.end(), corner), corners.end()) << corner;
 }
 
 }  // namespace
