@@ -104,9 +104,15 @@ std::string explained_parts(std::string_view parts) {
 }
 
 constexpr std::array<SignalWord, 4> of_rooms{{
-    {"width", "NAME.width", "of the box that the parts of the [[room]] NAME need over the motion, in its direction"},
+    {"width", "NAME.width",
+     "of the box that the parts of the [[room]] NAME need over the motion, in its direction; with direction = "
+     "\"least-width\" the least of all directions: where a side of the box lies on two places, or the slope by the "
+     "direction vanishes"},
     {"height", "NAME.height", "of this box, across its direction"},
-    {"area", "NAME.area", "of this box: its width times its height"},
+    {"area", "NAME.area",
+     "of this box: its width times its height; with direction = \"least-area\" the least of all directions (Freeman "
+     "and "
+     "Shapira, Communications of the ACM 18 (1975), 409-413)"},
     {"margin", "NAME.margin",
      "least distance over the motion from the border of the [[region]] NAME, in or out of which parts keep; negative "
      "where they do not: by how much they are beyond a border, or what overlaps has to be moved at least"},

@@ -13,6 +13,7 @@
 #include "analysis/linkage/measuring/means.h"
 #include "synthesis/mechanism/linkage/rooms/found_apart.h"
 #include "synthesis/mechanism/linkage/rooms/found_room.h"
+#include "synthesis/mechanism/linkage/rooms/turned_box.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 
 namespace mechwright::measuring {
@@ -36,7 +37,8 @@ public:
         if (over.over_input) ends_ = moving_ends(seeded[seeded_.size()], seeded[seeded_.size() + 1]);
         if (over.is_of_function()) measured_.ask(wanted(seeded, over.motion.function->series));
         // Several points may be farthest in one pose.
-        if (is_of_room(over.measure.kind) || over.measure.kind == Kind::region_margin) measured_.keep_poses();
+        const Kind kind = over.measure.kind;
+        if (is_of_room(kind) || is_of_turned_box(kind) || kind == Kind::region_margin) measured_.keep_poses();
         arguments_ = seeded;
     }
 
@@ -55,6 +57,10 @@ public:
             case Kind::room_width:
             case Kind::room_height: add_differences(1, out); break;
             case Kind::room_area: add_areas(out); break;
+            case Kind::turned_width:
+            case Kind::turned_area:
+                out.push_back(least_size(measured_, course_, found_.box, kind == Kind::turned_area, ends_));
+                break;
             case Kind::time_ratio: add_time_ratios(out); break;
             case Kind::extent: out.push_back(extent()); break;
             case Kind::function_rms: out.push_back(root_mean_square_error()); break;

@@ -94,9 +94,18 @@ inline bool is_of_room(Kind kind) {
     return kind == Kind::room_width || kind == Kind::room_height || kind == Kind::room_area;
 }
 
+inline bool is_of_turned_box(Kind kind) { return kind == Kind::turned_width || kind == Kind::turned_area; }
+
 /// How far all pins of a room are along its width, or its height; of its area all along the one, then along the other.
+/// Of a box that turns the coordinates of each.
 inline std::vector<Signal> signals_of_room(const LinkageRoom& room, Kind kind) {
     std::vector<Signal> signals;
+    for (const std::size_t pin : room.pins) {
+        if (!is_of_turned_box(kind)) break;
+        signals.push_back({Signal::Kind::x, pin});
+        signals.push_back({Signal::Kind::y, pin});
+    }
+    if (is_of_turned_box(kind)) return signals;
     for (const bool across : {false, true}) {
         if (kind == (across ? Kind::room_width : Kind::room_height)) continue;
         for (const std::size_t pin : room.pins)
@@ -143,7 +152,7 @@ inline std::vector<Signal> own_signals(const LinkageModel& model, const LinkageM
         const auto distance = target.followed == Followed::line ? Signal::Kind::y : Signal::Kind::radius;
         return {{distance, pin}, {Signal::Kind::x, pin}, {Signal::Kind::y, pin}};
     }
-    if (is_of_room(kind)) return signals_of_room(model.rooms[measure.of_room], kind);
+    if (is_of_room(kind) || is_of_turned_box(kind)) return signals_of_room(model.rooms[measure.of_room], kind);
     if (kind == Kind::region_margin) return signals_of_region(model.regions[measure.of_room], model.unit);
     if (kind == Kind::transmission_angle_worst)
         for (std::size_t margin = 0; margin < model.order.margins_of_dyads(); ++margin)

@@ -27,6 +27,8 @@ std::size_t component_count(Kind kind) {
         case Kind::at:
         case Kind::extent:
         case Kind::function_rms:
+        case Kind::turned_width:
+        case Kind::turned_area:
         case Kind::total_length: return 1;
         case Kind::function_greatest: return most_errors;
         case Kind::time_ratio: return 2;
@@ -47,6 +49,8 @@ Reduce reduce_of(Kind kind) {
         case Kind::at:
         case Kind::extent:
         case Kind::function_rms:
+        case Kind::turned_width:
+        case Kind::turned_area:
         case Kind::total_length: return Reduce::only;
         case Kind::function_greatest:
         case Kind::greatest:
@@ -149,6 +153,10 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
             found = found_of_all(over, plain, course);
         } else if (is_of_room(kind)) {
             found = found_of_room(over, plain, course, dimensions);
+        } else if (is_of_turned_box(kind)) {
+            found.box =
+                TurnedBoxSearch<K>(over, over.model.rooms[over.measure.of_room], plain, course, dimensions).found();
+            found.possible = found.box.possible;
         } else if (keeps_out(over)) {
             found = std::move(apart);
             settle_some(plain, course, found.plus, most_extremes, keep_least);
@@ -214,6 +222,8 @@ void measure(const Over& over, std::span<const double> arguments, const Measurem
     const Kind kind = over.measure.kind;
     const bool full_turn = over.motion.full_turn;
     std::size_t order = over.measure.signals.empty() ? 2 : linkage::order_for(over.measure.signals, over.measure.asked);
+    // The slope of a width goes by the slope of places that are stationary.
+    if (is_of_turned_box(kind)) order = 4;
     // A time ratio needs one derivative more for its second ones; what is given where it is, needs none.
     if (kind == Kind::time_ratio) ++order;
     // What divides is looked at for zeros, at its extremes.

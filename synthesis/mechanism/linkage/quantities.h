@@ -44,6 +44,9 @@ struct LinkageMeasure {
         room_width,
         room_height,
         room_area,
+        // Of one that is turned so that this is least:
+        turned_width,
+        turned_area,
         // Of parts over the motion:
         region_margin  ///< how far they keep inside of a region, or outside; negative where they do not
     };

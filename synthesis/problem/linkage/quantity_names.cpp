@@ -97,6 +97,17 @@ std::optional<LinkageMeasure> of_room(const Linkage& linkage, Word name, std::st
     for (std::size_t i = 0; i < linkage.rooms.size(); ++i) {
         if (linkage.rooms[i].name != owner) continue;
         made.of_room = i;
+        using Turn = LinkageRoom::Turn;
+        const Turn turn = linkage.rooms[i].turn;
+        if (turn != Turn::given) {
+            const bool area = turn == Turn::least_area;
+            if (rest == of_rooms[area ? 2 : 0]) return made.kind = area ? Kind::turned_area : Kind::turned_width, made;
+            return fault = fmt::format(
+                       "{} is no quantity of a room that is turned to its {}: write '{}.{}', or give its "
+                       "'direction' as an angle",
+                       reading::quoted(name), area ? "least area" : "least width", owner, of_rooms[area ? 2 : 0]),
+                   std::nullopt;
+        }
         if (const auto word = index_in(of_rooms, rest)) return made.kind = kinds[*word], made;
         return fault = fmt::format("{} is no quantity of a room: '{}' has {}", reading::quoted(name), owner,
                                    "width, height and area"),

@@ -307,6 +307,25 @@ void read_region(LinkageReading& reading, Section& section) {
     reading.made.regions.push_back(std::move(region));
 }
 
+/// An angle, or a word that says how the box is turned.
+void read_direction(LinkageReading& reading, Section& section, LinkageRoom& room) {
+    const toml::node* node = find(section, "direction");
+    if (node == nullptr) return;
+    if (node->is_number()) {
+        room.direction = to_radians(reading.made.units,
+                                    to_number(*node, name_of(section, "direction"), reading.messages).value_or(0));
+        return;
+    }
+    const auto word = node->value_exact<std::string>();
+    if (word == keys::turns_of_rooms[0])
+        room.turn = LinkageRoom::Turn::least_width;
+    else if (word == keys::turns_of_rooms[1])
+        room.turn = LinkageRoom::Turn::least_area;
+    else
+        report_kind(*node, name_of(section, "direction"), "an angle, \"least-width\" or \"least-area\"",
+                    reading.messages);
+}
+
 void read_room(LinkageReading& reading, Section& section) {
     LinkageRoom room;
     const auto name = read_own_name(reading, section, "NAME.width");
@@ -314,7 +333,7 @@ void read_room(LinkageReading& reading, Section& section) {
         room.pins.insert(room.pins.end(), part.begin(), part.end());
     std::sort(room.pins.begin(), room.pins.end());
     room.pins.erase(std::unique(room.pins.begin(), room.pins.end()), room.pins.end());
-    room.direction = to_radians(reading.made.units, read_number(section, "direction", reading.messages).value_or(0));
+    read_direction(reading, section, room);
     report_unknown_keys(section, reading.messages);
     if (!name) return;
     room.name = *name;

@@ -101,7 +101,12 @@ inline constexpr Key parts_of_linkage{
 
 inline constexpr std::array room{
     Key{"name", Shape::text, "What quantities call it: NAME.width, NAME.height, NAME.area.", true}, parts_of_linkage,
-    Key{"direction", Shape::number, "Angle of the width to the drawing's x axis. Preset: 0."}};
+    Key{"direction", Shape::value,
+        "Angle of the width to the drawing's x axis; or \"least-width\" or \"least-area\", turned so that this is "
+        "least. "
+        "Preset: 0."}};
+
+inline constexpr std::array<std::string_view, 2> turns_of_rooms{"least-width", "least-area"};
 
 inline constexpr std::array<std::string_view, 2> ways_to_keep{"in", "out"};
 

@@ -323,6 +323,15 @@ Json with_parts(const Key& key) {
     return schema;
 }
 
+Json rooms(const Key& key) {
+    Json schema = with_parts(key), words = Json::array();
+    for (const std::string_view word : keys::turns_of_rooms)
+        words.push_back(word);
+    schema["items"]["properties"]["direction"].update(
+        any_of({Json{{"type", "number"}}, Json{{"enum", std::move(words)}}}));
+    return schema;
+}
+
 Json regions(const Key& key) {
     Json schema = with_parts(key), pair = list_of({{"type", "number"}});
     pair["minItems"] = pair["maxItems"] = 2;
@@ -390,7 +399,7 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     properties["segment"] = segments(key("segment"));
     properties["objective"] = objectives(key("objective"));
     properties["require"] = requirements(key("require"));
-    properties["room"] = with_parts(key("room"));
+    properties["room"] = rooms(key("room"));
     properties["region"] = regions(key("region"));
     properties["solver"]["properties"]["method"].update(one_of(methods));
     for (const std::string_view target : repeated_targets)

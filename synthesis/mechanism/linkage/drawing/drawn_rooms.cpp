@@ -46,7 +46,7 @@ std::optional<Outline> outline_of(const MovingDesign& design, const LinkageRegio
 std::optional<Outline> outline_of(const MovingDesign& design, const LinkageRoom& room) {
     const auto box = box_of(design.motion, design.dimensions, room);
     if (!box) return {};
-    const Vector<double> along = way(room.direction), across = left_of(along);
+    const Vector<double> along = way(box->direction), across = left_of(along);
     const auto at = [&](double width, double height) { return width * along + height * across; };
     return polygon_of({at(box->along.x, box->across.x), at(box->along.y, box->across.x),
                        at(box->along.y, box->across.y), at(box->along.x, box->across.y)});

@@ -13,6 +13,7 @@ namespace mechwright {
 /// From where to where it reaches along its width and across, in the drawing's axes turned by its direction.
 struct Box {
     Vector<double> along, across;
+    double direction = 0;  ///< of its width, radians
 };
 
 /// The box of a room over a motion, whose model is a LinkageModel; absent where the linkage does not close over it.

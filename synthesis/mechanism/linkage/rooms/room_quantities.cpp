@@ -20,6 +20,11 @@ std::string meaning_of_side(std::string_view side, const LinkageRoom& room, doub
                        room.name, direction);
 }
 
+std::string meaning_of_least(std::string_view size, const LinkageRoom& room) {
+    return fmt::format("least {} of all boxes, turned in any direction, that '{}' needs over the motion", size,
+                       room.name);
+}
+
 std::string meaning_of_margin(const LinkageRegion& region) {
     return fmt::format("least distance over the motion by which parts keep {} '{}'; negative where they do not",
                        region.inside ? "in" : "out of", region.name);
@@ -38,6 +43,11 @@ std::vector<Quantity> quantities_of_rooms(const LinkageModel& model, std::size_t
     constexpr double degree = std::numbers::pi / 180;
     for (std::size_t i = 0; i < model.rooms.size(); ++i) {
         const LinkageRoom& room = model.rooms[i];
+        if (room.turn == LinkageRoom::Turn::least_width)
+            add(room.name + ".width", Unit::length, meaning_of_least("width", room), Kind::turned_width, i);
+        if (room.turn == LinkageRoom::Turn::least_area)
+            add(room.name + ".area", Unit::area, meaning_of_least("area", room), Kind::turned_area, i);
+        if (room.turn != LinkageRoom::Turn::given) continue;
         const double width = room.direction / degree, height = width + 90;
         add(room.name + ".width", Unit::length, meaning_of_side("width", room, width), Kind::room_width, i);
         add(room.name + ".height", Unit::length, meaning_of_side("height", room, height), Kind::room_height, i);

@@ -12,11 +12,13 @@
 
 namespace mechwright {
 
-/// A box about some pins, turned by an angle.
+/// A box about some pins, turned by an angle, or so that its width or its area is least.
 struct LinkageRoom {
+    enum class Turn { given, least_width, least_area };
     std::string name;
     std::vector<std::size_t> pins;
-    double direction = 0;  ///< of its width, radians; its height is across
+    double direction = 0;  ///< of its width, radians, where that is given; its height is across
+    Turn turn = Turn::given;
 };
 
 /// A region that parts of a linkage keep in or out of. One that is a link moves with it.

@@ -14,6 +14,7 @@
 #include "analysis/linkage/measuring/jumps.h"
 #include "analysis/linkage/measuring/margins.h"
 #include "synthesis/mechanism/linkage/measured_over.h"
+#include "synthesis/mechanism/linkage/rooms/contacts.h"
 
 namespace mechwright::measuring {
 
@@ -43,6 +44,7 @@ struct Found {
     std::vector<Term> minus{};                        ///< of a range: those that are taken away
     std::vector<Term> plus_across{}, minus_across{};  ///< of an area: those of the other range
     std::vector<linkage::MarginPlace> margins{};
+    TurnedBox box{};  ///< of a box that turns
     bool possible = true;
     double whole_turns = 0;  ///< by which the output of a function is counted on
     bool samples = false;    ///< of a function, not extremes: they keep their share of the motion
