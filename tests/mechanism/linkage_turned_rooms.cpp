@@ -128,6 +128,16 @@ TEST(TurnedRooms, HaveExactDerivatives) {
                        {"path.width", "about.area"});
 }
 
+/// A lift whose feet and rollers stay above each other: both sides of its box lie on two places, as far apart
+/// as the foot goes.
+TEST(TurnedRooms, HaveExactDerivativesWhereBothSidesLieOnTwoPlaces) {
+    std::ifstream in(MECHWRIGHT_SOURCE_DIR "/problems/linkage/scissors-ram.toml");
+    const std::string text = std::string{std::istreambuf_iterator<char>(in), {}} +
+                             "[motion]\ncrank_range = [300, 900]\n" + turned_room("thin", "least-width");
+    EXPECT_NEAR(value_in(analysed_room(text).document, "thin.width"), 900, 1e-10);
+    expect_room_slopes(text, {"thin.width"});
+}
+
 TEST(TurnedRooms, AreVerifiedOverMotionsThatEnd) {
     for (const char* motion : {"", "[motion]\ncrank_range = [-35, 110]\n"}) {
         const Json document =

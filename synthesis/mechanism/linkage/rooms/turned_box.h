@@ -129,7 +129,8 @@ T least_size(linkage::Measured<T, K>& measured, const Course& course, const Turn
             if (step == 0) slope = number_as<double>(value_of(again));
         }
         // Where it is as wide in all directions nearby the direction may stay.
-        if (std::abs(slope) > flat * size) direction = direction - linkage::detail::change_of(T(missed / T(slope)));
+        const double least = box.beside ? 0 : flat * size;
+        if (std::abs(slope) > least) direction = direction - linkage::detail::change_of(T(missed / T(slope)));
     }
     const BoxSides<T> sides = sides_of(along, box.contacts, direction);
     return area ? T(sides.size[0] * sides.size[1]) : sides.size[0];
@@ -397,6 +398,31 @@ private:
         box.contacts[side] = one;
         return box;
     }
+    /// The box of a direction at which its slope changes sign, to rounding. Where several of its sides lie on two
+    /// places, as those that stay parallel do, the longest of these tells how it turns. What is touched is seen beside
+    /// it.
+    TurnedBox at_corner(double direction, const Contacts& contacts) {
+        constexpr double beside = 1e-7;
+        const Look low = look(direction - beside), high = look(direction + beside);
+        TurnedBox box{true, direction, contacts, 0, {}};
+        double longest = 0;
+        for (std::size_t side = 0; side < (area_ ? 4u : 2u); ++side) {
+            if (is_same(low.contacts[side], high.contacts[side])) continue;
+            const double outward = direction + turn_of_side(side);
+            const double length = std::abs(along_.of(low.contacts[side], outward).across -
+                                           along_.of(high.contacts[side], outward).across);
+            if (!(length > longest)) continue;
+            longest = length;
+            box.contacts = low.contacts;
+            box.side = side;
+            box.beside = high.contacts[side];
+        }
+        if (!box.beside) return box;
+        for (std::size_t side = 0; side < box.contacts.size(); ++side)
+            resettle(box.contacts[side], direction + turn_of_side(side));
+        resettle(*box.beside, direction + turn_of_side(box.side));
+        return box;
+    }
     /// Goes on with a contact to another direction nearby.
     void resettle(Contact& contact, double direction) {
         constexpr int most_steps = 6;
@@ -424,7 +450,7 @@ private:
             // Newton's method from the middle of them, where it stays between them.
             const double middle = 0.5 * (low.direction + high.direction);
             Look here = look(middle);
-            if (!(middle > low.direction && middle < high.direction)) return {true, middle, here.contacts, 0, {}};
+            if (!(middle > low.direction && middle < high.direction)) return at_corner(high.direction, high.contacts);
             for (int k = 0; k < 12 && here.bend > 0; ++k) {
                 const double next = here.direction - here.slope / here.bend;
                 if (!(next > low.direction && next < high.direction)) break;
@@ -436,7 +462,7 @@ private:
             if (here.slope == 0) return {true, here.direction, here.contacts, 0, {}};
             (here.slope < 0 ? low : high) = here;
         }
-        return {true, high.direction, high.contacts, 0, {}};
+        return at_corner(high.direction, high.contacts);
     }
 
     linkage::Measured<double, K>& measured_;
