@@ -364,8 +364,8 @@ private:
         return way < 0.5 * farthest();
     }
 
-    /// The box of two looks between which its slope changes sign where a side lies on two places; absent where the
-    /// farthest places there are others.
+    /// The box of two looks between which its slope changes sign where a side lies on two places; absent where it does
+    /// not there, or the farthest places are others.
     std::optional<TurnedBox> on_two_places(const Look& low, const Look& high) {
         constexpr int most_steps = 12;
         constexpr double rounding = 1e-13;
@@ -392,10 +392,16 @@ private:
         TurnedBox box{true, direction, contacts_in(direction), side, other};
         resettle(one, direction + turn_of_side(side));
         resettle(*box.beside, direction + turn_of_side(side));
-        const double farthest = along_.of(box.contacts[side], direction + turn_of_side(side)).out,
-                     stated = along_.of(one, direction + turn_of_side(side)).out;
-        if (!(farthest - stated <= rounding * (std::abs(farthest) + size_of(measured_.driven())))) return {};
-        box.contacts[side] = one;
+        const double outward = direction + turn_of_side(side), farthest = along_.of(box.contacts[side], outward).out;
+        const double within = rounding * (std::abs(farthest) + size_of(measured_.driven()));
+        for (const Contact& contact : {one, *box.beside})
+            if (!(std::abs(farthest - along_.of(contact, outward).out) <= within)) return {};
+        // The slope need not change its sign there.
+        const auto slope_with = [&](const Contact& contact) {
+            box.contacts[side] = contact;
+            return slope_of_least(sides_of(along_, box.contacts, direction), area_).first;
+        };
+        if (!(slope_with(*box.beside) >= 0) || !(slope_with(one) <= 0)) return {};
         return box;
     }
     /// The box of a direction at which its slope changes sign, to rounding. Where several of its sides lie on two
