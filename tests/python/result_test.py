@@ -58,6 +58,14 @@ class Results(unittest.TestCase):
         self.assertEqual(document, plain(self.result))
         self.assertEqual(json.loads(json.dumps(document)), document)
 
+    def test_json_writes_a_result(self):
+        path = mechwright.solve(PROBLEMS / "exact/three-poses-four-points.toml")
+        for result in (path, self.result, self.infeasible, copy.deepcopy(path), pickle.loads(pickle.dumps(path))):
+            for indent in (None, 2):
+                self.assertEqual(json.dumps(result, indent=indent, ensure_ascii=False), result.to_json(indent=indent))
+            self.assertEqual(json.loads(json.dumps([{"one": result}])), [{"one": result.document}])
+        self.assertIsInstance(copy.deepcopy(path).poses.points, np.ndarray)
+
     def test_a_saved_one_is_the_document_of_the_program(self):
         file = Folder(self).path / "result.json"
         for name in ("four-bar/crank-rocker.toml", "exact/three-poses-four-points.toml", "cam/knife-table.toml"):

@@ -68,6 +68,13 @@ class Result(Record):
         """A picture of the design, with its curves. Raises ValueError where there is no design that can be shown."""
         return str(self.draw())
 
+    def items(self) -> Any:
+        """Pairs of what JSON can hold, lists for arrays, so that `json.dumps(result)` works, which asks for them."""
+        return self.document.items()
+
+    def __reduce__(self) -> Tuple[type, Tuple[Dict[str, Any]]]:
+        return type(self), (dict(self),)  # copies keep arrays
+
     def _keys(self) -> List[str]:
         return list(dict.fromkeys([*self, *_MEMBERS]))
 
