@@ -10,6 +10,7 @@
 #include "synthesis/program/search_trace.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
+#include "synthesis/search/best_assemblies.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/polished_search.h"
 #include "synthesis/search/starts.h"
@@ -82,20 +83,31 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     Multistart result;
     if (programs.empty()) return result;
 
-    const auto count = static_cast<int>(programs.size());
-    const int each =
-        std::max((problem.solver.starts + count - 1) / count, std::min(least_starts_of_variant, problem.solver.starts));
-    const int total = each * count;
     const int candidates = start_candidates(problem);
-    LocalLimits limits;
-    limits.deadline = deadline;
-    limits.stop = options.stop;
-    limits.polishing = seconds_of(options.trace, &SearchTrace::polishing);
-
     const auto random_start = [&](const Program& program, int number) {
         const Timed timed(seconds_of(options.trace, &SearchTrace::screening));
         return screened_start(program, problem.solver.seed, number, candidates);
     };
+    std::vector<Start> firsts(has_many_assemblies(programs) ? programs.size() : 0);
+    share_work(static_cast<int>(firsts.size()), options.jobs, [&](int i) {
+        firsts[static_cast<std::size_t>(i)] = random_start(programs[static_cast<std::size_t>(i)], 0);
+    });
+    std::vector<AssemblyMerit> merits;
+    for (std::size_t i = 0; i < firsts.size(); ++i) {
+        merits.push_back({programs[i].variant.assembly, firsts[i].merit});
+        result.report.drawn += firsts[i].counts.drawn;
+        result.report.assembled += firsts[i].counts.assembled;
+    }
+    const std::vector<std::size_t> searched = in_best_assemblies(programs, std::move(merits));
+
+    const auto count = static_cast<int>(searched.size());
+    const int each =
+        std::max((problem.solver.starts + count - 1) / count, std::min(least_starts_of_variant, problem.solver.starts));
+    const int total = each * count;
+    LocalLimits limits;
+    limits.deadline = deadline;
+    limits.stop = options.stop;
+    limits.polishing = seconds_of(options.trace, &SearchTrace::polishing);
 
     std::vector<Slot> slots(static_cast<std::size_t>(total));
     std::mutex reporting;
@@ -108,15 +120,15 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
         done = 0;
         share_work(total, options.jobs, [&](int task) {
             if (limits.reached() || task > zero_at) return;
-            const auto variant = static_cast<std::size_t>(task % count);
+            const Program& program = programs[searched[static_cast<std::size_t>(task % count)]];
             Slot& slot = slots[static_cast<std::size_t>(task)];
-            const Start start = random_start(programs[variant], task / count);
+            const Start start = random_start(program, task / count);
             slot.counts = start.counts;
             const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
-            LocalOutcome outcome = search(programs[variant], start.x);
+            LocalOutcome outcome = search(program, start.x);
             slot.evaluations += outcome.evaluations;
             slot.hessians += outcome.hessians;
-            if (outcome.x.size() > 0) slot.solution = assess(problem, design_at(programs[variant], outcome.x));
+            if (outcome.x.size() > 0) slot.solution = assess(problem, design_at(program, outcome.x));
             slot.done = !limits.reached();
             if (options.trace)
                 slot.ends.push_back({!from.empty()     ? from

@@ -43,9 +43,8 @@ Start screened_start(const Program& program, std::uint64_t seed, int index, int 
     constexpr int tries = 40;  // draws for each candidate until the conditions of motion hold
     const auto base = static_cast<std::uint64_t>(index) * static_cast<std::uint64_t>(candidates * tries);
 
-    Start best{VectorXd::Zero(n)};
+    Start best{VectorXd::Zero(n), false, unlimited};
     DrawCounts counts;
-    double least = unlimited;
     bool found = false;
     ProgramValues values;
     // Of linkages few random ones close: only those count as candidates.
@@ -57,9 +56,8 @@ Start screened_start(const Program& program, std::uint64_t seed, int index, int 
         settle_epigraphs(program, x);
         const double m = merit(program, x, values);
         counts += {1, m < unlimited ? 1 : 0};
-        if (found && !(m < least)) return m < unlimited;
-        best = {std::move(x), preferred};
-        least = m;
+        if (found && !(m < best.merit)) return m < unlimited;
+        best = {std::move(x), preferred, m};
         found = true;
         return m < unlimited;
     };

@@ -16,6 +16,7 @@ int start_candidates(const Problem& problem);
 struct Start {
     Eigen::VectorXd x;
     bool preferred = false;  ///< the preferred values
+    double merit = 0;        ///< less is better; infinite where the mechanism does not assemble
     DrawCounts counts{};     ///< what it was chosen from
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "synthesis/program/assess.h"
 #include "synthesis/program/proof.h"
 #include "synthesis/report/text/table.h"
 #include "tests/report/examples.h"
@@ -192,6 +193,30 @@ TEST(AnalysisSummary, ListsQuantitiesAndMotion) {
         expect_has(text, part);
     for (const char* part : {"Solved", "Search", "Verification"})
         expect_has_not(text, part);
+}
+
+TEST(AnalysisSummary, CamsHaveNoCrank) {
+    const Problem problem = problem_of(R"(schema = 1
+mechanism = "cam"
+[cam]
+follower = "knife"
+[dimensions]
+prime-radius = 40
+offset = 0
+[[segment]]
+kind = "rise"
+angle = 180
+lift = 10
+law = "cycloidal"
+[[segment]]
+kind = "return"
+angle = 180
+lift = 10
+law = "cycloidal"
+)");
+    const std::string text = analysis_summary(problem, evaluate_given(problem), {});
+    expect_has(text, "pressure-angle");
+    expect_has_not(text, "crank");
 }
 
 TEST(AnalysisSummary, SaysHowFarTheCrankTurns) {

@@ -29,8 +29,8 @@ constexpr int starts_of_rounds = 32;
 /// to the smaller part.
 constexpr double same_end_within = 3e-6;
 constexpr double hits_within = 1e-6;
-/// The search goes on while more than this share of batches would end where none has.
-constexpr double most_share_unseen = 0.05;
+/// The search goes on while the chance that a better end was missed is greater than this.
+constexpr double most_missed_chance = 0.05;
 /// Chains of variations from the best of all batches, so many at a time, of so many evaluations; again while they gain
 /// more than this part, and so many times at most.
 constexpr int chains_at_a_time = 2;
@@ -57,6 +57,7 @@ struct Search {
     SearchEnds ends{same_end_within};
     std::vector<double> least_sums;  ///< of batches
     std::vector<FittedCurve> best;   ///< of all of them
+    int chains = 0;                  ///< of variations, so far
 
     Search(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline)
         : problem(p), options(o) {
@@ -115,7 +116,13 @@ struct Search {
     }
 
     bool is_exact() const { return !best.empty() && is_rounding(*curve, best.front().sum); }
-    bool enough() const { return is_exact() || ends.unseen() <= most_share_unseen; }
+    bool enough() const { return is_exact() || missed_chance() <= most_missed_chance; }
+
+    /// The chance that a better end was missed: by how many ends there were, and no less than what is said by the
+    /// batches that came to the best of them alone, and two more, which makes it hold on shapes that are no coupler
+    /// curves: of 140 runs those that were told 4, 16, 32 and 88 % on average missed a better end in 4, 29, 27 and 44
+    /// %.
+    double missed_chance() const { return std::max(ends.unseen(), unseen_share(hits() + 2, 1)); }
 
     /// Variations of the best of all batches. What they come to that no batch has come to is one more end.
     void refine() {
@@ -126,11 +133,12 @@ struct Search {
             if (is_exact() || stopped()) break;
             before = best.front().sum;
             const std::vector<FittedCurve> from = best;
-            run(chains_at_a_time, [&](int i) {
-                const auto number = static_cast<std::uint64_t>(time * chains_at_a_time + i);
+            run(chains_at_a_time, [&, first = chains](int i) {
+                const auto number = static_cast<std::uint64_t>(first + i);
                 return curve_variations(*curve, from, mixed(problem.solver.seed + 1) + number, evaluations_of_chain,
                                         [&] { return stopped(); });
             });
+            chains += chains_at_a_time;
         }
         if (best.front().sum < (1 - same_end_within) * best_of_batches) ends.add(best.front().sum);
     }
@@ -210,7 +218,9 @@ struct Search {
         return found;
     }
 
+    /// Batches that came to the best end.
     int hits() const {
+        if (best.empty()) return 0;
         return static_cast<int>(std::count_if(least_sums.begin(), least_sums.end(), [&](double sum) {
             return is_rounding(*curve, sum) || sum <= (1 + hits_within) * best.front().sum;
         }));
@@ -243,9 +253,11 @@ Multistart curve_search(const Problem& problem, const RunOptions& options,
         if (!search.best.empty()) now = search.assessed(search.best.front());
         search.tell_progress(now);
         result.milestones.push_back({search.report.drawn, search.report.evaluations, 0, std::move(now)});
+        if (!search.enough() && round + 1 < search.most_rounds()) continue;
+        search.refine();
+        // Where variations came to what no batch has come to, it goes on.
         if (search.enough()) break;
     }
-    search.refine();
     const std::vector<Solution> found = search.finish();
     std::vector<const Solution*> all;
     for (const Solution& s : found)
@@ -254,7 +266,7 @@ Multistart curve_search(const Problem& problem, const RunOptions& options,
     result.report = search.report;
     result.optima = distinct_optima(problem, all, result.report);
     result.report.hits = found.empty() ? 0 : search.hits();
-    result.report.missed_chance = search.ends.unseen();
+    result.report.missed_chance = search.missed_chance();
     if (!result.optima.empty() && is_at_zero(problem, result.optima.front())) {
         result.report.proof = proof_by_zero(problem);
         result.report.missed_chance = 0;

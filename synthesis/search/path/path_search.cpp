@@ -14,6 +14,7 @@
 #include "synthesis/program/search_trace.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
+#include "synthesis/search/best_assemblies.h"
 #include "synthesis/search/curve/curve_search.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/path/path_objective.h"
@@ -81,6 +82,7 @@ struct Search {
     const RunOptions& options;
     PathPrograms programs;
     std::vector<ScreenedStarts> starts;  ///< by program
+    std::vector<std::size_t> searched;   ///< of the programs, those in which starts are screened
     LocalLimits limits;
     bool least_squares;  ///< the sum of squares is all that counts
     bool led;            ///< least squares lead to the objective
@@ -109,6 +111,8 @@ struct Search {
           most_rounds(rounds_for_starts * thoroughness) {
         for (const Program& program : programs.all)
             starts.emplace_back(program, p.solver.seed);
+        searched.resize(programs.all.size());
+        std::iota(searched.begin(), searched.end(), 0);
         limits.deadline = deadline;
         limits.stop = o.stop;
         limits.polishing = seconds_of(o.trace, &SearchTrace::polishing);
@@ -121,7 +125,7 @@ struct Search {
 
     /// The best starts of every variant, each taken a little way.
     std::vector<Trial> short_searches(int round) {
-        const auto variants_count = static_cast<int>(programs.all.size());
+        const auto variants_count = static_cast<int>(searched.size());
         const int each = std::max(1, short_searches_per_start * starts_of_round / variants_count);
         // Tasks of a few starts each, so that the work can be shared evenly.
         constexpr int per_task = 4;
@@ -137,7 +141,7 @@ struct Search {
             share_work(std::min(of_wave, tasks - first), options.jobs, [&](int i) {
                 if (limits.reached()) return;
                 const int task = first + i;
-                const auto p = static_cast<std::size_t>(task % variants_count);
+                const std::size_t p = searched[static_cast<std::size_t>(task % variants_count)];
                 const int number = round * tasks_per_variant + task / variants_count;
                 for (const VectorXd& start : screened(p, number, per_task, counts[static_cast<std::size_t>(task)])) {
                     const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
@@ -165,6 +169,17 @@ struct Search {
         }
         report.optimised += static_cast<long>(all.size());
         return all;
+    }
+
+    /// The searches that began in the best assemblies, where there are many; others are not searched any more.
+    void keep_best_assemblies(std::vector<Trial>& trials) {
+        std::vector<AssemblyMerit> merits;
+        for (const Trial& trial : trials)
+            merits.push_back({programs.all[trial.program].variant.assembly, trial.outcome.objective});
+        searched = in_best_assemblies(programs.all, std::move(merits));
+        std::erase_if(trials, [&](const Trial& trial) {
+            return !std::binary_search(searched.begin(), searched.end(), trial.program);
+        });
     }
 
     /// Whether a round can end at the first search that comes to all points exactly.
@@ -417,6 +432,7 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     if (search.programs.all.empty()) return result;
     for (int round = 0; round < search.most_rounds && !search.limits.reached(); ++round) {
         std::vector<Trial> trials = search.short_searches(round);
+        if (round == 0 && !search.met_exactly) search.keep_best_assemblies(trials);
         if (search.met_exactly) trials.resize(1);
         keep_different(trials, search.starts_of_round);
         search.report.starts += static_cast<int>(trials.size());
