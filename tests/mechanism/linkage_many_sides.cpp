@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -13,7 +14,6 @@
 #include "synthesis/search/best_assemblies.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/solve/solve.h"
-#include "tests/replaced.h"
 
 namespace mechwright {
 
@@ -46,8 +46,7 @@ link = "crank"
 }
 
 const std::string given = "[dimensions]\nrod = 92\nlast = 93\n";
-const std::string designed = "[dimensions]\nrod = { min = 89, max = 96 }\nlast = { min = 90, max = 96 }\n";
-constexpr int most_starts = static_cast<int>(most_assemblies_searched);
+const std::string designed = "[dimensions]\nrod = 92\nlast = { min = 90, max = 96 }\n";
 
 Result solved(const std::string& text) {
     const ReadProblem read = parse_problem(text, "row.toml");
@@ -62,14 +61,18 @@ TEST(ManySides, AreSearchedInTheBestSixteen) {
     ASSERT_TRUE(read.ok());
     const nlohmann::ordered_json document = analysis_document(read.problem, evaluate_given(read.problem));
     const double swing = document["quantities"]["swing.range"].get<double>();
-    const Result result = solved(row_of_rockers(designed, "either") + wanted +
-                                 fmt::format("[[require]]\nquantity = \"swing.range\"\nequal = {:.17g}\n"
-                                             "[objective]\nminimize = \"swing.greatest\"\n[solver]\nstarts = 1\n",
-                                             swing));
-    ASSERT_EQ(result.status, Status::solved);
-    EXPECT_LE(result.search.starts, most_starts);
-    EXPECT_GT(result.search.drawn, result.search.optimised);
-    EXPECT_LE(result.best->objective, document["quantities"]["swing.greatest"].get<double>());
+    const std::string text = row_of_rockers(designed, "either") + wanted +
+                             fmt::format(
+                                 "[[require]]\nquantity = \"swing.range\"\nequal = {:.17g}\n"
+                                 "[objective]\nminimize = \"swing.greatest\"\n[solver]\nstarts = 1\n",
+                                 swing);
+    const Multistart result =
+        multistart(parse_problem(text, "row.toml").problem, slsqp, {}, std::chrono::steady_clock::time_point::max());
+    EXPECT_EQ(result.report.starts, static_cast<int>(most_assemblies_searched));
+    EXPECT_GT(result.report.drawn, result.report.optimised);
+    ASSERT_FALSE(result.optima.empty());
+    EXPECT_TRUE(result.optima.front().feasible);
+    EXPECT_LE(result.optima.front().objective, document["quantities"]["swing.greatest"].get<double>() * (1 + 1e-9));
 }
 
 TEST(ManySides, APathThatOneOfThemMeetsIsFound) {
