@@ -17,7 +17,7 @@ std::vector<std::size_t> in_best_assemblies(const std::vector<Program>& programs
                                             std::size_t most) {
     std::vector<std::size_t> chosen(programs.size());
     std::iota(chosen.begin(), chosen.end(), 0);
-    if (!has_many_assemblies(programs, most)) return chosen;
+    if (merits.empty() || !has_many_assemblies(programs, most)) return chosen;
     std::stable_sort(merits.begin(), merits.end(),
                      [](const AssemblyMerit& a, const AssemblyMerit& b) { return a.merit < b.merit; });
     std::set<std::size_t> kept;

@@ -20,7 +20,7 @@ struct AssemblyMerit {
 };
 
 /// Those of `programs`, by index and in their order, whose assemblies come to the least merits; of equal ones the first
-/// given. All of them where there are no more than `most` assemblies.
+/// given. All of them where there are no more than `most` assemblies, or no merits, as where nothing assembles.
 std::vector<std::size_t> in_best_assemblies(const std::vector<Program>& programs, std::vector<AssemblyMerit> merits,
                                             std::size_t most = most_assemblies_searched);
 

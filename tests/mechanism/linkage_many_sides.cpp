@@ -110,6 +110,7 @@ TEST(ManySides, FewAssembliesAreAllSearched) {
             programs.push_back(build_program(read.problem, {0, assembly, direction, {}}));
     std::vector<AssemblyMerit> merits{{0, 3.0}, {3, 1.0}, {1, 2.0}, {3, 0.5}, {2, 2.0}};
     EXPECT_EQ(in_best_assemblies(programs, merits).size(), programs.size());
+    EXPECT_EQ(in_best_assemblies(programs, {}, 2).size(), programs.size());
     // The second and the fourth assembly, in both directions each; the third is as good as the second, and comes later.
     EXPECT_EQ(in_best_assemblies(programs, merits, 2), (std::vector<std::size_t>{2, 3, 6, 7}));
 }
