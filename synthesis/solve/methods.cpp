@@ -99,11 +99,17 @@ void settle_best(const Problem& problem, Found& found, const RunOptions& options
         found.candidates.front() = *std::move(at.solution);
 }
 
+/// What is said where a search ends without any design.
+std::string why_nothing_is_found(const SearchReport& report) {
+    if (report.drawn == 0) return "no kind of motion of this mechanism has all the quantities that the problem names";
+    return report.assembled == 0 ? "none of the candidates that were drawn assembles"
+                                 : "no search from the candidates that were drawn came to a design";
+}
+
 Found search(std::string_view name, LocalMethod local, const Problem& problem, const RunOptions& options,
              Clock::time_point deadline) {
     Multistart m = multistart(problem, local, options, deadline);
-    Found found{std::move(m.optima), m.report, false, m.stopped,
-                "no kind of motion of this mechanism has all the quantities that the problem names"};
+    Found found{std::move(m.optima), m.report, false, m.stopped, why_nothing_is_found(m.report)};
     found.report.method = name;
     settle_best(problem, found, options, deadline);
     return found;
@@ -123,8 +129,7 @@ Found with_ipopt(const Problem& problem, const RunOptions& options, Clock::time_
 
 Found with_least_squares(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     Multistart m = path_search(problem, options, deadline);
-    Found found{std::move(m.optima), m.report, false, m.stopped,
-                "no kind of motion of this mechanism has all the quantities that the problem names"};
+    Found found{std::move(m.optima), m.report, false, m.stopped, why_nothing_is_found(m.report)};
     found.report.method = "least-squares";
     settle_best(problem, found, options, deadline);
     return found;
