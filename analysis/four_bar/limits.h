@@ -7,6 +7,8 @@
 /// square roots of products of Grashof margins. The swing is the difference of two angles at B0 whose cosines differ by
 /// 2 crank coupler / (ground rocker); written with that difference it keeps its digits for the smallest cranks.
 
+#include <limits>
+
 #include "analysis/four_bar/grashof.h"
 #include "analysis/four_bar/pose.h"
 #include "analysis/geometry/crank_range.h"
@@ -128,6 +130,8 @@ T swing(const FourBar<T>& m) {
 ///
 /// The difference of the two angles at A0. With s, c the half angles scaled by the sides, (s_f c_e)^2 - (c_f s_e)^2 =
 /// 8 ground crank (coupler^2 + rocker^2 - ground^2 - crank^2), which gives s_f c_e - c_f s_e by the sum of the two.
+/// Not a number where a coupler as long as its crank lies on it for half a turn (a kite or rhombus with the rocker as
+/// long as the ground link): the rocker stands still there, and no stroke begins or ends.
 template <class T>
 T stroke_excess(const FourBar<T>& m) {
     using std::atan2;
@@ -135,6 +139,7 @@ T stroke_excess(const FourBar<T>& m) {
     const auto e = detail::extended_at_crank(k);
     const auto f = detail::folded_at_crank(k);
     const T crossed = f.sine * e.cosine + f.cosine * e.sine;
+    if (!(f.sine > T(0)) && !(f.cosine > T(0))) return T(std::numeric_limits<double>::quiet_NaN());
     if (!(crossed > T(0))) return T(0);  // both limits lie on the ground line
     const T squares = (m.coupler - m.ground) * (m.coupler + m.ground) + (m.rocker - m.crank) * (m.rocker + m.crank);
     return T(2) * atan2(T(8) * m.ground * m.crank * squares / crossed, f.cosine * e.cosine + f.sine * e.sine);

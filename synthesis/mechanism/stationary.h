@@ -148,7 +148,7 @@ Digits50 polished_zero(const Rough& rough, const Fine& fine, const Bracket& brac
 }
 
 /// All zeros of a slope over a sweep. `rough` is the slope in double, `fine` in fifty digits. No mechanism has as many
-/// stationary points as make a slope rounding noise; those of a measure that is constant are left in double.
+/// stationary points as make a slope rounding noise; those where the measure is constant are left in double.
 template <class Rough, class Fine>
 std::vector<Digits50> stationary_points(const Sweep& sweep, const Rough& rough, const Fine& fine,
                                         const std::vector<double>& fast = {}) {
@@ -156,8 +156,11 @@ std::vector<Digits50> stationary_points(const Sweep& sweep, const Rough& rough, 
     const auto brackets = brackets_of_zeros(rough, sample_angles(sweep, fast));
     std::vector<Digits50> points;
     points.reserve(brackets.size());
-    for (const Bracket& bracket : brackets)
-        points.push_back(brackets.size() < noise ? polished_zero(rough, fine, bracket) : Digits50(bracket.right));
+    const auto is_flat = [&](double x) { return abs(fine(Digits50(x))) < 1e-40; };
+    for (const Bracket& bracket : brackets) {
+        const bool is_noise = brackets.size() >= noise && is_flat(bracket.left) && is_flat(bracket.right);
+        points.push_back(is_noise ? Digits50(bracket.right) : polished_zero(rough, fine, bracket));
+    }
     return points;
 }
 

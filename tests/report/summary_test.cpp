@@ -56,6 +56,15 @@ TEST(Summary, OfASolvedProblem) {
     expect_has_not(text, "\x1b");
 }
 
+/// A range may go on to where nobody looks: its other end says nothing about how close a value is to this one.
+TEST(Summary, NamesALimitOnlyWhereTheDesignIsAtIt) {
+    Problem problem = problem_of(crank_rocker_text);
+    for (DimensionRange& range : problem.dimensions)
+        if (!range.fixed()) range.max = 1e12;
+    const std::string text = summary(problem, result_of(Status::solved, crank_rocker_solution()), {});
+    expect_has_not(text, "at its");
+}
+
 TEST(Summary, OfAnInfeasibleProblemNamesTheObstacle) {
     Result result = result_of(Status::infeasible, crank_rocker_solution());
     result.verification.clear();

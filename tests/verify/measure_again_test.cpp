@@ -130,6 +130,24 @@ TEST(MeasureAgain, KeepsItsDigitsCloseToChangePoints) {
     }
 }
 
+/// The rocker turns a corner there, where it is extreme without its slope being zero.
+TEST(MeasureAgain, SeesTheCornersAtChangePoints) {
+    const double nearly = 1e-20;  // the corner is looked at from beside it
+    for (const FourBar<double>& m : {FourBar<double>{6, 1, 3, 4}, FourBar<double>{3, 1, 6, 4},
+                                     FourBar<double>{3, 1, 4, 6}, FourBar<double>{5, 2, 5, 2}})
+        for (const std::size_t assembly : {0, 1})
+            expect_strokes_agree(m, assembly, nearly);
+    // A coupler that folds onto a crank of its length lets the rocker stand still.
+    for (const FourBar<double>& m : {FourBar<double>{5, 2, 2, 5}, FourBar<double>{1, 1, 1, 1}})
+        for (const std::size_t assembly : {0, 1}) {
+            EXPECT_TRUE(
+                agree(swing_again(full_turn(0, assembly), dimensions_of(m)), swing(converted<Digits50>(m)), nearly))
+                << describe(m);
+            EXPECT_TRUE(isnan(time_ratio_again(full_turn(0, assembly), dimensions_of(m))));
+            EXPECT_TRUE(std::isnan(stroke_excess(m)));
+        }
+}
+
 TEST(MeasureAgain, SeesTheFastMotionOfALinkageCloseToAChangePoint) {
     for (int k = 4; k <= 32; k += 4) {
         const FourBar<double> m{6 - std::ldexp(1.0, -k), 1, 3, 4};

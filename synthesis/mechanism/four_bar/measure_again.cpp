@@ -1,7 +1,11 @@
 #include "synthesis/mechanism/four_bar/measure_again.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 #include "synthesis/mechanism/four_bar/linkage_again.h"
 
@@ -61,14 +65,40 @@ Digits50 value_at_end(const VelocityRatio&, const Linkage<Digits50>& m, const Po
     return positive ? std::numeric_limits<Digits50>::infinity() : -std::numeric_limits<Digits50>::infinity();
 }
 
-/// The extremes of a measure over the motion: the values at its ends, at every stationary point, and at one place
-/// between for a measure that is constant.
+/// Crank angles on both sides of each change point of a sweep, in increasing order: the rocker turns a corner there
+/// while one assembly is kept, so that a measure can be extreme without being stationary.
+std::vector<Digits50> beside_change_points(const Linkage<Digits50>& m, const Sweep& sweep) {
+    static const Digits50 beside("1e-24"), rounding("1e-45");
+    const Digits50& half_turn = boost::math::constants::pi<Digits50>();
+    std::vector<Digits50> angles;
+    for (int k = int(std::ceil(sweep.from / std::numbers::pi)); k * std::numbers::pi <= sweep.to; ++k) {
+        const Digits50 in_line = k * half_turn;
+        const auto p = pose(m, in_line);
+        if (abs(p.stretch) > rounding && abs(p.fold) > rounding) continue;
+        for (const Digits50& x : {Digits50(in_line - beside), Digits50(in_line + beside)})
+            if (x >= sweep.from && x <= sweep.to && pose(m, x).assembled()) angles.push_back(x);
+    }
+    return angles;
+}
+
+/// The crank angles of a sweep at which a measure can be extreme inside it.
+template <class Measure>
+std::vector<Digits50> candidates_of(const Linkage<Digits50>& m, const Sweep& sweep) {
+    auto candidates = stationary_crank_angles<Measure>(m, sweep);
+    const auto corners = beside_change_points(m, sweep);
+    candidates.insert(candidates.end(), corners.begin(), corners.end());
+    std::sort(candidates.begin(), candidates.end());
+    return candidates;
+}
+
+/// The extremes of a measure over the motion: the values at its ends, at every stationary point, beside change points,
+/// and at one place between for a measure that is constant.
 template <class Measure>
 Extremes extremes(const Motion& motion, std::span<const Digits50> dimensions) {
     if (!is_motion(motion)) return {};
     const auto m = linkage(motion.assembly, dimensions);
     const Sweep sweep = sweep_of(motion);
-    auto candidates = stationary_crank_angles<Measure>(m, sweep);
+    auto candidates = candidates_of<Measure>(m, sweep);
     candidates.emplace_back(sweep.from + (sweep.to - sweep.from) / 2);
     Extremes e;
     const auto consider = [&e](const Digits50& value) {
@@ -97,7 +127,7 @@ Strokes strokes(const Motion& motion, std::span<const Digits50> dimensions) {
     const auto m = linkage(motion.assembly, dimensions);
     const auto plain = rounded<double>(m);
     const Sweep sweep = sweep_of(Motion{});
-    const auto at = stationary_crank_angles<RockerAngle>(m, sweep);
+    const auto at = candidates_of<RockerAngle>(m, sweep);
 
     Strokes found;
     Vector<double> last = pose(plain, sweep.from).rocker;
@@ -131,6 +161,8 @@ Strokes strokes(const Motion& motion, std::span<const Digits50> dimensions) {
 }  // namespace
 
 Digits50 time_ratio_again(const Motion& motion, std::span<const Digits50> dimensions) {
+    // A coupler that lies on its crank for half a turn lets the rocker stand still: no stroke begins or ends there.
+    if (dimensions[1] == dimensions[2] && dimensions[0] == dimensions[3]) return nothing;
     const Strokes s = strokes(motion, dimensions);
     if (isnan(s.least)) return nothing;
     Digits50 one = abs(s.crank_at_greatest - s.crank_at_least);

@@ -22,16 +22,20 @@ namespace {
 constexpr std::size_t longest_title = 400;
 constexpr int digits_of_what_is_given = 6;
 
-/// What there is to say of a dimension beside its value.
-std::string remark_on(const DimensionRange& range, double value, Unit unit, const Units& units) {
+/// What there is to say of a dimension beside its value. `size` is what is great in its unit.
+std::string remark_on(const DimensionRange& range, double value, double size, Unit unit, const Units& units) {
     if (range.tied()) return "tied";
     if (range.fixed()) return range.named ? "given" : "";
     if (!range.choices.empty()) return fmt::format("one of {} choices", range.choices.size());
     if (range.step > 0) return fmt::format("in steps of {}", number_text(in_file_unit(range.step, unit, units)));
     constexpr double at_limit_within = 1e-6;
-    const double close = at_limit_within * std::max({std::abs(range.min), std::abs(range.max), std::abs(value)});
-    if (value <= range.min + close) return "at its lower limit " + number_text(in_file_unit(range.min, unit, units));
-    if (value >= range.max - close) return "at its upper limit " + number_text(in_file_unit(range.max, unit, units));
+    // A limit that is far away is no measure: a range may go on to where nobody looks.
+    const double scale = std::min(size, range.max - range.min);
+    const auto is_at = [&](double limit) {
+        return std::abs(value - limit) <= at_limit_within * std::max(std::abs(limit), scale);
+    };
+    if (is_at(range.min)) return "at its lower limit " + number_text(in_file_unit(range.min, unit, units));
+    if (is_at(range.max)) return "at its upper limit " + number_text(in_file_unit(range.max, unit, units));
     return {};
 }
 
@@ -84,13 +88,18 @@ std::string design_section(const Problem& problem, const Design& design, const T
     const Mechanism& mechanism = *problem.mechanism;
     Table table{{Align::left, Align::point, Align::left, Align::left}, {}};
     const std::vector<std::string> values = dimension_texts(problem, design, style.digits);
+    double longest = 0;
+    for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i)
+        if (unit_of(mechanism.dimensions[i].kind) == Unit::length)
+            longest = std::max(longest, std::abs(design.dimensions[i]));
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
         const Dimension& dimension = mechanism.dimensions[i];
         const double value = design.dimensions[i];
         if (!dimension.required && !problem.dimensions[i].named && value == 0) continue;
         const Unit unit = unit_of(dimension.kind);
-        table.rows.push_back({std::string(dimension.name), values[i], unit_label(unit, problem.units),
-                              remark_on(problem.dimensions[i], value, unit, problem.units)});
+        table.rows.push_back(
+            {std::string(dimension.name), values[i], unit_label(unit, problem.units),
+             remark_on(problem.dimensions[i], value, unit == Unit::length ? longest : 1, unit, problem.units)});
     }
     std::string kind = mechanism.describe(mechanism.form(0), design.dimensions);
     if (!mechanism.assemblies.empty()) kind += fmt::format(", {} assembly", mechanism.assemblies[design.assembly]);
