@@ -35,6 +35,23 @@ TEST(Solve, JsonIsTheDocumentAlone) {
     EXPECT_NEAR(json["quantities"]["swing"], 60, 1e-7);
 }
 
+/// Between the targets the transmission angle is better than over the whole turn: the text says how to ask for that.
+TEST(Solve, SaysThatARequirementIsOverMoreThanTheTargetsUse) {
+    const TemporaryFolder folder;
+    const std::string text =
+        "schema = 1\nmechanism = 'four-bar'\n[dimensions]\nground = 100\ncrank = 40\ncoupler = 90\nrocker = 80\n"
+        "point-along = 30\npoint-across = 20\norigin-x = 0\norigin-y = 0\ntilt = 0\n[path]\n"
+        "points = [[60, 60], [40, 70]]\ntiming = 'free'\n[[require]]\nquantity = 'transmission-angle-worst'\nmin = 50\n"
+        "[solver]\nstarts = 4\n";
+    const Outcome whole = run({"solve", folder.write("whole.toml", text)});
+    EXPECT_EQ(whole.exit_code, 4) << whole.err;
+    expect_has(whole.out, "from = \"first-target\"");
+    const std::string use = text + "[motion]\nfrom = 'first-target'\nto = 'last-target'\n";
+    const Outcome between = run({"solve", folder.write("between.toml", use)});
+    EXPECT_EQ(between.exit_code, 0) << between.out << between.err;
+    expect_has_not(between.out, "asks for it");
+}
+
 TEST(Solve, SeveralFilesGiveAListAndInTheirOrder) {
     const TemporaryFolder folder;
     const std::string a = folder.write("a.toml", crank_rocker());

@@ -96,6 +96,13 @@ std::string how_missed(const Problem& problem, const Requirement& requirement, c
                        shown(*value), shown(std::abs(*value - limit)));
 }
 
+/// Whether a requirement is over all that the mechanism can do, while targets that are met in order use a part of it.
+bool could_be_over_range_of_use(const Problem& problem, const Requirement& requirement) {
+    const bool in_order = problem.path && !problem.path->closed && !problem.path->any_order;
+    return in_order && problem.mechanism->input && problem.mechanism->quantities[requirement.quantity].of_motion &&
+           !problem.crank_range && !problem.use && !has_input_range(problem);
+}
+
 /// What stands in the way of a design that is not feasible.
 std::string obstacle(const Problem& problem, const Solution& best, int digits) {
     const Motion motion = motion_of(problem, best.design);
@@ -104,9 +111,13 @@ std::string obstacle(const Problem& problem, const Solution& best, int digits) {
         text += "It does not assemble.";
     else if (!assembles_over_range(problem, best.design))
         text += fmt::format("It does not assemble throughout the range of {}s.", input_word(*problem.mechanism));
-    else if (const Requirement* worst = most_missed(problem, best.design))
+    else if (const Requirement* worst = most_missed(problem, best.design)) {
         text += fmt::format("It fails most at {}.", how_missed(problem, *worst, best.design, digits));
-    else if (std::isfinite(best.violation))
+        if (could_be_over_range_of_use(problem, *worst))
+            text +=
+                " That is over all of its motion: [motion] with from = \"first-target\" and to = \"last-target\" "
+                "asks for it between the targets alone.";
+    } else if (std::isfinite(best.violation))
         text += fmt::format("It leaves a range or a condition of its motion by {} (relative).",
                             number_text(best.violation, 3));
     return '\n' + folded("", text);
