@@ -11,11 +11,13 @@
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/mechanism/cycle.h"
 #include "synthesis/problem/allowed_values.h"
+#include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/csv/csv_text.h"
 #include "synthesis/solve/solve.h"
+#include "synthesis/study/allocation.h"
 #include "synthesis/study/iso_tolerances.h"
 #include "synthesis/target/path/rows/nearest_point.h"
 
@@ -112,14 +114,26 @@ std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared,
         }
         design.sizes.push_back(*zone / (deviation.uniform ? 2 : deviations_in_zone));
     }
+    if (prepared.study->allocation && !allocate_tolerances(*prepared.study, options.jobs, design, why)) return {};
     return design;
 }
 
+double standard_deviation(const Deviation& deviation, double size) {
+    return deviation.uniform ? size / std::numbers::sqrt3 : size;
+}
+
 Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_t number) {
+    std::vector<double> offs;
+    offs.reserve(study.deviations.size());
+    for (std::size_t i = 0; i < study.deviations.size(); ++i)
+        offs.push_back(random_deviation(study.deviations[i], design.sizes[i], study.seed, number));
+    return piece_of(design, study, offs);
+}
+
+Solution piece_of(const TolerancedDesign& design, const Study& study, const std::vector<double>& offs) {
     Design piece = design.nominal.design;
     for (std::size_t i = 0; i < study.deviations.size(); ++i)
-        piece.dimensions[study.deviations[i].dimension] +=
-            random_deviation(study.deviations[i], design.sizes[i], study.seed, number);
+        piece.dimensions[study.deviations[i].dimension] += offs[i];
     const std::optional<PathTarget>& path = design.problem.path;
     if (path && path->prescribed_timing)
         set_prescribed_angles(design.problem, piece);
@@ -158,10 +172,6 @@ std::optional<std::vector<double>> sensitivities(const Problem& problem, std::si
 }
 
 namespace {
-
-double standard_deviation(const Deviation& deviation, double size) {
-    return deviation.uniform ? size / std::numbers::sqrt3 : size;
-}
 
 void predict(const TolerancedDesign& design, const Study& study, std::size_t quantity, QuantitySpread& spread) {
     const auto gradient = sensitivities(design.problem, quantity, design.nominal.design);
@@ -226,6 +236,21 @@ std::string limits_of(const Problem& problem) {
     return condition;
 }
 
+/// The coarsest grade of ISO 286 whose zone is no wider than that of a deviation; 0 where there is none.
+int grade_of(const TolerancedDesign& design, const Deviation& deviation, double size) {
+    const Problem& problem = design.problem;
+    if (problem.units.length != "mm" ||
+        problem.mechanism->dimensions[deviation.dimension].kind != DimensionKind::length)
+        return 0;
+    const double zone = size * (deviation.uniform ? 2 : deviations_in_zone);
+    const double length = std::abs(design.nominal.design.dimensions[deviation.dimension]);
+    constexpr double same = 1e-9;  // a zone that is a grade's is that grade's
+    int coarsest = 0;
+    for (int grade = keys::least_grade; grade <= keys::greatest_grade; ++grade)
+        if (const auto width = iso_tolerance(grade, length); width && *width <= zone * (1 + same)) coarsest = grade;
+    return coarsest;
+}
+
 }  // namespace
 
 ToleranceReport tolerance_report(const PreparedStudy& prepared, const TolerancedDesign& design,
@@ -238,7 +263,12 @@ ToleranceReport tolerance_report(const PreparedStudy& prepared, const Toleranced
         report.dimensions.emplace_back(dimension.name);
         report.standard_deviations.push_back(standard_deviation(study.deviations[i], design.sizes[i]) *
                                              file_units_per_inner(unit_of(dimension.kind), problem.units));
+        report.sizes.push_back(design.sizes[i] * file_units_per_inner(unit_of(dimension.kind), problem.units));
+        report.uniform.push_back(study.deviations[i].uniform);
+        report.grades.push_back(grade_of(design, study.deviations[i], design.sizes[i]));
     }
+    report.allocated = design.allocated;
+    if (study.allocation) report.wanted_share = study.allocation->share;
     SQLite::Database database(data.string(), SQLite::OPEN_READONLY);
     const auto counted = [&database](const std::string& where) {
         return static_cast<std::uint64_t>(database.execAndGet("SELECT count(*) FROM points" + where).getInt64());

@@ -13,16 +13,31 @@
 
 namespace mechwright {
 
+/// What was made of the tolerances that are given, so that as many pieces meet all limits as is asked for.
+struct AllocatedTolerances {
+    std::vector<double> times;        ///< as wide as it is given, for each deviation
+    std::vector<std::string> limits;  ///< that keep them from being wider: "swing <= 61"
+    double share = 0;                 ///< of pieces that meet all limits, no less than this but for bad luck
+    double cost = 0, usual_cost = 0;  ///< by the law asked for, and of the tolerances that are given
+};
+
 /// A design and how far each of its dimensions is off from piece to piece.
 struct TolerancedDesign {
     Problem problem;
     Solution nominal;
     std::vector<double> sizes;  ///< one for each deviation of the study: standard deviation, or half the width
+    std::optional<AllocatedTolerances> allocated{};
 };
 
 /// The design that a file gives, or that is found for it. Where there is none, `why` says so.
 std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared, const StudyRunOptions& options,
                                                   std::string& why);
+
+/// The standard deviation of a dimension whose deviation has this size.
+double standard_deviation(const Deviation& deviation, double size);
+
+/// A piece whose dimensions are off by what is said, one number for each deviation of the study.
+Solution piece_of(const TolerancedDesign& design, const Study& study, const std::vector<double>& offs);
 
 /// A piece: every dimension with its deviation, drawn for this sample alone. The zone of a grade or a
 /// class lies evenly about the nominal size and is six standard deviations wide, or the whole width of a uniform
@@ -54,6 +69,11 @@ struct ToleranceReport {
     std::uint64_t assembled = 0;
     std::uint64_t within_limits = 0;  ///< samples that meet all requirements that are limits
     bool has_limits = false;
+    std::vector<double> sizes;  ///< as the study says them: standard deviation, or half the width
+    std::vector<bool> uniform;
+    std::vector<int> grades;  ///< the coarsest of ISO 286 that is no wider; 0 where none is known
+    std::optional<AllocatedTolerances> allocated;
+    double wanted_share = 0;  ///< of the allocation
 };
 
 /// Samples from the data, sensitivities from the design.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "synthesis/report/text/table.h"
+#include "synthesis/study/allocation.h"
 
 namespace mechwright {
 
@@ -40,6 +41,35 @@ std::string by_dimension(const ToleranceReport& report, const CellText& cell) {
     return to_text(table, 2);
 }
 
+/// What a deviation is called: its distribution and size.
+std::string deviation_text(bool uniform, double size) {
+    return uniform ? "+- " + number_text(size, 3) : "s = " + number_text(size, 3);
+}
+
+std::string allocation_text(const ToleranceReport& report, const AllocatedTolerances& allocated) {
+    Table table{{Align::left, Align::left, Align::left, Align::right, Align::left},
+                {{"", "usual", "allocated", "times", "fits"}}};
+    bool unlimited = false;
+    for (std::size_t i = 0; i < report.dimensions.size(); ++i) {
+        const double usual = report.sizes[i] / allocated.times[i];
+        const bool widest = allocated.times[i] >= widest_times;
+        unlimited |= widest;
+        table.rows.push_back({report.dimensions[i], deviation_text(report.uniform[i], usual),
+                              deviation_text(report.uniform[i], report.sizes[i]),
+                              number_text(allocated.times[i], 3) + (widest ? " *" : ""),
+                              report.grades[i] > 0 ? fmt::format("IT{}", report.grades[i]) : ""});
+    }
+    std::string text =
+        fmt::format("\nTolerances allocated so that {:.6g}% of pieces meet all limits\n", 100 * report.wanted_share) +
+        to_text(table, 2);
+    if (unlimited) text += fmt::format("  * no limit asks for less than {} times the usual one\n", widest_times);
+    text += fmt::format("  They cost {} of what the usual ones do. What keeps them from being wider:\n",
+                        number_text(allocated.cost / allocated.usual_cost, 3));
+    for (const std::string& limit : allocated.limits)
+        text += "  " + limit + "\n";
+    return text;
+}
+
 }  // namespace
 
 std::string tolerance_text(const ToleranceReport& report) {
@@ -47,7 +77,9 @@ std::string tolerance_text(const ToleranceReport& report) {
     if (report.has_limits)
         text += fmt::format(", {} ({:.2f}%) within all limits", report.within_limits,
                             100.0 * static_cast<double>(report.within_limits) / static_cast<double>(report.samples));
-    text += "\n\nSpread (s: standard deviation of the samples; predicted: from the derivatives)\n" + spreads(report);
+    text += '\n';
+    if (report.allocated) text += allocation_text(report, *report.allocated);
+    text += "\nSpread (s: standard deviation of the samples; predicted: from the derivatives)\n" + spreads(report);
     text += "\nChange per unit of each dimension\n" + by_dimension(report, [](const QuantitySpread& s, std::size_t i) {
                 return number_text(s.derivatives[i], 4);
             });

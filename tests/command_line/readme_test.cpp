@@ -87,16 +87,20 @@ TEST(Manuals, ShowWhatStructurePrints) {
     expect_shown(of_files, {"structure", "problems/linkage/geared-five-bar.toml"});
 }
 
-TEST(Manuals, ShowWhatTolerancesDo) {
+/// What a study of tolerances prints, up to where it says `end`.
+void expect_tolerances_shown(const std::string& study, const std::string& end) {
     const TemporaryFolder folder;
     Start how;
-    how.arguments = {"study", "problems/studies/crank-rocker-tolerances.toml", "--out", folder / "out"};
+    how.arguments = {"study", "problems/studies/" + study, "--out", folder / "out"};
     how.folder = MECHWRIGHT_SOURCE_DIR;
     const Outcome outcome = run(how);
     const std::size_t tables = outcome.out.find("20000 samples");
     ASSERT_NE(tables, std::string::npos) << outcome.out;
-    expect_has(manual(of_studies), outcome.out.substr(tables, outcome.out.find("\nData: ") - tables));
+    expect_has(manual(of_studies), outcome.out.substr(tables, outcome.out.find(end) - tables));
 }
+
+TEST(Manuals, ShowWhatTolerancesDo) { expect_tolerances_shown("crank-rocker-tolerances.toml", "\nData: "); }
+TEST(Manuals, ShowWhichTolerancesWillDo) { expect_tolerances_shown("crank-rocker-allocation.toml", "\nSpread"); }
 
 }  // namespace
 

@@ -137,6 +137,27 @@ TEST(Study, WrongTolerancesAreErrors) {
                           "p.toml:14:1", {"not both"}));
 }
 
+TEST(Study, AllocationsAreReadAndChecked) {
+    const std::string limit = "[[require]]\nquantity = \"swing\"\nmin = 10\n";
+    const auto allocation = [&](const std::string& lines, const std::string& before) {
+        return study("count = 9\n" + before + "[study.allocation]\n" + lines) + limit;
+    };
+    const std::string usual = "[study.tolerance]\ncrank = \"IT7\"\n";
+    const ReadProblem problem = read(allocation("share = 95\nexponent = 2\nweights = { crank = 3 }\n", usual));
+    ASSERT_TRUE(accepted(problem));
+    const Allocation& read_one = *problem.problem.study->allocation;
+    EXPECT_DOUBLE_EQ(read_one.share, 0.95);
+    EXPECT_EQ(read_one.exponent, 2);
+    EXPECT_EQ(read_one.weights, std::vector<double>{3});
+    EXPECT_TRUE(only_says(read(allocation("share = 100\n", usual)), "p.toml:16:9", {"below 100"}));
+    EXPECT_TRUE(only_says(read(allocation("exponent = 0\n", usual)), "p.toml:16:12", {"above 0"}));
+    EXPECT_TRUE(only_says(read(allocation("weights = { crank = 0 }\n", usual)), "p.toml:16:21", {"greater than 0"}));
+    EXPECT_TRUE(only_says(read(allocation("weights = { rocker = 1 }\n", usual)), "p.toml:16:13", {"known are crank"}));
+    EXPECT_TRUE(says(read(allocation("share = 95\n", "")), "p.toml:13:1", {"[study.tolerance]", "IT9"}));
+    EXPECT_TRUE(says(read(study("count = 9\n" + usual + "[study.allocation]\nshare = 95\n")), "p.toml:15:1",
+                     {"needs a limit"}));
+}
+
 TEST(Study, ChartsAreChecked) {
     const auto chart = [](const std::string& lines) {
         return study("\"dimensions.ground\" = [90, 100]\n[[study.chart]]\n" + lines);

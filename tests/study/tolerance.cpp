@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/study/allocation.h"
 #include "synthesis/study/iso_tolerances.h"
 #include "tests/study/studies.h"
 
@@ -161,6 +163,112 @@ TEST(Tolerances, CountTheSamplesWithinLimits) {
                                     [](const QuantitySpread& s) { return s.quantity == "transmission-angle-worst"; });
     const double share = 0.5 * std::erfc(-(worst->nominal - 44.99) / *worst->first_order / std::sqrt(2));
     EXPECT_NEAR(static_cast<double>(report.within_limits) / 20000, share, 4 * std::sqrt(share * (1 - share) / 20000));
+}
+
+/// With one limit the stationary point is times_i = c (weight_i / share_i)^(1 / (exponent + 2)), c such that the limit
+/// is reached.
+TEST(Allocation, OfOneLimitIsThatOfTheClosedForm) {
+    const LimitShares shares{0.5, 2, 0.03, 7};
+    const std::vector<double> weights{1, 2, 0.5, 3};
+    for (const double exponent : {0.5, 1.0, 2.0}) {
+        const std::vector<double> times = cheapest_tolerances({shares}, weights, exponent);
+        std::vector<double> expected;
+        double variance = 0;
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            expected.push_back(std::pow(weights[i] / shares[i], 1 / (exponent + 2)));
+            variance += shares[i] * expected[i] * expected[i];
+        }
+        for (std::size_t i = 0; i < shares.size(); ++i)
+            EXPECT_NEAR(times[i], expected[i] / std::sqrt(variance), 1e-11 * times[i]);
+    }
+}
+
+/// The cost is convex: where no step that keeps the limits makes it less, none does.
+TEST(Allocation, OfSeveralLimitsCannotBeBettered) {
+    std::uint64_t number = 0;
+    const auto random = [&number] { return std::ldexp(static_cast<double>(mixed(++number) >> 11), -53); };
+    for (int trial = 0; trial < 40; ++trial) {
+        const std::vector<double> weights{0.2 + random(), 0.2 + random(), 0.2 + random(), 0.2 + random()};
+        std::vector<LimitShares> limits(1 + static_cast<std::size_t>(trial % 4));
+        for (LimitShares& limit : limits)
+            for (int i = 0; i < 4; ++i)
+                limit.push_back(std::pow(10, 2 * random() - 1));
+        const double exponent = 0.5 + 2 * random();
+        const auto cost = [&](const std::vector<double>& times) {
+            double sum = 0;
+            for (std::size_t i = 0; i < times.size(); ++i)
+                sum += weights[i] / std::pow(times[i], exponent);
+            return sum;
+        };
+        const auto most_variance = [&](const std::vector<double>& times) {
+            double most = 0;
+            for (const LimitShares& limit : limits) {
+                double variance = 0;
+                for (std::size_t i = 0; i < times.size(); ++i)
+                    variance += limit[i] * times[i] * times[i];
+                most = std::max(most, variance);
+            }
+            return most;
+        };
+        const std::vector<double> times = cheapest_tolerances(limits, weights, exponent);
+        EXPECT_NEAR(most_variance(times), 1, 1e-9);
+        for (int step = 0; step < 400; ++step) {
+            std::vector<double> other = times;
+            for (double& one : other)
+                one *= std::exp(std::pow(10, -4 * random()) * (random() - 0.5));
+            const double scale = std::sqrt(most_variance(other));
+            for (double& one : other)
+                one /= scale;
+            EXPECT_GT(cost(other), cost(times) * (1 - 1e-9));
+        }
+    }
+}
+
+TEST(Allocation, WidensWhatNoLimitReadsToTheEnd) {
+    const std::vector<double> times = cheapest_tolerances({{4, 0}}, {1, 1}, 1);
+    EXPECT_NEAR(times[0], 0.5, 1e-12);
+    EXPECT_EQ(times[1], widest_times);
+}
+
+/// The study's own samples, drawn from other numbers, confirm the share; a sixth wider they miss it.
+TEST(Allocation, KeepsTheShareOfPiecesWithinLimits) {
+    const TemporaryFolder folder;
+    const std::filesystem::path data = folder / "study.sqlite";
+    const std::string file = shipped("crank-rocker-allocation");
+    run_to_end(file, data);
+    const PreparedStudy study = prepared(file);
+    const TolerancedDesign design = design_of(study);
+    const ToleranceReport report = tolerance_report(study, design, data);
+    ASSERT_TRUE(report.allocated);
+    EXPECT_GE(report.allocated->share, 0.9973);
+    const double of_share = std::sqrt(0.9973 * 0.0027 / 20000);
+    EXPECT_NEAR(static_cast<double>(report.within_limits) / 20000, 0.9973, 6 * of_share);
+    EXPECT_GE(report.within_limits, 0.9973 * 20000);
+    EXPECT_LT(report.allocated->cost, report.allocated->usual_cost);
+    EXPECT_EQ(report.allocated->limits.back(), "time-ratio <= 1.1845");
+
+    TolerancedDesign wider = design;
+    for (double& size : wider.sizes)
+        size *= 1.17;
+    int within = 0;
+    for (std::uint64_t number = 0; number < 20000; ++number) {
+        const Solution piece = sample(wider, *study.study, number);
+        within += std::all_of(
+            wider.problem.requirements.begin(), wider.problem.requirements.end(), [&](const Requirement& requirement) {
+                const double value = *quantity_value(wider.problem, requirement.quantity, piece.design);
+                return !(value < requirement.min) && !(value > requirement.max);
+            });
+    }
+    EXPECT_LT(within / 20000.0, 0.9973 - 3 * of_share);
+}
+
+TEST(Allocation, SaysWhichLimitLeavesNoRoom) {
+    const TemporaryFolder folder;
+    const PreparedStudy study = prepared(
+        folder.write("a.toml", changed(shipped("crank-rocker-allocation"), {{"max      = 1.1845", "max = 1.18"}})));
+    std::string why;
+    EXPECT_FALSE(toleranced_design(study, {}, why));
+    EXPECT_NE(why.find("time-ratio <= 1.18: the design itself misses it"), std::string::npos) << why;
 }
 
 TEST(Tolerances, NeedADesign) {

@@ -272,6 +272,23 @@ inline constexpr std::array chart{
     Key{"levels", Shape::numbers, "Of contours. Preset: chosen."},
     Key{"maximize", Shape::texts, "Columns of a front in which more is better: x, y or both."}};
 
+inline constexpr std::array allocation{
+    Key{"share",
+        Shape::number,
+        "Percent of pieces that are to meet all limits. Preset: 99.73.",
+        false,
+        {},
+        {},
+        {50, 100, true, true}},
+    Key{"exponent",
+        Shape::number,
+        "A tolerance costs its weight over this power of its width, in units of the one given. Preset: 1.",
+        false,
+        {},
+        {},
+        {0, 10, true, true}},
+    Key{"weights", Shape::value, "Of dimensions: what the tolerance of one costs. Preset: 1 for each."}};
+
 /// Everything else in [study] is the path of a value.
 inline constexpr std::array study{
     Key{"design", Shape::word, "How values are combined. Preset: grid.", false, designs},
@@ -288,6 +305,12 @@ inline constexpr std::array study{
         "By how much dimensions are off from piece to piece: a grade of ISO 286 (\"IT7\"), a class of ISO 2768 (\"ISO "
         "2768-m\"), { normal = ... } or { uniform = ... }; "
         "'lengths' for all lengths that are not named."},
+    Key{"allocation",
+        Shape::table,
+        "Tolerances in place of those given: as wide as the limits allow, the cheapest of all such.",
+        false,
+        {},
+        allocation},
     Key{"case", Shape::value, "A named set of values, by their paths, that change together."},
     Key{"chart", Shape::tables, "A picture of the study's data.", false, {}, chart}};
 

@@ -265,6 +265,7 @@ void read_study(Section& file, Problem& problem, Messages& messages) {
     read_axes(*section, *study, messages);
     read_quantities(*section, *study, problem, messages);
     read_tolerance(*section, *study, problem, messages);
+    read_allocation(*section, *study, problem, messages);
     read_charts(*section, *study, messages);
     if (study->axes.empty() && !section->table->contains("tolerance") && !messages.failed)
         add_error(messages, section->place,

@@ -58,6 +58,13 @@ struct Deviation {
     int general = 0;       ///< class of ISO 2768 that says it: 1 to 4 for f, m, c, v; 0: none
 };
 
+/// Tolerances that a study is to find: as wide as limits allow, where those that are given are the usual ones.
+struct Allocation {
+    double share = 0.9973;        ///< of pieces that are to meet all limits
+    double exponent = 1;          ///< a tolerance costs weight / (its width over the usual one)^exponent
+    std::vector<double> weights;  ///< one for each deviation
+};
+
 enum class ChartKind { map, contours, curves, front };
 
 /// A picture of a study's data.
@@ -82,7 +89,8 @@ struct Study {
     std::uint64_t seed = 1;
     std::vector<StudyAxis> axes;
     std::vector<FollowingValue> following;
-    std::vector<Deviation> deviations;    ///< of a tolerance study, which has no axes
+    std::vector<Deviation> deviations;  ///< of a tolerance study, which has no axes
+    std::optional<Allocation> allocation;
     std::vector<std::string> quantities;  ///< that are wanted; empty: all
     std::vector<StudyChart> charts;
 

@@ -14,6 +14,9 @@ namespace mechwright::reading {
 /// [study.tolerance]: the deviations of dimensions, each { normal = ... }, { uniform = ... } or a grade, "IT7".
 void read_tolerance(Section& study_section, Study& study, const Problem& problem, Messages& messages);
 
+/// [study.allocation]: the share of pieces that are to meet all limits, and what tolerances cost; after the deviations.
+void read_allocation(Section& study_section, Study& study, const Problem& problem, Messages& messages);
+
 /// [[study.chart]]; after the axes.
 void read_charts(Section& study_section, Study& study, Messages& messages);
 

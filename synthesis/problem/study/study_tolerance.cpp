@@ -128,4 +128,56 @@ void read_tolerance(Section& study_section, Study& study, const Problem& problem
                   "[study.tolerance] is empty: name dimensions, or write lengths = \"IT7\" for all of them");
 }
 
+namespace {
+
+/// What the tolerances of dimensions cost in comparison with each other; 1 where nothing is said.
+std::vector<double> read_weights(Section& allocation, const Study& study, const Problem& problem, Messages& messages) {
+    std::vector<double> weights(study.deviations.size(), 1.0);
+    std::optional<Section> section = read_section(allocation, "weights", messages);
+    if (!section) return weights;
+    section->title = "[study.allocation.weights]";
+    for (std::size_t i = 0; i < study.deviations.size(); ++i) {
+        const std::string& name = problem.mechanism->dimensions[study.deviations[i].dimension].name;
+        const auto weight = read_number(*section, name, messages);
+        if (weight && !(*weight > 0))
+            add_error(messages, place_of(*section, name),
+                      fmt::format("{} must be greater than 0, not {}", name_of(*section, name), *weight));
+        weights[i] = weight.value_or(1);
+    }
+    report_unknown_keys(*section, messages);
+    return weights;
+}
+
+}  // namespace
+
+void read_allocation(Section& study_section, Study& study, const Problem& problem, Messages& messages) {
+    std::optional<Section> section = read_section(study_section, "allocation", messages);
+    if (!section || problem.mechanism == nullptr) return;
+    section->title = "[study.allocation]";
+    Allocation allocation;
+    const auto read = [&](std::string_view key, double above, double below, double& value) {
+        const auto number = read_number(*section, key, messages);
+        if (!number) return;
+        value = *number;
+        if (value > above && value < below) return;
+        add_error(messages, place_of(*section, key),
+                  fmt::format("{} must be above {} and below {}, not {}", name_of(*section, key), above, below, value));
+    };
+    double percent = 100 * allocation.share;
+    read("share", 50, 100, percent);
+    allocation.share = percent / 100;
+    read("exponent", 0, 10, allocation.exponent);
+    allocation.weights = read_weights(*section, study, problem, messages);
+    report_unknown_keys(*section, messages);
+    if (study.deviations.empty())
+        add_error(messages, section->place,
+                  "[study.allocation] widens the tolerances of [study.tolerance] or makes them closer: write the usual "
+                  "ones there, like lengths = \"IT9\"");
+    if (std::none_of(problem.requirements.begin(), problem.requirements.end(),
+                     [](const Requirement& requirement) { return requirement.min || requirement.max; }))
+        add_error(messages, section->place,
+                  "[study.allocation] needs a limit that pieces are to meet: a [[require]] with 'min' or 'max'");
+    study.allocation = std::move(allocation);
+}
+
 }  // namespace mechwright::reading
