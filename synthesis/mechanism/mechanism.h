@@ -297,6 +297,9 @@ struct Mechanism {
 
     /// Whether no design of this mechanism lies in the given ranges, where that shows at a glance; null: no such check.
     std::optional<Objection> (*objection)(std::span<const double> least, std::span<const double> greatest) = nullptr;
+    /// The rod of a drive of a ram, where the sine of the rod's greatest slope is at least half of the stroke over it
+    /// whenever its crank turns fully; not known of others.
+    std::size_t rod_sloped_by_stroke = no_dimension;
     /// The motion of a finished design: its family, and the given crank range or else the full turn or the whole
     /// assembled range. A design that does not assemble anywhere has from > to. Model and settings are left to
     /// `motion_of`.

@@ -13,7 +13,6 @@
 #include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/mechanism/possible_values.h"
 #include "synthesis/mechanism/slider_crank/slider_crank.h"
-#include "synthesis/mechanism/whitworth/whitworth.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/variant.h"
 
@@ -76,31 +75,30 @@ void add_of_crank_rockers(const Problem& problem, std::vector<KnownLimit>& limit
                       "the crank, whose best members are known"});
 }
 
-void add_of_rams(const Problem& problem, std::vector<KnownLimit>& limits) {
-    constexpr std::size_t slider_rod = 1, whitworth_rod = 3;
-    const bool slider_crank = is_slider_crank(*problem.mechanism);
-    const Asked ratio = asked_of(problem, "time-ratio"), stroke = asked_of(problem, "stroke");
-    const auto limit_transmission = [&](std::string_view name, double greatest, const std::string& why) {
-        for (const char* quantity : {"transmission-angle-worst", "transmission-angle-min"})
-            limits.push_back({name, index_of(problem, quantity), 0, greatest, why});
-    };
-    if (slider_crank) {
-        limits.push_back(
-            {"time-ratio", index_of(problem, "time-ratio"), 1, 3,
-             "the time ratio of a slider-crank whose crank turns fully is less than 3: its limits are seen "
-             "from the crank pivot under less than a right angle"});
-        const double least = ratio.least - slack(problem, ratio.least);
-        if (const auto best = least > 1 ? best_transmission_slider_crank(1, least) : std::nullopt)
-            limit_transmission("ratio-family",
-                               std::acos(std::min(1.0, (best->crank + std::abs(best->offset)) / best->rod)),
-                               "slider-cranks of one time ratio form one one-parameter family, whose best member is "
-                               "known");
-    }
-    const DimensionRange& rod = problem.dimensions[slider_crank ? slider_rod : whitworth_rod];
+void limit_transmission(const Problem& problem, std::string_view name, double greatest, const std::string& why,
+                        std::vector<KnownLimit>& limits) {
+    for (const char* quantity : {"transmission-angle-worst", "transmission-angle-min"})
+        limits.push_back({name, index_of(problem, quantity), 0, greatest, why});
+}
+
+void add_of_slider_cranks(const Problem& problem, std::vector<KnownLimit>& limits) {
+    limits.push_back({"time-ratio", index_of(problem, "time-ratio"), 1, 3,
+                      "the time ratio of a slider-crank whose crank turns fully is less than 3: its limits are seen "
+                      "from the crank pivot under less than a right angle"});
+    const Asked ratio = asked_of(problem, "time-ratio");
+    const double least = ratio.least - slack(problem, ratio.least);
+    if (const auto best = least > 1 ? best_transmission_slider_crank(1, least) : std::nullopt)
+        limit_transmission(
+            problem, "ratio-family", std::acos(std::min(1.0, (best->crank + std::abs(best->offset)) / best->rod)),
+            "slider-cranks of one time ratio form one one-parameter family, whose best member is known", limits);
+}
+
+void add_of_rod(const Problem& problem, const DimensionRange& rod, std::vector<KnownLimit>& limits) {
+    const Asked stroke = asked_of(problem, "stroke");
     const double sine = 0.5 * (stroke.least - slack(problem, stroke.least) * stroke.least) / rod.max;
     if (!rod.tied() && sine > 0)
-        limit_transmission("stroke", std::acos(std::min(1.0, sine)),
-                           "the sine of the rod's greatest slope is at least half of the stroke over the rod");
+        limit_transmission(problem, "stroke", std::acos(std::min(1.0, sine)),
+                           "the sine of the rod's greatest slope is at least half of the stroke over the rod", limits);
 }
 
 }  // namespace
@@ -120,7 +118,9 @@ std::vector<KnownLimit> known_limits(const Problem& problem) {
     add_possible_values(problem, limits);
     if (!turns_fully(problem)) return limits;
     if (is_four_bar(*problem.mechanism)) add_of_crank_rockers(problem, limits);
-    if (is_slider_crank(*problem.mechanism) || is_whitworth(*problem.mechanism)) add_of_rams(problem, limits);
+    if (is_slider_crank(*problem.mechanism)) add_of_slider_cranks(problem, limits);
+    const std::size_t rod = problem.mechanism->rod_sloped_by_stroke;
+    if (rod != no_dimension) add_of_rod(problem, problem.dimensions[rod], limits);
     return limits;
 }
 

@@ -29,8 +29,8 @@ Asked asked_of(const Problem& problem, std::string_view quantity);
 ///   from
 ///                     the crank pivot under less than a right angle;
 ///   ratio-family:     the best slider-crank of a time ratio, see analysis/slider_crank/best_slider_crank.h;
-///   stroke:           the rod of a slider-crank or Whitworth drive slopes at least so that its sine is half of the
-///                     stroke over the rod.
+///   stroke:           the rod of some drives of a ram slopes at least so that its sine is half of the stroke over the
+///                     rod (Mechanism::rod_sloped_by_stroke).
 struct KnownLimit {
     std::string_view name;
     std::size_t quantity;

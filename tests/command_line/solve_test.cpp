@@ -98,6 +98,31 @@ TEST(Solve, AnInfeasibleProblemShowsHowCloseItCame) {
     EXPECT_FALSE(json.contains("verification"));
 }
 
+/// A crank that moves five rockers by rods too short to reach them, each on either side: 32 assemblies, of which none
+/// closes anywhere.
+TEST(Solve, WhereNothingAssemblesInAnyOfManyAssembliesIsSaid) {
+    std::string links = "crank = { A = [0, 0], B = [30, 0] }\n", pivots, sides;
+    for (const char* k : {"1", "2", "3", "4", "5"}) {
+        const std::string number = k;
+        pivots += ", D" + number + " = [100, " + number + "0]";
+        links += "rod-" + number + " = { B = [0, 0], C" + number + " = [\"rod\", 0] }\nrocker-" + number + " = { D" +
+                 number + " = [0, 0], C" + number + " = [60, 0], T" + number + " = [80, 0] }\n";
+        sides += "C" + number + " = \"either\"\n";
+    }
+    const TemporaryFolder folder;
+    const std::string file = folder.write(
+        "a.toml",
+        "schema = 1\nmechanism = \"linkage\"\n[dimensions]\nrod = { min = 4, max = 5 }\n[links]\nframe = { A = [0, 0]" +
+            pivots + " }\n" + links + "[drive]\nlink = \"crank\"\n[assembly]\n" + sides +
+            "[path]\npoint = \"T5\"\npoints = [[40, 20], [50, 40]]\nclosed = true\n[objective]\nminimize = "
+            "\"path-rms\"\n[solver]\nstarts = 1\n");
+    const Outcome outcome = run({"solve", file});
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    expect_has(outcome.out, "Infeasible: no design that meets all requirements was found");
+    expect_has(outcome.out, "none of the candidates that were drawn assembles");
+}
+
 TEST(Solve, ATimeLimitEndsWithFiveAndTheBestSoFar) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.toml", long_search());

@@ -118,6 +118,15 @@ inline double between_outlines(const Places& a, const Places& b) {
     return least;
 }
 
+/// A document that states one of these quantities by a ten millionth too great is refused.
+inline void expect_refused_if_off(const Json& document, const std::vector<std::string>& quantities) {
+    for (const std::string& quantity : quantities) {
+        Json changed = document;
+        changed["quantities"][quantity] = value_in(document, quantity) * (1 + 1e-7);
+        EXPECT_TRUE(is_refused(changed)) << quantity;
+    }
+}
+
 /// Derivatives of quantities by differences with two steps, so that what is left of these is 1e-9.
 inline void expect_room_slopes(const std::string& text, const std::vector<std::string>& names) {
     const ReadProblem read = testing::read_without_fault(text);

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// What is asked of a linkage along its motion, and the inputs at which it has corners because something by whose size
-/// it goes vanishes.
+/// it goes vanishes, or at which curvatures have no value because a velocity does.
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/linkage/measuring/measured.h"
+#include "analysis/linkage/measuring/rest.h"
 #include "analysis/linkage/measuring/signals.h"
 #include "analysis/linkage/motion/motion_breaks.h"
 #include "analysis/linkage/motion/travel.h"
@@ -125,6 +126,40 @@ std::vector<double> rests_of(Measured<double, K>& measured, const Asked& asked, 
     return rests;
 }
 
+/// Whether the velocity by which a curvature is divided vanishes at an input.
+template <std::size_t K>
+bool rests_at(Measured<double, K>& measured, std::size_t signal, const Course& course, double input) {
+    const auto v = measured.vector(signal, input, course.turns.near(input));
+    return is_at_rest(v, near_rest(measured) / std::abs(measured.rate())) || std::hypot(v.x.c[0], v.y.c[0]) == 0;
+}
+
+/// Whether it does somewhere in [from, to].
+template <std::size_t K>
+bool rests_between(Measured<double, K>& measured, std::size_t signal, const Course& course, double from, double to) {
+    std::vector<double> rests;
+    for (const MotionPart& part : parts_of(measured.driven().laws, stretch_of(course, from, to))) {
+        const WithinPiece in_part(measured, part.within);
+        if (rests_at(measured, signal, course, part.stretch.from) ||
+            rests_at(measured, signal, course, part.stretch.to))
+            return true;
+        find_rests(measured, signal, course, part, rests);
+    }
+    return !rests.empty();
+}
+
 }  // namespace detail
+
+/// Whether a derivative that is asked for has two values at an input, one on each side: what it goes by the size of
+/// vanishes there.
+template <std::size_t K>
+bool has_two_values_at(Measured<double, K>& measured, const Asked& asked, const Course& course, double input) {
+    bool vanishes = false;
+    if (asked.derivative > 0)
+        detail::for_each_size(measured.signals(), asked, [&](std::size_t signal) {
+            const auto v = measured.vector(signal, input, course.turns.near(input));
+            vanishes = vanishes || is_at_rest(v, detail::near_rest(measured) / std::abs(measured.rate()));
+        });
+    return vanishes;
+}
 
 }  // namespace mechwright::linkage

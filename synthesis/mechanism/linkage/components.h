@@ -13,7 +13,7 @@
 #include "analysis/linkage/measuring/means.h"
 #include "synthesis/mechanism/linkage/rooms/found_apart.h"
 #include "synthesis/mechanism/linkage/rooms/found_room.h"
-#include "synthesis/mechanism/linkage/rooms/turned_box.h"
+#include "synthesis/mechanism/linkage/rooms/turned_size.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 
 namespace mechwright::measuring {

@@ -9,6 +9,7 @@
 #include "synthesis/mechanism/linkage/limit_text.h"
 #include "synthesis/mechanism/linkage/rooms/found_apart.h"
 #include "synthesis/mechanism/linkage/rooms/found_room.h"
+#include "synthesis/mechanism/linkage/rooms/turned_box.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 #include "synthesis/mechanism/linkage/targets/seeded.h"
 

@@ -95,54 +95,60 @@ std::array<double, N> plain_of(const std::array<T, N>& x) {
 
 }  // namespace detail
 
-/// For unit crank speed.
-template <template <class> class Drive>
-struct RamSpeedMax {
+/// The greatest absolute value of `Measure` of the ram, for unit crank speed.
+template <template <class> class Drive, class Measure>
+struct GreatestOfRam {
     static constexpr std::size_t reads = Layout<Drive>::reads;
+    static constexpr std::size_t stationary_points = Measure::stationary_points;
+    static constexpr std::size_t most = stationary_points + 2;
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
+        return components(motion, x, out, fixed_ends<T>(motion));
+    }
+
+    template <class T>
+    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out,
+                                  const Ends<T>& ends) {
+        const auto measure = [&]<class U>(const std::array<U, reads>& dimensions, const U& angle) {
+            return Measure::value(Layout<Drive>::make(dimensions, motion.assembly), angle);
+        };
+        const auto plain = detail::plain_of(x);
+        const auto drive = Layout<Drive>::make(plain, motion.assembly);
+        const auto extremes = Measure::extremes(drive, range_of(motion));
+        return detail::absolute_values<stationary_points>(motion, drive, x, extremes, plain, measure, out, ends);
+    }
+};
+
+/// What GreatestOfRam measures: at a crank angle, and where it is stationary.
+struct RamVelocity {
     static constexpr std::size_t stationary_points = 6;
-    static constexpr std::size_t most = stationary_points + 2;
-    template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
-        return components(motion, x, out, fixed_ends<T>(motion));
+    template <class Drive, class T>
+    static T value(const Drive& m, const T& angle) {
+        return ram_velocity(m, angle);
     }
-
-    template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out,
-                                  const Ends<T>& ends) {
-        const auto speed = [&]<class U>(const std::array<U, reads>& dimensions, const U& angle) {
-            return ram_velocity(Layout<Drive>::make(dimensions, motion.assembly), angle);
-        };
-        const auto plain = detail::plain_of(x);
-        const auto drive = Layout<Drive>::make(plain, motion.assembly);
-        const auto extremes = ram_velocity_extremes(drive, range_of(motion));
-        return detail::absolute_values<stationary_points>(motion, drive, x, extremes, plain, speed, out, ends);
+    template <class Drive>
+    static RamExtremes extremes(const Drive& m, const CrankRange<double>& range) {
+        return ram_velocity_extremes(m, range);
     }
 };
 
-/// For unit crank speed.
-template <template <class> class Drive>
-struct RamAccelerationMax {
-    static constexpr std::size_t reads = Layout<Drive>::reads;
+struct RamAcceleration {
     static constexpr std::size_t stationary_points = 8;
-    static constexpr std::size_t most = stationary_points + 2;
-    template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
-        return components(motion, x, out, fixed_ends<T>(motion));
+    template <class Drive, class T>
+    static T value(const Drive& m, const T& angle) {
+        return ram_acceleration(m, angle);
     }
-
-    template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out,
-                                  const Ends<T>& ends) {
-        const auto acceleration_at = [&]<class U>(const std::array<U, reads>& dimensions, const U& angle) {
-            return ram_acceleration(Layout<Drive>::make(dimensions, motion.assembly), angle);
-        };
-        const auto plain = detail::plain_of(x);
-        const auto drive = Layout<Drive>::make(plain, motion.assembly);
-        const auto extremes = ram_acceleration_extremes(drive, range_of(motion));
-        return detail::absolute_values<stationary_points>(motion, drive, x, extremes, plain, acceleration_at, out,
-                                                          ends);
+    template <class Drive>
+    static RamExtremes extremes(const Drive& m, const CrankRange<double>& range) {
+        return ram_acceleration_extremes(m, range);
     }
 };
+
+template <template <class> class Drive>
+using RamSpeedMax = GreatestOfRam<Drive, RamVelocity>;
+
+template <template <class> class Drive>
+using RamAccelerationMax = GreatestOfRam<Drive, RamAcceleration>;
 
 /// Speeds of the ram on the working part: at its two ends, then where they are stationary between.
 template <template <class> class Drive, class T>

@@ -94,16 +94,24 @@ std::size_t least_over(const Motion& motion, const std::array<T, Layout<Drive>::
 
 }  // namespace detail
 
-template <template <class> class Drive>
-struct TransmissionAngleMin {
+/// The least angles at the ram, then what is `OfFourBar` of the four-bar at the input of a drive that has one.
+template <template <class> class Drive, class OfFourBar>
+struct LeastTransmissionAngle {
     static constexpr std::size_t reads = Layout<Drive>::reads;
-    static constexpr std::size_t most = detail::limited_places + four_bar::TransmissionAngleMin::most;
+    static constexpr std::size_t most = detail::limited_places + OfFourBar::most;
     template <class T>
     static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
         const std::size_t count = detail::least_over<Drive>(motion, x, out);
-        return count + detail::of_four_bar<Drive, four_bar::TransmissionAngleMin>(motion, x, out.subspan(count));
+        return count + detail::of_four_bar<Drive, OfFourBar>(motion, x, out.subspan(count));
     }
 };
+
+template <template <class> class Drive>
+using TransmissionAngleMin = LeastTransmissionAngle<Drive, four_bar::TransmissionAngleMin>;
+
+/// The angle at the ram never exceeds a right one, so that its supplement is no worse.
+template <template <class> class Drive>
+using TransmissionAngleWorst = LeastTransmissionAngle<Drive, four_bar::TransmissionAngleWorst>;
 
 template <template <class> class Drive>
 struct TransmissionAngleMax {
@@ -126,18 +134,6 @@ struct TransmissionAngleMax {
             if (detail::rod_along_slide<Drive>(motion, converted<double>(m))) out[0] = T(0.5 * pi<double>());
         }
         return count + detail::of_four_bar<Drive, four_bar::TransmissionAngleMax>(motion, x, out.subspan(count));
-    }
-};
-
-/// The angle at the ram never exceeds a right one, so that its supplement is no worse.
-template <template <class> class Drive>
-struct TransmissionAngleWorst {
-    static constexpr std::size_t reads = Layout<Drive>::reads;
-    static constexpr std::size_t most = detail::limited_places + four_bar::TransmissionAngleWorst::most;
-    template <class T>
-    static std::size_t components(const Motion& motion, const std::array<T, reads>& x, Components<T> out) {
-        const std::size_t count = detail::least_over<Drive>(motion, x, out);
-        return count + detail::of_four_bar<Drive, four_bar::TransmissionAngleWorst>(motion, x, out.subspan(count));
     }
 };
 

@@ -143,6 +143,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism() {
                   .quantities = quantities(),
                   .families = families(),
                   .settings = settings(),
+                  .rod_sloped_by_stroke = quick_return::Layout<SliderCrank>::links[1],
                   .motion = motion_by_drive<SliderCrank>,
                   .motion_again = SliderCrankAgain::motion,
                   .ways_again = slider_crank_ways,

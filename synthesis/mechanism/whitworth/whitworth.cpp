@@ -74,6 +74,7 @@ std::shared_ptr<const Mechanism> whitworth_mechanism() {
                   .families = families(),
                   .settings = settings(),
                   .objection = objection,
+                  .rod_sloped_by_stroke = quick_return::Layout<Whitworth>::links[3],
                   .motion = motion_by_drive<Whitworth>,
                   .motion_again = WhitworthAgain::motion,
                   .ways_again = whitworth_ways,
@@ -86,7 +87,5 @@ std::shared_ptr<const Mechanism> whitworth_mechanism() {
                   .as_linkage = whitworth_as_linkage()});
     return mechanism;
 }
-
-bool is_whitworth(const Mechanism& mechanism) { return mechanism.motion == motion_by_drive<Whitworth>; }
 
 }  // namespace mechwright

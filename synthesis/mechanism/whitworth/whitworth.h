@@ -8,9 +8,6 @@ namespace mechwright {
 
 std::shared_ptr<const Mechanism> whitworth_mechanism();
 
-/// Whether a mechanism is of the kind.
-bool is_whitworth(const Mechanism& mechanism);
-
 /// How its quantities follow from its dimensions, where this is not said of every mechanism alike.
 std::vector<QuantityFormula> whitworth_formulas();
 
