@@ -28,6 +28,9 @@ namespace {
 /// A zone of tolerance is so many standard deviations wide.
 constexpr double deviations_in_zone = 6;
 
+/// The width of the zone in which a dimension lies.
+double zone_of(const Deviation& deviation, double size) { return size * (deviation.uniform ? 2 : deviations_in_zone); }
+
 /// The deviations of pieces, one for each of the study: from the numbers of sample and dimension alone.
 double random_deviation(const Deviation& deviation, double size, std::uint64_t seed, std::uint64_t number) {
     const std::uint64_t bits = mixed(mixed(mixed(seed) ^ deviation.dimension) ^ number);
@@ -187,6 +190,7 @@ void predict(const TolerancedDesign& design, const Study& study, std::size_t qua
         spread.derivatives.push_back(derivative / file_units_per_inner(unit, design.problem.units));
         spread.parts.push_back(effect * effect);
         variance += effect * effect;
+        spread.worst += std::abs(derivative) * zone_of(deviation, design.sizes[i]) / 2;
     }
     for (double& part : spread.parts)
         part = variance > 0 ? part / variance : 0;
@@ -242,7 +246,7 @@ int grade_of(const TolerancedDesign& design, const Deviation& deviation, double 
     if (problem.units.length != "mm" ||
         problem.mechanism->dimensions[deviation.dimension].kind != DimensionKind::length)
         return 0;
-    const double zone = size * (deviation.uniform ? 2 : deviations_in_zone);
+    const double zone = zone_of(deviation, size);
     const double length = std::abs(design.nominal.design.dimensions[deviation.dimension]);
     constexpr double same = 1e-9;  // a zone that is a grade's is that grade's
     int coarsest = 0;

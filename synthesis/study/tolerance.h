@@ -55,6 +55,7 @@ struct QuantitySpread {
     std::string unit;
     double nominal = 0;
     std::optional<double> first_order;                  ///< standard deviation that the sensitivities predict
+    double worst = 0;                                   ///< as far off as they predict with all zones at their ends
     std::vector<double> derivatives;                    ///< one for each deviation; empty where there are none
     std::vector<double> parts;                          ///< of the predicted variance
     double mean = 0, deviation = 0;                     ///< of the samples

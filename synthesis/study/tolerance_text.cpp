@@ -14,12 +14,12 @@ std::string named(const QuantitySpread& spread) {
 }
 
 std::string spreads(const ToleranceReport& report) {
-    Table table{{Align::left, Align::right, Align::right, Align::right, Align::right, Align::right},
-                {{"", "nominal", "s", "predicted", "2.5%", "97.5%"}}};
+    Table table{{Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::right},
+                {{"", "nominal", "s", "predicted", "2.5%", "97.5%", "worst"}}};
     for (const QuantitySpread& s : report.quantities)
         table.rows.push_back({named(s), number_text(s.nominal, 5), number_text(s.deviation, 3),
                               s.first_order ? number_text(*s.first_order, 3) : "", number_text(s.low, 6),
-                              number_text(s.high, 6)});
+                              number_text(s.high, 6), s.first_order ? "+- " + number_text(s.worst, 3) : ""});
     return to_text(table, 2);
 }
 
@@ -79,7 +79,10 @@ std::string tolerance_text(const ToleranceReport& report) {
                             100.0 * static_cast<double>(report.within_limits) / static_cast<double>(report.samples));
     text += '\n';
     if (report.allocated) text += allocation_text(report, *report.allocated);
-    text += "\nSpread (s: standard deviation of the samples; predicted: from the derivatives)\n" + spreads(report);
+    text +=
+        "\nSpread (s: standard deviation of the samples; predicted: from the derivatives;\nworst: with all zones at "
+        "their ends)\n" +
+        spreads(report);
     text += "\nChange per unit of each dimension\n" + by_dimension(report, [](const QuantitySpread& s, std::size_t i) {
                 return number_text(s.derivatives[i], 4);
             });

@@ -53,6 +53,19 @@ TEST(TurnedRooms, OfAnArcLieAlongItsChord) {
     expect_room_slopes(text, {"thin.width", "small.area"});
 }
 
+/// One side touches a point 2.8e-9 rad beside the limit at which the dyad folds, 2e-8 farther out than the limit
+/// itself: area by places in forty digits, each found along the root of the way from the limit.
+TEST(TurnedRooms, TouchPlacesCloseToWhereAMotionEnds) {
+    const Json document =
+        analysed_room(
+            "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 2.477\ncrank = 2.211\n"
+            "coupler = 3.502\nrocker = 1.555\npoint-along = 3.183\npoint-across = -4.17\nassembly = \"open\"\n" +
+            turned_room("box", "least-area", "\"P\", \"C\""))
+            .document;
+    EXPECT_NEAR(value_in(document, "box.area"), 32.99791626893, 1e-9);
+    expect_verified(document);
+}
+
 TEST(TurnedRooms, OfWhatIsAsWideInAllDirectionsAreOne) {
     const Json document = analysed_room(kinds_with_rooms[0].text() + turned_room("orbit", "least-width", "\"B\"") +
                                         turned_room("square", "least-area", "\"B\"") +

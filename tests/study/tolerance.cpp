@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/numbers/low_discrepancy.h"
+#include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/study/allocation.h"
 #include "synthesis/study/iso_tolerances.h"
@@ -149,6 +150,36 @@ TEST(Tolerances, SpreadAsTheSensitivitiesPredict) {
         }
         EXPECT_GE(compared, 9);
     }
+}
+
+/// Pieces with all dimensions at the ends of their zones, each on the side that makes a quantity greater, or less.
+TEST(Tolerances, AreWorstWithAllZonesAtTheirEnds) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write(
+        "a.toml", changed(shipped("crank-rocker-tolerances"),
+                          {{"lengths = \"IT7\"", "lengths = { uniform = 0.001 }\ncrank = { normal = 0.0002 }"}}));
+    const std::filesystem::path data = folder / "a.sqlite";
+    run_to_end(file, data);
+    const PreparedStudy study = prepared(file);
+    const TolerancedDesign design = design_of(study);
+    int compared = 0;
+    for (const QuantitySpread& s : tolerance_report(study, design, data).quantities) {
+        if (s.derivatives.empty()) continue;
+        const auto quantity = static_cast<std::size_t>(find_quantity(*design.problem.mechanism, s.quantity));
+        std::vector<double> ends;
+        for (std::size_t i = 0; i < s.derivatives.size(); ++i)
+            ends.push_back(std::copysign(study.study->deviations[i].uniform ? 0.001 : 0.0006, s.derivatives[i]));
+        const auto value_at = [&](double side) {
+            std::vector<double> offs;
+            for (const double end : ends)
+                offs.push_back(side * end);
+            const double value = *quantity_value(design.problem, quantity, piece_of(design, *study.study, offs).design);
+            return in_file_unit(value, design.problem.mechanism->quantities[quantity].unit, design.problem.units);
+        };
+        EXPECT_NEAR((value_at(1) - value_at(-1)) / 2, s.worst, 1e-3 * s.worst) << s.quantity;
+        ++compared;
+    }
+    EXPECT_GE(compared, 9);
 }
 
 TEST(Tolerances, CountTheSamplesWithinLimits) {

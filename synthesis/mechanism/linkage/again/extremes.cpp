@@ -1,6 +1,7 @@
 // Extremes of what is measured: found in doubles by its series at many inputs, then measured in fifty digits.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -135,6 +136,41 @@ Extreme measured_at(const Measured& f, const Seen& left, const Seen& right, doub
     return sign * nearer.value < sign * here.value ? here : nearer;
 }
 
+/// What is seen nearest to a limit at which the motion ends.
+struct BesideLimit {
+    const Measured* f;
+    Seen seen;
+    bool last;
+
+    double slope_from_limit() const { return last ? -seen.slope : seen.slope; }
+    /// No more is expected between them.
+    double most() const {
+        const double end = last ? f->scan.to() : f->scan.from();
+        return seen.value + 2 * std::abs(end - seen.at) * std::abs(seen.slope);
+    }
+};
+
+/// The greatest between a limit and what is seen nearest to it, where it rises from both: in fifty digits, as doubles
+/// have none there.
+Extreme greatest_beside(const BesideLimit& beside, double sign) {
+    constexpr int most_steps = 40;
+    const Measured& f = *beside.f;
+    const std::array<Digits50, 2> ends{f.scan.exact_end(false), f.scan.exact_end(true)};
+    const Digits50 end = ends[beside.last ? 1 : 0];
+    const auto input = [&](const Digits50& way) { return Digits50(beside.last ? end - way : end + way); };
+    const auto rises = [&](const Digits50& way) {
+        const Digits50 slope = sign * f.between(ends, input(way), 1);
+        return beside.last ? slope < 0 : slope > 0;
+    };
+    Digits50 far = abs(end - beside.seen.at), near = far * Digits50("1e-12");
+    if (!rises(near)) return {};  // the greatest is the limit itself
+    for (int i = 0; i < most_steps; ++i) {
+        const Digits50 middle = sqrt(near * far);
+        (rises(middle) ? near : far) = middle;
+    }
+    return {input(near), f.between(ends, input(near))};
+}
+
 /// Those of a piece but for its ends. What is constant to rounding is stationary everywhere: one of these is enough.
 void add_stationary(const Measured& f, const Looks& looks, std::vector<Candidate>& candidates) {
     constexpr double rounding = 1e-12;
@@ -245,6 +281,7 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
     const std::vector<Vector<double>> pieces = between_corners(f, parts);
     const std::vector<Measured> on_pieces = on_each(f, parts, pieces);
     std::vector<Candidate> candidates;
+    std::vector<BesideLimit> beside_limits;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const Measured& on = on_pieces[k];
         if (!(pieces[k].x < pieces[k].y)) {
@@ -265,6 +302,9 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
                 most = beside.value + 2 * way * std::abs(beside.slope) + 1e-9 * (1 + std::abs(beside.value));
             }
             candidates.push_back({&on, {end}, {end}, most});
+            if (!of_motion || f.scan.full_turn() || seen.empty()) continue;
+            const BesideLimit beside{&on, last ? seen.back() : seen.front(), last};
+            if (beside.slope_from_limit() < 0) beside_limits.push_back(beside);
         }
     }
     // The most promising first, until the rest promise no more than was found. What is constant to rounding is
@@ -279,6 +319,11 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
         const bool end = c.left.at == c.right.at;
         const Extreme one = end ? Extreme{c.left.at, c.f->at(c.left.at)} : measured_at(*c.f, c.left, c.right, sign);
         if (!isnan(one.value) && (isnan(found.value) || sign * one.value > sign * found.value)) found = one;
+    }
+    for (const BesideLimit& beside : beside_limits) {
+        if (beside.most() < sign * found.value) continue;
+        const Extreme one = greatest_beside(beside, sign);
+        if (!isnan(one.value) && sign * one.value > sign * found.value) found = one;
     }
     return found;
 }
