@@ -5,12 +5,12 @@
 
 #include "synthesis/document/cam_document.h"
 #include "synthesis/document/fields.h"
+#include "synthesis/document/given_document.h"
 #include "synthesis/document/lists.h"
-#include "synthesis/document/proof_document.h"
+#include "synthesis/document/search_document.h"
 #include "synthesis/document/versions.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/input.h"
-#include "synthesis/problem/affine.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing/singular.h"
@@ -26,58 +26,6 @@ using Json = nlohmann::ordered_json;
 
 using namespace names;
 
-/// Numbers that are not finite are never written.
-void put(Json& object, std::string_view name, double number) {
-    if (std::isfinite(number)) object[std::string(name)] = number;
-}
-
-/// A multiple of another dimension, or a sum as files write it; its constant in the file's unit.
-Json given_tie(const Problem& problem, Affine tie, double constant) {
-    const auto& dimensions = problem.mechanism->dimensions;
-    tie.constant = constant;
-    if (tie.terms.size() > 1 || tie.constant != 0)
-        return text_of(tie, [&](std::size_t i) { return std::string(dimensions[i].name); });
-    const auto& [other, times] = tie.terms.front();
-    return {{of_tie("of"), dimensions[other].name}, {of_tie("times"), times}};
-}
-
-template <class Outside>
-Json given_range(const DimensionRange& range, const Outside& outside) {
-    if (!range.choices.empty()) {
-        Json choices = Json::array();
-        for (const double choice : range.choices)
-            choices.push_back(outside(choice));
-        return {{of_choices("choices"), std::move(choices)}};
-    }
-    Json given{{of_range("min"), outside(range.min)}, {of_range("max"), outside(range.max)}};
-    if (range.step > 0) given[of_range("step")] = outside(range.step);
-    return given;
-}
-
-Json given_dimensions(const Problem& problem) {
-    Json given = Json::object();
-    for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
-        const DimensionRange& range = problem.dimensions[i];
-        if (!range.named) continue;
-        const Dimension& dimension = problem.mechanism->dimensions[i];
-        const auto outside = [&](double x) { return in_file_unit(x, unit_of(dimension.kind), problem.units); };
-        if (range.tied())
-            given[std::string(dimension.name)] = given_tie(problem, range.tie, outside(range.tie.constant));
-        else if (range.fixed())
-            given[std::string(dimension.name)] = outside(range.min);
-        else
-            given[std::string(dimension.name)] = given_range(range, outside);
-    }
-    return given;
-}
-
-Json units_document(const Units& units) {
-    Json json{{of_units("angle"), units.degrees ? "deg" : "rad"}, {of_units("length"), units.length}};
-    if (!units.force.empty()) json[of_units("force")] = units.force;
-    if (!units.mass.empty()) json[of_units("mass")] = units.mass;
-    return json;
-}
-
 Json design_of(const Problem& problem, const Design& design) {
     const Mechanism& mechanism = *problem.mechanism;
     Json json = Json::object();
@@ -85,7 +33,7 @@ Json design_of(const Problem& problem, const Design& design) {
         const Dimension& dimension = mechanism.dimensions[i];
         const double value = design.dimensions[i];
         if (!dimension.required && !problem.dimensions[i].named && value == 0) continue;
-        put(json, dimension.name, in_file_unit(value, unit_of(dimension.kind), problem.units));
+        put_number(json, dimension.name, in_file_unit(value, unit_of(dimension.kind), problem.units));
     }
     if (!mechanism.assembly_documents.empty())
         json[of_design("assembly")] = Json::parse(mechanism.assembly_documents[design.assembly]);
@@ -99,7 +47,7 @@ Json design_of(const Problem& problem, const Design& design) {
 void put_value_of(Json& json, std::string_view name, const Problem& problem, std::size_t quantity,
                   const Design& design) {
     if (const std::optional<double> value = quantity_value(problem, quantity, design))
-        put(json, name, in_file_unit(*value, problem.mechanism->quantities[quantity].unit, problem.units));
+        put_number(json, name, in_file_unit(*value, problem.mechanism->quantities[quantity].unit, problem.units));
 }
 
 /// Values only where there is a solution.
@@ -116,13 +64,13 @@ Json objective_of(const Problem& problem, const Solution* solution) {
         Json terms = Json::array();
         for (const ObjectiveTerm& term : objective.terms) {
             Json one = quantity_and_sense(term);
-            put(one, of_term("weight"), term.weight);
+            put_number(one, of_term("weight"), term.weight);
             if (solution) put_value_of(one, of_term("value"), problem, term.quantity, solution->design);
             terms.push_back(std::move(one));
         }
         json = {{of_objective("terms"), std::move(terms)}, {of_objective("reduce"), objective.worst ? "max" : "sum"}};
     }
-    if (solution) put(json, of_objective("value"), solution->objective);
+    if (solution) put_number(json, of_objective("value"), solution->objective);
     return json;
 }
 
@@ -136,8 +84,8 @@ Json wishes_of(const Problem& problem, const Solution* solution) {
                  {of_wish("sense"), wish.term.maximize ? "maximize" : "minimize"},
                  {of_wish("within"), outside(wish.within)}};
         if (solution && i < solution->wished.size()) {
-            put(one, of_wish("best"), outside(solution->wished[i].best));
-            put(one, of_wish("limit"), outside(solution->wished[i].limit));
+            put_number(one, of_wish("best"), outside(solution->wished[i].best));
+            put_number(one, of_wish("limit"), outside(solution->wished[i].limit));
         }
         if (solution) put_value_of(one, of_wish("value"), problem, wish.term.quantity, solution->design);
         list.push_back(std::move(one));
@@ -152,11 +100,11 @@ Json requirements_of(const Problem& problem, const Design* design) {
         const Standing standing = design ? standing_of(problem, requirement, *design) : Standing{};
         const auto outside = [&](double x) { return in_file_unit(x, quantity.unit, problem.units); };
         Json one{{of_requirement("quantity"), quantity.name}};
-        if (standing.value) put(one, of_requirement("value"), outside(*standing.value));
-        if (requirement.equal) put(one, of_requirement("equal"), outside(*requirement.equal));
-        if (requirement.min) put(one, of_requirement("min"), outside(*requirement.min));
-        if (requirement.max) put(one, of_requirement("max"), outside(*requirement.max));
-        if (standing.violation) put(one, of_requirement("violation"), *standing.violation);
+        if (standing.value) put_number(one, of_requirement("value"), outside(*standing.value));
+        if (requirement.equal) put_number(one, of_requirement("equal"), outside(*requirement.equal));
+        if (requirement.min) put_number(one, of_requirement("min"), outside(*requirement.min));
+        if (requirement.max) put_number(one, of_requirement("max"), outside(*requirement.max));
+        if (standing.violation) put_number(one, of_requirement("violation"), *standing.violation);
         if (design) one[of_requirement("active")] = standing.active;
         list.push_back(std::move(one));
     }
@@ -175,7 +123,7 @@ Json quantities_of(const Problem& problem, const Design& design) {
 
 Json alternative_of(const Problem& problem, const Solution& solution) {
     Json one{{of_alternative("design"), design_of(problem, solution.design)}};
-    put(one, of_alternative("objective"), solution.objective);
+    put_number(one, of_alternative("objective"), solution.objective);
     const std::vector<double>& path_angles = solution.design.path_angles;
     if (!path_angles.empty() &&
         std::all_of(path_angles.begin(), path_angles.end(), [](double a) { return std::isfinite(a); }))
@@ -200,16 +148,6 @@ Json alternatives_of(const Problem& problem, const Result& result) {
     return list;
 }
 
-Json solutions_of(const SolutionCounts& counts) {
-    return {{of_solutions("tracked"), counts.tracked},
-            {of_solutions("distinct"), counts.distinct},
-            {of_solutions("at_infinity"), counts.at_infinity},
-            {of_solutions("singular"), counts.singular},
-            {of_solutions("real"), counts.real},
-            {of_solutions("certified"), counts.certified},
-            {of_solutions("defect_free"), counts.defect_free}};
-}
-
 /// Targets, and how a design meets them.
 void put_targets(Json& json, const Problem& problem, const Solution* best) {
     const Design* design = best ? &best->design : nullptr;
@@ -222,8 +160,8 @@ void put_warnings(Json& json, const Problem& problem, const Design& design) {
     Json warnings = Json::array();  // a null that becomes an array is left broken where memory runs out
     for (const SingularMargin& m : singular_margins(problem, design)) {
         Json one{{of_warning("name"), m.name}};
-        put(one, of_warning("margin"), m.margin);
-        put(one, of_warning("relative"), m.relative);
+        put_number(one, of_warning("margin"), m.margin);
+        put_number(one, of_warning("relative"), m.relative);
         if (m.impossible) one[of_warning("impossible")] = true;
         one[of_warning("warned_below")] = singular_below;
         warnings.push_back(std::move(one));
@@ -238,15 +176,6 @@ void put_circuit(Json& json, const Problem& problem, const Design& design) {
     if (!found) return;
     json[of_finding("circuit")] = found->circuit;
     json[of_finding("branch")] = found->branch;
-}
-
-/// What the file says of the range of use.
-Json range_of_use(const Problem& problem) {
-    const auto outside = [&](double angle) { return in_file_unit(angle, Unit::angle, problem.units); };
-    return {{of_use("from"), keys::use_begins[0]},
-            {of_use("to"), keys::use_ends[0]},
-            {of_use("before"), outside(problem.use->before)},
-            {of_use("after"), outside(problem.use->after)}};
 }
 
 /// Where the range of use of a design lies.
@@ -282,43 +211,6 @@ Json front_of(const Problem& problem, const Result& result) {
     return list;
 }
 
-Json search_of(const Problem& problem, const SearchReport& search) {
-    Json json{{of_search("method"), search.method}, {of_search("complete"), search.complete()}};
-    if (search.proof) {
-        json[of_search("argument")] = search.proof->argument;
-        json[of_search("certificate")] = certificate_document(problem, search.proof->certificate);
-    }
-    if (search.drawn > 0) {
-        json[of_search("drawn")] = search.drawn;
-        json[of_search("assembled")] = search.assembled;
-        json[of_search("optimised")] = search.optimised;
-    }
-    json[of_search("starts")] = search.starts;
-    json[of_search("local_optima")] = search.local_optima;
-    json[of_search("hits")] = search.hits;
-    put(json, of_search("missed_chance"), search.missed_chance);
-    if (search.bound) {
-        put(json, of_search("bound"), *search.bound);
-        json[of_search("boxes")] = search.boxes;
-    }
-    if (search.solutions) json[of_search("solutions")] = solutions_of(*search.solutions);
-    if (search.free_numbers > 0) json[of_search("free_numbers")] = search.free_numbers;
-    if (search.discrete) {
-        Json discrete{{of_discrete("problems"), search.discrete->problems}};
-        if (problem.objective) {
-            if (search.discrete->continuous) put(discrete, of_discrete("continuous"), *search.discrete->continuous);
-            put(discrete, of_discrete("gap"), search.discrete->gap);
-        }
-        if (search.discrete->combinations > 0) discrete[of_discrete("combinations")] = search.discrete->combinations;
-        if (search.discrete->left_out > 0) discrete[of_discrete("left_out")] = search.discrete->left_out;
-        json[of_search("discrete")] = std::move(discrete);
-    }
-    json[of_search("evaluations")] = search.evaluations;
-    json[of_search("seed")] = problem.solver.seed;
-    put(json, of_search("seconds"), search.seconds);
-    return json;
-}
-
 Json problem_of(const Problem& problem) {
     Json json{{of_problem("file"), problem.file}, {of_problem("sha256"), problem.sha256}};
     if (!problem.text.empty()) json[of_problem("text")] = problem.text;
@@ -352,7 +244,7 @@ void put_made_from(Json& json, const Mechanism& mechanism) {
 
 /// The members from tolerance to path.
 void put_body(Json& json, const Problem& problem, const Solution* best) {
-    put(json, of_document("tolerance"), problem.solver.tolerance);
+    put_number(json, of_document("tolerance"), problem.solver.tolerance);
     json[of_document("dimensions")] = given_dimensions(problem);
     put_made_from(json, *problem.mechanism);
     if (is_cam(*problem.mechanism)) json[of_document("cam")] = cam_document(problem);
@@ -361,7 +253,7 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
         json[of_document("crank_range")] = {in_file_unit(problem.crank_range->x, unit, problem.units),
                                             in_file_unit(problem.crank_range->y, unit, problem.units)};
     }
-    if (problem.use) json[of_document("range_of_use")] = range_of_use(problem);
+    if (problem.use) json[of_document("range_of_use")] = given_range_of_use(problem);
     Json settings = Json::object();  // made whole: one that null turns into is none where memory runs out
     for (std::size_t i = 0; i < problem.mechanism->settings.size(); ++i)
         settings[problem.mechanism->settings[i].name] =
@@ -400,7 +292,7 @@ nlohmann::ordered_json document(const Problem& problem, const Result& result) {
     if (!result.verification.empty()) json[of_document("verification")] = verification_document(result.verification);
     if (problem.solver.pareto > 0) json[of_document("front")] = front_of(problem, result);
     json[of_document("alternatives")] = alternatives_of(problem, result);
-    json[of_document("search")] = search_of(problem, result.search);
+    json[of_document("search")] = search_document(problem, result.search);
     return json;
 }
 

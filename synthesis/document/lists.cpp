@@ -6,6 +6,10 @@
 
 namespace mechwright {
 
+void put_number(nlohmann::ordered_json& object, std::string_view name, double number) {
+    if (std::isfinite(number)) object[std::string(name)] = number;
+}
+
 using Json = nlohmann::ordered_json;
 
 Json pairs(const std::vector<Vector<double>>& points) {

@@ -1,14 +1,18 @@
 #pragma once
 /// \file
-/// Lists of numbers as documents have them.
+/// Numbers and lists of them as documents have them.
 
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <vector>
 
 #include "analysis/geometry/vector.h"
 #include "synthesis/problem/problem.h"
 
 namespace mechwright {
+
+/// A member of an object; numbers that are not finite are never written.
+void put_number(nlohmann::ordered_json& object, std::string_view name, double number);
 
 /// [[x, y], ...]
 nlohmann::ordered_json pairs(const std::vector<Vector<double>>& points);

@@ -285,8 +285,8 @@ constexpr double bar_room = 26, row_height = 22;
 
 /// Below the drawing, of a round length.
 std::string scale_bar(const SvgView& view, std::string_view unit) {
-    constexpr double left = 20, tick = 4, most_share = 0.25;
-    const double most = most_share * view.width / view.scale;
+    constexpr double left = 20, tick = 4, most_of_width = 0.25;
+    const double most = most_of_width * view.width / view.scale;
     double length = std::pow(10, std::floor(std::log10(most)));
     for (const double more : {5.0, 2.0})
         if (more * length <= most) {
