@@ -53,6 +53,33 @@ Digits50 direction_of_link(const Rebuilt& design, std::size_t target, const Digi
     return atan2(link.y, link.x);
 }
 
+/// How far the point of a target goes where each number that it is computed from is off by a few units of the last
+/// place of a double, on the side on which the mechanism still assembles.
+Digits50 moved_by_rounding(const Rebuilt& design, std::size_t target, const Digits50& crank_angle,
+                           const Vector<Digits50>& here) {
+    constexpr double few_units = 4 * std::numeric_limits<double>::epsilon();
+    const Mechanism& mechanism = *design.claim->mechanism;
+    const Form form = mechanism.form(design.claim->assembly, target);
+    const auto way = [&](const Vector<Digits50>& there) {
+        const Vector<Digits50> off = there - here;
+        const Digits50 square = dot(off, off);
+        return isfinite(square) ? Digits50(sqrt(square)) : Digits50(0);
+    };
+    const Digits50 turned = few_units * (1 + abs(crank_angle));
+    Digits50 moved = std::max(way(point_again(mechanism, form, design.dimensions, crank_angle + turned)),
+                              way(point_again(mechanism, form, design.dimensions, crank_angle - turned)));
+    for (const std::size_t k : mechanism.point->reads) {
+        Digits50 most = 0;
+        for (const double side : {few_units, -few_units}) {
+            std::vector<Digits50> off = design.dimensions;
+            off[k] *= 1 + Digits50(side);
+            most = std::max(most, way(point_again(mechanism, form, off, crank_angle)));
+        }
+        moved += most;
+    }
+    return moved;
+}
+
 RebuiltPath rebuilt_path(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     const ClaimedPath& path = *claim.path;
@@ -84,13 +111,15 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
             result.directions.push_back(faces);
         }
         result.distances.push_back(sqrt(square));
+        result.roundings.push_back(
+            moved_by_rounding(design, guided, result.crank_angles.back(), result.reached.back()));
     }
     return result;
 }
 
 /// A mean of distances measured again, with the slack of its square.
 struct MeanAgain {
-    Digits50 sum = 0, slack = 0, weight = 0, greatest = 0;
+    Digits50 sum = 0, slack = 0, weight = 0, greatest = 0, rounding = 0;
 
     void add(const Digits50& w, const Digits50& square, const Digits50& slack_of_square, const Digits50& distance) {
         sum += w * square;
@@ -106,7 +135,9 @@ MeanAgain mean_again(const RebuiltPath& path, const PointRange& points, const st
     MeanAgain mean;
     for (std::size_t i = points.first; i < points.end(); ++i) {
         const Digits50& d = path.distances[i];
-        mean.add(weights[i - points.first], d * d, (2 * d + slack) * slack, d);
+        const Digits50 of_point = slack + path.roundings[i];
+        mean.add(weights[i - points.first], d * d, (2 * d + of_point) * of_point, d);
+        mean.rounding = std::max(mean.rounding, path.roundings[i]);
     }
     return mean;
 }
@@ -117,6 +148,7 @@ MeanAgain mean_of_targets(const RebuiltPath& path, const std::vector<PathPart>& 
     for (const PathPart& target : targets) {
         const MeanAgain one = mean_again(path, target.points, target.weights, slack);
         mean.add(target.weight, one.sum / one.weight, one.slack / one.weight, one.greatest);
+        mean.rounding = std::max(mean.rounding, one.rounding);
     }
     return mean;
 }
@@ -135,9 +167,9 @@ std::optional<Measured> measured_path(const RebuiltPath& path, const ClaimedPath
         case PathMeasure::sum_of_squares: return Measured{mean.sum, relative * mean.sum + mean.slack};
         case PathMeasure::root_mean_square: {
             const Digits50 root = mean.weight > 0 ? Digits50(sqrt(mean.sum / mean.weight)) : Digits50(0);
-            return Measured{root, relative * root + slack};
+            return Measured{root, relative * root + slack + mean.rounding};
         }
-        case PathMeasure::greatest: return Measured{mean.greatest, relative * mean.greatest + slack};
+        case PathMeasure::greatest: return Measured{mean.greatest, relative * mean.greatest + slack + mean.rounding};
         case PathMeasure::none: break;
     }
     return std::nullopt;

@@ -22,7 +22,8 @@ struct RebuiltPath {
     std::vector<Vector<Digits50>> reached;  ///< NaN where the mechanism does not assemble
     std::vector<Digits50> directions;       ///< of a guided body, radians
     std::vector<Digits50> distances;
-    Digits50 size;  ///< the longest length or coordinate that a point is computed from
+    std::vector<Digits50> roundings;  ///< how far the rounding of doubles moves each point: far next to a limit
+    Digits50 size;                    ///< the longest length or coordinate that a point is computed from
 };
 
 struct Rebuilt {

@@ -7,6 +7,7 @@
 
 #include "synthesis/mechanism/cycle.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/target/path/rows/nearest_point.h"
 #include "synthesis/target/path/rows/stretch.h"
 
 namespace mechwright {
@@ -14,10 +15,6 @@ namespace mechwright {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-/// Where a mechanism assembles by less than this part of its longest length the end of its motion and rounding decide
-/// where its point is: at such a place nobody can say how far it is from a target that is met at any time.
-constexpr double sure_part = 1e-10;
-
 double margin_at_targets(const Problem& problem, const Design& design) {
     double least = endless;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {

@@ -83,7 +83,7 @@ struct Batch {
         descend(problem, design, second_part, tolerance, work);
         if (design.sum > promising_later * last_kept()) return;
         descend(problem, design, last_part, tolerance, work);
-        if (!design.at_limit) keep(design);
+        keep(design);
     }
 
     std::optional<FittedCurve> best_of_drawn(RandomNumbers& random) {

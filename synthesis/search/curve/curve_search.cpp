@@ -179,9 +179,7 @@ struct Search {
     SearchEnd polished(FittedCurve fitted) const {
         const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
         CurveWork work;
-        FittedCurve settled = fitted;
-        settle(*curve, settled, work);
-        if (!settled.at_limit) fitted = settled;
+        settle(*curve, fitted, work);
         SearchEnd end{"drawn", "least-squares: gains too small", work.evaluations};
         end.solution = assessed(fitted);
         if (end.solution) {

@@ -99,7 +99,6 @@ bool evaluate(const CurveProblem& p, Sums& s, CurveWork& work) {
         for (Eigen::Index j = 0; j <= i; ++j)
             s.matrix(i, j) = (weight * row * lanes(work.nearest.gradient[static_cast<std::size_t>(j)])).sum();
     }
-    s.at.at_limit = !work.nearest.ends.empty();
     for (const NearestEnd& end : work.nearest.ends) {
         const double w = p.targets.weight[end.target / 8][end.target % 8];
         for (Eigen::Index i = 0; i < n; ++i) {

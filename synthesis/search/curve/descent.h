@@ -11,7 +11,6 @@ struct FittedCurve {
     CurveArguments arguments{};
     std::size_t assembly = 0;
     double sum = unlimited;  ///< of weighted squared distances, and of what requirements are missed by
-    bool at_limit = false;   ///< a target is nearest to the end of a limited motion, where no design may be
 };
 
 /// Whether a sum of squares is rounding: the targets are met.

@@ -72,13 +72,14 @@ Check check_faced(const ClaimedPath& path, const RebuiltPath& rebuilt, const Uni
     });
 }
 
-/// Distances to a relative 1e-9, and to 1e-12 of the size of the drawing where they vanish.
+/// Distances to a relative 1e-9, and to 1e-12 of the size of the drawing where they vanish; next to a limit to what the
+/// rounding of doubles makes of them.
 Check check_distances(const ClaimedPath& path, const RebuiltPath& rebuilt) {
     Check check{"distances from the target are as stated", true, {}};
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const Digits50& distance = rebuilt.distances[i];
         const Digits50 difference = abs(distance - path.distances[i]);
-        if (difference <= 1e-9 * distance + 1e-12 * rebuilt.size) continue;
+        if (difference <= 1e-9 * distance + 1e-12 * rebuilt.size + rebuilt.roundings[i]) continue;
         check.passed = false;
         check.detail = isfinite(distance) ? fmt::format("{} is {:.15g} away, stated is {:.15g}", nth(path, i),
                                                         distance.convert_to<double>(), path.distances[i])
@@ -198,16 +199,39 @@ Vector<double> curve_point(const Rebuilt& design, std::size_t target, double cra
 
 double distance_between(const Vector<double>& a, const Vector<double>& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
+/// The motion over which the curve along a target is looked at. Next to a limit its point goes by the root of the way
+/// from there, and rounding decides where it is: a point that is met so close to one may count by more than it is away
+/// from the limit itself, and the curve is looked at up to where it is met.
+Motion motion_of_curve(const Rebuilt& design, std::size_t target) {
+    constexpr double beside_limit = 1e-6;
+    Motion motion = design.motion;
+    if (motion.full_turn) return motion;
+    const PointRange points = design.claim->path->points_of(target);
+    for (std::size_t i = points.first; i < points.end(); ++i) {
+        const double at = plain(design.path->crank_angles[i]);
+        if (at > design.motion.from && at < design.motion.from + beside_limit) motion.from = std::max(motion.from, at);
+        if (at < design.motion.to && at > design.motion.to - beside_limit) motion.to = std::min(motion.to, at);
+    }
+    return motion;
+}
+
 /// A full turn is sampled from a step before it to a step after it, so that every place of it has neighbours.
 SampledCurve sampled_curve(const Rebuilt& design, std::size_t target) {
-    constexpr int steps = 720;
-    const Motion& motion = design.motion;
+    constexpr int steps = 720, doublings = 40;
+    constexpr double rounding = 1e-14;  // of a step
+    const Motion motion = motion_of_curve(design, target);
     const double step = (motion.full_turn ? plain(cycle(design)) : motion.to - motion.from) / steps;
     const int beyond = motion.full_turn ? 1 : 0;
     SampledCurve curve{target};
     for (int i = -beyond; i <= steps + beyond; ++i) {
-        const double angle = (motion.full_turn ? 0 : motion.from) + i * step;
-        const Vector<double> p = curve_point(design, target, angle);
+        double angle = (motion.full_turn ? 0 : motion.from) + i * step;
+        Vector<double> p = curve_point(design, target, angle);
+        // At an end of the motion its rounding may be too much: there the curve begins a little inside.
+        double inwards = i == 0 ? rounding * step : i == steps ? -rounding * step : 0;
+        for (int k = 0; k < doublings && inwards != 0 && !std::isfinite(p.x); ++k, inwards *= 2) {
+            angle += inwards;
+            p = curve_point(design, target, angle);
+        }
         if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
         curve.crank_angles.push_back(angle);
         curve.points.push_back(p);

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "analysis/numbers/extremes.h"
 #include "synthesis/program/program.h"
+#include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
 
@@ -25,7 +25,7 @@ constexpr int most_parts = 16;
 /// At the ends of a limited motion velocities are infinite, and rounding gives them any sign: slopes are taken so far
 /// from an end, as a part of the interval.
 constexpr double inset = 1e-11;
-constexpr int most_doublings = 40;
+constexpr int most_doublings = 44;
 /// Where the nearest sample is, the curve is looked at again in so many parts between its neighbours.
 constexpr std::size_t finer_parts = 8;
 
@@ -100,16 +100,28 @@ std::vector<Sample> divided(const Problem& problem, const Design& design, std::s
     return all;
 }
 
-/// The sample at a crank angle; where rounding denies that the mechanism assembles at the end of its motion, one a
-/// little way from there, which may be doubled again and again.
-std::optional<Sample> sample_at(const Problem& problem, const Design& design, std::size_t guided, double angle,
-                                double way) {
-    Sample s{angle, {}};
-    for (int doubled = 0; doubled <= most_doublings; ++doubled) {
-        if (point_at(problem, design, guided, s.angle, s.point, nullptr)) return s;
-        s.angle = angle + std::ldexp(way, doubled);
+/// The crank angle nearest to an end of the motion at which it is sure where the point is: so far inwards, which may be
+/// negative, or twice as far, again and again; then halved. The end itself where nothing ends there.
+double sure_end(const Problem& problem, const Design& design, std::size_t guided, double end, double inwards) {
+    constexpr double to_spare = 2;
+    constexpr int halvings = 50;
+    const double wanted = to_spare * sure_part * longest_length(*problem.mechanism, design.dimensions);
+    const auto is_sure = [&](double way) {
+        PathMiss miss{};
+        miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly, guided), design.dimensions,
+                      end + way, {0, 0}, miss);
+        return miss.margin >= wanted;
+    };
+    if (is_sure(0)) return end;
+    double far = inwards;
+    for (int doubled = 0; !is_sure(far) && doubled < most_doublings; ++doubled)
+        far *= 2;
+    double near = 0;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (near + far);
+        (is_sure(middle) ? far : near) = middle;
     }
-    return std::nullopt;
+    return end + far;
 }
 
 std::vector<Sample> sampled_curve(const Problem& problem, const Design& design, std::size_t guided, const Box& box) {
@@ -117,10 +129,11 @@ std::vector<Sample> sampled_curve(const Problem& problem, const Design& design, 
     std::vector<Sample> curve;
     if (!(motion.from <= motion.to)) return curve;
     const double rounding = (motion.to - motion.from) * std::numeric_limits<double>::epsilon();
+    const double from = motion.full_turn ? motion.from : sure_end(problem, design, guided, motion.from, rounding);
+    const double to = motion.full_turn ? motion.to : sure_end(problem, design, guided, motion.to, -rounding);
     for (int i = 0; i <= curve_samples; ++i) {
-        const double angle = motion.from + i * (motion.to - motion.from) / curve_samples;
-        const double inwards = i == 0 ? rounding : i == curve_samples ? -rounding : 0;
-        if (const auto sample = sample_at(problem, design, guided, angle, inwards)) curve.push_back(*sample);
+        Sample s{i == curve_samples ? to : from + i * (to - from) / curve_samples, {}};
+        if (point_at(problem, design, guided, s.angle, s.point, nullptr)) curve.push_back(s);
     }
     double length = 0;
     for (std::size_t k = 1; k < curve.size(); ++k)
