@@ -11,6 +11,11 @@ PROGRAM = os.environ["MECHWRIGHT_PROGRAM"]
 PROBLEMS = SOURCE / "problems"
 
 
+def cases_to_try(few, every):
+    """As many cases as a test has in the form that is run, as tests/long_form.h has it."""
+    return every if "MECHWRIGHT_LONG_TESTS" in os.environ else few
+
+
 def run(*arguments):
     """The command line program: exit code, standard output, standard error."""
     done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
