@@ -63,8 +63,10 @@ std::string allocation_text(const ToleranceReport& report, const AllocatedTolera
         fmt::format("\nTolerances allocated so that {:.6g}% of pieces meet all limits\n", 100 * report.wanted_share) +
         to_text(table, 2);
     if (unlimited) text += fmt::format("  * no limit asks for less than {} times the usual one\n", widest_times);
-    text += fmt::format("  They cost {} of what the usual ones do. What keeps them from being wider:\n",
-                        number_text(allocated.cost / allocated.usual_cost, 3));
+    text +=
+        fmt::format("  They cost {} of what the usual ones do.", number_text(allocated.cost / allocated.usual_cost, 3));
+    if (!allocated.limits.empty()) text += " What keeps them from being wider:";
+    text += '\n';
     for (const std::string& limit : allocated.limits)
         text += "  " + limit + "\n";
     return text;

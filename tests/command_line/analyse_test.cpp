@@ -32,6 +32,22 @@ TEST(Analyse, JsonHasTheSameNumbers) {
     EXPECT_FALSE(json.contains("search"));
 }
 
+/// Each point by the nearest point of the curve, which a given design has without any search.
+TEST(Analyse, OfAPathInAnyOrderMeasuresItsDistances) {
+    const TemporaryFolder folder;
+    const std::string text =
+        "schema = 1\nmechanism = 'four-bar'\n[dimensions]\nground = 60\ncrank = 20\ncoupler = 58\nrocker = 50\n"
+        "point-along = 0\npoint-across = 0\norigin-x = 0\norigin-y = 0\ntilt = 0\n[path]\n"
+        "points = [[30, 0], [0, 25], [-16, -12]]\ntiming = 'none'\n";
+    const Outcome outcome = run({"analyse", "--json", folder.write("a.toml", text)});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    // The point is the crank pin, on a circle of 20.
+    const Json distances = parsed(outcome.out)["path"]["distances"];
+    EXPECT_NEAR(distances[0], 10, 1e-12);
+    EXPECT_NEAR(distances[1], 5, 1e-12);
+    EXPECT_NEAR(distances[2], 0, 1e-12);
+}
+
 TEST(Analyse, CsvIsTheMotion) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.toml", given());

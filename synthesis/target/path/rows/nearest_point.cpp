@@ -184,6 +184,7 @@ void meet_points(const Problem& problem, std::size_t guided, Design& design) {
     const PointRange points = problem.path->points_of(guided);
     const std::vector<Sample> curve = sampled_curve(problem, design, guided, box_of(problem, points));
     if (curve.empty()) return;
+    design.path_angles.resize(problem.path->points.size());
     const auto last = curve.size() - 1;
     const Motion motion = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     for (std::size_t i = points.first; i < points.end(); ++i) {
