@@ -195,19 +195,19 @@ TEST(Study, DataThatAnotherProgramHoldsLockedAreWaitedForThenNamed) {
 
 TEST(Study, AFullDiskKeepsWhatWasDone) {
     const TemporaryFolder folder;
-    const std::string file = folder.write("a.toml", quick(6000));
+    const std::string file = folder.write("a.toml", quick(2500));
     Start how;
     how.arguments = {"study", file, "--out", folder / "out", "--quiet"};
-    how.largest_file = 300'000;
+    how.largest_file = 130'000;
     const Outcome full = run(how);
     EXPECT_EQ(full.exit_code, 6) << full.err;
     expect_has(full.err, "study.sqlite");
     const Outcome status = run({"study", "status", folder / "out"});
     EXPECT_EQ(status.exit_code, 0) << status.err;
-    expect_has(status.out, " of 6000 points: ");
+    expect_has(status.out, " of 2500 points: ");
     how.largest_file.reset();
     EXPECT_EQ(run(how).exit_code, 0);
-    expect_has(run({"study", "status", folder / "out"}).out, "6000 points: 6000 solved");
+    expect_has(run({"study", "status", folder / "out"}).out, "2500 points: 2500 solved");
 }
 
 TEST(Study, AFolderThatCannotBeWrittenIsNamed) {

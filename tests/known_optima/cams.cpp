@@ -336,7 +336,7 @@ TEST(CamSize, WithCurvatureAndEnvelope) {
 TEST(CamMotion, ASplineHasALowerPeakOfAcceleration) {
     const double unit = 20 / std::pow(std::numbers::pi / 2, 2);
     const std::string few = shipped("spline-peak.toml", "cam") + "\n[solver]\nstarts = 6\n";
-    const Solved a = solved(few, "slsqp"), b = solved(few, "ipopt");
+    const Solved a = solved(few, "slsqp", 1, 2, 2), b = solved(few, "ipopt", 1, 2, 2);
     ASSERT_EQ(a.result.status, Status::solved);
     EXPECT_GT(a.value("acceleration-max"), 4 * unit);
     EXPECT_LT(a.value("acceleration-max"), 5.2 * unit);

@@ -26,7 +26,7 @@ TEST_P(ExpandedOptima, AreThoseOfTheKind) {
     const ExpandedProblem expanded = expand_problem(text, GetParam().file, {});
     ASSERT_TRUE(expanded.ok());
     const Solved kind = solved(text);
-    const Solved linkage = solved(expanded.text + "\n[solver]\nstarts = 4\n", "slsqp");
+    const Solved linkage = solved(expanded.text + "\n[solver]\nstarts = 4\n", "slsqp", 1, 2, 2);
     ASSERT_EQ(kind.result.status, Status::solved);
     ASSERT_EQ(linkage.result.status, Status::solved);
     const double best = kind.result.best->objective;

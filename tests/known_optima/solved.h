@@ -32,7 +32,7 @@ struct Solved {
 };
 
 /// Searches from at most so many starts unless a test is run in its long form: what is known has to be found by fewer.
-constexpr int few_starts = 8;
+constexpr int few_starts = 4;
 
 inline Solved solved(const std::string& text, const std::string& method = "auto", std::uint64_t seed = 1, int jobs = 2,
                      int starts = few_starts) {

@@ -223,7 +223,9 @@ TEST(UniformSpeed, OfADragLink) {
     };
     // Nothing better anywhere on a coarse grid, nor on fine ones with the optimum in their middle.
     const double optimum = a.value("speed-variation");
-    EXPECT_GE(least_on_grids<4>({105, 105, 105, 150}, {400, 400, 400, 500}, 9, 3, variation), optimum * (1 - 1e-4));
+    const int coarse = cases_to_try(7, 9), fine = cases_to_try(6, 8);
+    EXPECT_GE(least_on_grids<4>({105, 105, 105, 150}, {400, 400, 400, 500}, coarse, cases_to_try(2, 3), variation),
+              optimum * (1 - 1e-4));
     std::array<double, 4> low, high;
     const std::array names{"crank", "coupler", "follower", "rod"};
     for (std::size_t k = 0; k < 4; ++k) {
@@ -231,7 +233,7 @@ TEST(UniformSpeed, OfADragLink) {
         low[k] = std::max(0.99 * length, k == 3 ? 150.0 : 105.0);
         high[k] = std::min(1.01 * length, k == 3 ? 500.0 : 400.0);
     }
-    const double near = least_on_grids<4>(low, high, 8, 4, variation);
+    const double near = least_on_grids<4>(low, high, fine, 4, variation);
     EXPECT_GE(near, optimum * (1 - 1e-4));
     EXPECT_LE(near, optimum * (1 + 3e-3));
     EXPECT_GE(equal_extremes<DragLink>(a), 3);

@@ -60,6 +60,7 @@ TEST(Wishes, OfPointsThatCanBeMetTheSmallestLinkageIsFound) {
     EXPECT_EQ(family.result.search.free_numbers, 5u);  // nine dimensions, of which four points settle one each
     EXPECT_LT(family.value("path-max"), 1e-11);
     EXPECT_NEAR(family.value("total-length"), s.value("total-length"), 1e-4 * s.value("total-length"));
+    if (!in_long_form()) return;  // what follows finds the same a third time
     const Solved required = solved(path_alone +
                                    "[[require]]\nquantity = \"path-max\"\nmax = 1e-7\n[objective]\n"
                                    "minimize = \"total-length\"\n");

@@ -13,6 +13,7 @@
 #include "synthesis/program/assess.h"
 #include "synthesis/solve/solve.h"
 #include "tests/checked.h"
+#include "tests/long_form.h"
 #include "tests/triad.h"
 
 namespace mechwright {
@@ -106,7 +107,7 @@ TEST(LargerProblems, ALimitedMotionEndsAtItsTurningPoints) {
                      greatest = document["quantities"]["turn.greatest"].get<double>();
         EXPECT_LE(least, 45.56343253017661 + 1e-8);
         EXPECT_GE(greatest, 52.32960980464734 - 1e-8);
-        expect_verified(document);
+        if (limited == 1 || in_long_form()) expect_verified(document);
     }
     EXPECT_EQ(limited, 2);
 }

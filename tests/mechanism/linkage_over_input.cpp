@@ -223,7 +223,7 @@ TEST(OverInput, AFeederIsFoundByItsPathAndItsFunctions) {
     expect_verified(found);
     int changes = 0;
     const auto refused = [&](const auto& change) {
-        if (changes++ % cases_to_try(3, 1) != 0) return;
+        if (changes++ % cases_to_try(5, 1) != 0) return;
         Json changed = found;
         change(changed);
         EXPECT_TRUE(is_refused(changed));

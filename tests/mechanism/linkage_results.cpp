@@ -15,6 +15,7 @@
 #include "synthesis/report/text/summary.h"
 #include "synthesis/solve/solve.h"
 #include "tests/checked.h"
+#include "tests/long_form.h"
 #include "tests/mechanism/linkage_texts.h"
 
 namespace mechwright {
@@ -183,8 +184,8 @@ maximize = "rocker-turn.range"
 maximize = "transmission-angle-worst"
 [solver]
 pareto = 3
-starts = 4
-)";
+starts = )" +
+            std::to_string(cases_to_try(1, 4)) + "\n";
     const ReadProblem read = testing::read_without_fault(text);
     ASSERT_TRUE(read.ok());
     const Result result = solve(read.problem, {});

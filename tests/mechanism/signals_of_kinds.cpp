@@ -98,10 +98,14 @@ void expect_as_expanded(const std::string& text) {
     expect_verified(document);
 }
 
+/// Except in the long form of every kind another third of all that is asked for.
 TEST(SignalsOfKinds, AreThoseOfTheLinkagesThatTheyAre) {
+    std::size_t turn = 0;
     for (const KindWithSignals& of : kinds_with_signals) {
         SCOPED_TRACE(of.kind.kind);
-        std::vector<std::string> asked = of_signals;
+        std::vector<std::string> asked;
+        for (const std::string& one : of_signals)
+            if (in_long_form() || turn++ % 3 == 0) asked.push_back(one);
         asked.push_back(of.own);
         expect_as_expanded(of.text() + asked_for(asked));
         if (&of == &kinds_with_signals[0] || in_long_form())

@@ -167,7 +167,7 @@ TEST(TimedPathBound, ProvesTheSecondCaseOfTheLiterature) {
 TEST(TimedPathBound, LeavesAGapWhereARangeIsActive) {
     std::string text = shipped("case-2.toml", "path");
     text.replace(text.find("rocker       = { min = 0, max = 50 }"), 36, "rocker       = { min = 0, max = 2.5 }");
-    text += "[solver]\ntime_limit = 6\n";
+    text += in_long_form() ? "[solver]\ntime_limit = 6\n" : "[solver]\ntime_limit = 4\n";
     const auto s = solved(text, "branch-and-bound");
     EXPECT_EQ(s.result.status, Status::limit);
     EXPECT_FALSE(s.result.search.complete());

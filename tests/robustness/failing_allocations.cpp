@@ -1,6 +1,7 @@
 // Whatever allocation fails, of reading, solving, verifying and writing: the caller gets std::bad_alloc or the right
 // result, and the next call is none the worse for it.
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -70,7 +71,7 @@ TEST_P(FailingAllocation, IsToldAndForgotten) {
     const std::string file = problem_file(GetParam().problem);
     std::string text = content_of(file);
     if (*GetParam().method != 0)
-        text += std::string("\n[solver]\nstarts = 4\nmethod = \"") + GetParam().method + "\"\n";
+        text += fmt::format("\n[solver]\nstarts = {}\nmethod = \"{}\"\n", cases_to_try(2, 4), GetParam().method);
     const auto document = [&] { return document_of(text, file, GetParam().jobs); };
     const std::string answer = document();
     ASSERT_NE(answer.find("\"status\": \"solved\""), std::string::npos) << answer;

@@ -9,6 +9,7 @@
 #include <random>
 #include <string>
 
+#include "tests/long_form.h"
 #include "tests/verify/documents.h"
 
 namespace mechwright {
@@ -55,7 +56,7 @@ TEST(MotionAgain, IsThatOfTheAnalysis) {
     for (const char* kind : kinds) {
         const Mechanism& mechanism = *find_mechanism(kind);
         int limited = 0, full = 0, none = 0;
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < cases_to_try(50, 200); ++i) {
             const auto d = random_dimensions(mechanism, random);
             const Both b = both_of(mechanism, d, mechanism.assemblies.empty() ? 0 : static_cast<std::size_t>(i) % 2);
             std::string place = kind;
@@ -72,8 +73,8 @@ TEST(MotionAgain, IsThatOfTheAnalysis) {
             EXPECT_NEAR(b.again.from, b.analysis.from, 1e-9) << place;
             EXPECT_NEAR(b.again.to, b.analysis.to, 1e-9) << place;
         }
-        EXPECT_GT(full, 10) << kind;
-        EXPECT_GT(limited, 10) << kind;
+        EXPECT_GT(full, cases_to_try(2, 10)) << kind;
+        EXPECT_GT(limited, cases_to_try(2, 10)) << kind;
     }
 }
 
@@ -123,7 +124,8 @@ TEST(MotionAgain, NoticesAMotionThatIsCutOffOrGoesOn) {
     for (const char* kind : kinds) {
         const Mechanism& mechanism = *find_mechanism(kind);
         int noticed = 0;
-        for (int i = 0; i < 200 && noticed < 3; ++i) {
+        const int wanted = cases_to_try(1, 3);
+        for (int i = 0; i < 200 && noticed < wanted; ++i) {
             const Both b = both_of(mechanism, random_dimensions(mechanism, random), 0);
             if (b.analysis.full_turn || !(b.analysis.to - b.analysis.from > 1)) continue;
             if (!failures(document_over(mechanism, b, b.analysis)).empty()) continue;  // not a mechanism of its kind
@@ -138,7 +140,7 @@ TEST(MotionAgain, NoticesAMotionThatIsCutOffOrGoesOn) {
                 }
             ++noticed;
         }
-        EXPECT_EQ(noticed, 3) << kind;
+        EXPECT_EQ(noticed, wanted) << kind;
     }
 }
 
