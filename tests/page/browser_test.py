@@ -496,7 +496,7 @@ class Study(unittest.TestCase):
         file = self.results.folder / "studies" / "sizes.toml"
         file.parent.mkdir()
         text = (PROBLEMS / "studies/path-error-over-size.toml").read_text()
-        file.write_text(text.replace("count = 49", f"count = {cases_to_try(4, 12)}"))
+        file.write_text(text.replace("count = 49", f"count = {cases_to_try(6, 12)}"))
         succeed("study", file, "--out", folder, "--quiet")
         succeed("report", folder, "--designs", 3, "--quiet")
         open_page(folder / "report.html")

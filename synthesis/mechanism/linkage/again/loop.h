@@ -4,7 +4,6 @@
 /// pose nearby. It knows no order of solving, no dyad and no side: what verification measures with, in any number type
 /// (derivation; the rows are those of analysis/linkage/structure/mobility.h).
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -19,57 +18,6 @@
 
 namespace mechwright {
 
-namespace loop_detail {
-
-/// Cosine and sine of an angle in about fifty digits, in a fifth of the time that they take one by one: those of the
-/// nearest 128th of a turn, turned on by the rest, whose series have eleven terms each.
-template <class T>
-Vector<T> direction_by_parts(const T& angle) {
-    using std::atan, std::cos, std::sin;
-    constexpr int eighth = 16, quarter = 2 * eighth, parts = 4 * quarter, terms = 11;
-    static const T part = atan(T(1)) / eighth;
-    static const std::array<Vector<T>, parts> directions = [] {
-        std::array<Vector<T>, parts> of;
-        for (int k = 0; k <= eighth; ++k) {
-            const T along = k * part;
-            of[static_cast<std::size_t>(k)] = {cos(along), sin(along)};
-        }
-        for (std::size_t k = eighth + 1; k < quarter; ++k)
-            of[k] = {of[quarter - k].y, of[quarter - k].x};
-        for (std::size_t k = quarter; k < parts; ++k)
-            of[k] = {T(-of[k - quarter].y), of[k - quarter].x};
-        return of;
-    }();
-    static const std::array<T, 2 * terms> one_over_factorial = [] {
-        std::array<T, 2 * terms> of{T(1)};
-        for (std::size_t k = 1; k < of.size(); ++k)
-            of[k] = of[k - 1] / static_cast<double>(k);
-        return of;
-    }();
-    const double nearest = std::nearbyint(static_cast<double>(angle) / static_cast<double>(part));
-    if (!(std::abs(nearest) < 1e4)) return {cos(angle), sin(angle)};
-    const T rest = angle - nearest * part, square = -rest * rest;
-    T cosine = one_over_factorial[2 * terms - 2], sine = one_over_factorial[2 * terms - 1];
-    for (std::size_t k = terms - 1; k-- > 0;) {
-        cosine = cosine * square + one_over_factorial[2 * k];
-        sine = sine * square + one_over_factorial[2 * k + 1];
-    }
-    const auto which = static_cast<std::size_t>(static_cast<int>(nearest) & (parts - 1));
-    return turned(directions[which], Vector<T>{cosine, T(sine * rest)});
-}
-
-/// The direction of an angle.
-template <class T>
-Vector<T> direction_of(const T& angle) {
-    using std::cos, std::sin;
-    // The rest of a 256th of a turn at most, to the power of 22, over 22 factorial, is 2^-187.
-    constexpr int digits = std::numeric_limits<T>::digits;
-    if constexpr (digits > 64 && digits < 180) return direction_by_parts(angle);
-    return {cos(angle), sin(angle)};
-}
-
-}  // namespace loop_detail
-
 /// Where all links are: their origins, and the turns of their x axes, which are not folded. The frame is the first.
 template <class T>
 struct LoopPose {
@@ -77,7 +25,10 @@ struct LoopPose {
     std::vector<T> turns;
 
     /// The direction of a link's x axis.
-    Vector<T> along(std::size_t link) const { return loop_detail::direction_of(turns[link]); }
+    Vector<T> along(std::size_t link) const {
+        using std::cos, std::sin;
+        return {cos(turns[link]), sin(turns[link])};
+    }
     Vector<T> at(std::size_t link, const Vector<T>& own) const { return origins[link] + turned(own, along(link)); }
 };
 
