@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <boost/math/special_functions/erf.hpp>
+#include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "analysis/numbers/low_discrepancy.h"
@@ -27,7 +29,7 @@ double variance_of(const LimitShares& shares, const std::vector<double>& times) 
 /// A limit of a requirement that the design keeps, with the room that is left to it.
 struct KeptLimit {
     std::size_t quantity;
-    double room;                     ///< in inner units, >= 0
+    double room;                     ///< in inner units; not a number where the quantity has no value
     std::string text;                ///< "swing <= 61"
     std::vector<double> deviations;  ///< standard deviation of the quantity that each tolerance makes as given
 };
@@ -43,9 +45,9 @@ std::vector<KeptLimit> limits_of(const TolerancedDesign& design) {
             limits.push_back(
                 {requirement.quantity, room, fmt::format("{} {} {:.6g}", quantity.name, relation, shown), {}});
         };
-        if (!value) continue;
-        if (requirement.min) add(*requirement.min, *value - *requirement.min, ">=");
-        if (requirement.max) add(*requirement.max, *requirement.max - *value, "<=");
+        const double here = value.value_or(std::numeric_limits<double>::quiet_NaN());
+        if (requirement.min) add(*requirement.min, here - *requirement.min, ">=");
+        if (requirement.max) add(*requirement.max, *requirement.max - here, "<=");
     }
     return limits;
 }
@@ -81,6 +83,10 @@ std::optional<std::vector<double>> deviations_of(const TolerancedDesign& design,
 /// The standard deviations below which a share of a normal distribution lies.
 double deviations_below(double share) { return std::numbers::sqrt2 * boost::math::erf_inv(2 * share - 1); }
 
+bool is_stopped(const StudyRunOptions& options) {
+    return (options.stop != nullptr && *options.stop) || std::chrono::steady_clock::now() > options.deadline;
+}
+
 bool meets_limits(const Problem& problem, const Design& piece) {
     return std::all_of(problem.requirements.begin(), problem.requirements.end(), [&](const Requirement& requirement) {
         const auto value = quantity_value(problem, requirement.quantity, piece);
@@ -91,14 +97,14 @@ bool meets_limits(const Problem& problem, const Design& piece) {
 
 /// The share of pieces that meet every limit, as low as it may be by the chance of those drawn: two standard errors
 /// less than it is among them. They are drawn from other numbers than those of the study, which is to confirm it.
-double share_within(const TolerancedDesign& design, Study study, int jobs) {
+double share_within(const TolerancedDesign& design, Study study, const StudyRunOptions& options) {
     constexpr std::uint64_t least_pieces = 2000, most_pieces = 20000;
     constexpr int parts = 64;
     const std::uint64_t pieces = std::clamp(study.count, least_pieces, most_pieces);
     study.seed = mixed(study.seed);
     std::atomic<std::uint64_t> within = 0;
-    share_work(parts, jobs, [&](int part) {
-        for (auto number = static_cast<std::uint64_t>(part); number < pieces; number += parts)
+    share_work(parts, options.jobs, [&](int part) {
+        for (auto number = static_cast<std::uint64_t>(part); number < pieces && !is_stopped(options); number += parts)
             within += meets_limits(design.problem, sample(design, study, number).design);
     });
     const auto all = static_cast<double>(pieces);
@@ -164,7 +170,7 @@ std::string why_no_room(const TolerancedDesign& design, const Study& study, std:
         if (!(limit.room > 0))
             return fmt::format(
                 "no tolerance keeps {}: the design itself {}; a wider limit, or a design with room to spare, is needed",
-                limit.text, limit.room < 0 ? "misses it" : "is at this limit, with pieces on both sides");
+                limit.text, limit.room == 0 ? "is at this limit, with pieces on both sides" : "misses it");
         auto made = deviations_of(design, study, limit.quantity);
         if (!made)
             return fmt::format(
@@ -205,7 +211,8 @@ AllocatedTolerances widest_of(const std::vector<KeptLimit>& limits, const Alloca
 
 }  // namespace
 
-bool allocate_tolerances(const Study& study, int jobs, TolerancedDesign& design, std::string& why) {
+bool allocate_tolerances(const Study& study, const StudyRunOptions& options, TolerancedDesign& design,
+                         std::string& why) {
     const Allocation& wanted = *study.allocation;
     std::vector<KeptLimit> limits = limits_of(design);
     why = why_no_room(design, study, limits);
@@ -217,8 +224,12 @@ bool allocate_tolerances(const Study& study, int jobs, TolerancedDesign& design,
     };
     AllocatedTolerances allocated = widest_of(limits, wanted, [&](const std::vector<double>& times) {
         widen(times);
-        return share_within(design, study, jobs);
+        return share_within(design, study, options);
     });
+    if (is_stopped(options)) {
+        why = "tolerances were being allocated when the study was ended; none are known yet";
+        return false;
+    }
     if (allocated.share < wanted.share) {
         why = fmt::format("no tolerances were found with which {:.6g}% of the pieces meet all limits",
                           100 * wanted.share);

@@ -27,8 +27,9 @@ std::vector<double> cheapest_tolerances(const std::vector<LimitShares>& limits, 
 constexpr double widest_times = 100;
 
 /// Changes the sizes of a design's deviations to those that Study::allocation asks for, and says what came of it in
-/// `design.allocated`, on so many threads; the answer is the same for any number. False where no tolerance is close
-/// enough: `why` says what is in the way.
-bool allocate_tolerances(const Study& study, int jobs, TolerancedDesign& design, std::string& why);
+/// `design.allocated`; the answer is the same for any number of threads. False where no tolerance is close enough or
+/// the study is ended: `why` says so.
+bool allocate_tolerances(const Study& study, const StudyRunOptions& options, TolerancedDesign& design,
+                         std::string& why);
 
 }  // namespace mechwright

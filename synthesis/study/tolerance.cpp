@@ -117,7 +117,7 @@ std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared,
         }
         design.sizes.push_back(*zone / (deviation.uniform ? 2 : deviations_in_zone));
     }
-    if (prepared.study->allocation && !allocate_tolerances(*prepared.study, options.jobs, design, why)) return {};
+    if (prepared.study->allocation && !allocate_tolerances(*prepared.study, options, design, why)) return {};
     return design;
 }
 

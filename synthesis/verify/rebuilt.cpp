@@ -22,6 +22,7 @@ namespace {
 constexpr double relative = 1e-9;         // of stated values
 constexpr double angular = 1e-9;          // radians, of stated angles
 constexpr double rounding = 1e-14;        // of values near zero, over the size of what they are computed from
+constexpr double most_rounding = 1e-9;    // of points beside an end of the motion, over the same
 constexpr double point_rounding = 1e-12;  // of distances, over the size of what a point is computed from
 
 double plain(const Digits50& value) { return value.convert_to<double>(); }
@@ -111,10 +112,21 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
             result.directions.push_back(faces);
         }
         result.distances.push_back(sqrt(square));
-        result.roundings.push_back(
-            moved_by_rounding(design, guided, result.crank_angles.back(), result.reached.back()));
     }
     return result;
+}
+
+/// Sets the motion along which a path in any order is looked at, all of it, and what rounding does beside its ends.
+void look_along_curve(Rebuilt& design, const Motion& whole) {
+    RebuiltPath& path = *design.path;
+    path.motion = whole;
+    for (std::size_t i = 0; i < path.crank_angles.size(); ++i) {
+        Digits50 moved = 0;
+        if (is_beside_end(whole, plain(path.crank_angles[i])))
+            moved = moved_by_rounding(design, design.claim->path->target_of(i), path.crank_angles[i], path.reached[i]);
+        // Where rounding says nothing at all of a point, nothing that is stated is taken for right.
+        path.roundings.push_back(std::min(moved, Digits50(most_rounding * path.size)));
+    }
 }
 
 /// A mean of distances measured again, with the slack of its square.
@@ -234,12 +246,20 @@ Rebuilt rebuilt(const Claim& claim) {
     const bool asked_whole = std::any_of(mechanism.quantities.begin(), mechanism.quantities.end(),
                                          [](const Quantity& quantity) { return quantity.whole; });
     design.whole = asked_whole ? over(std::nullopt) : design.motion;
+    if (design.path)
+        look_along_curve(design, claim.path->any_order && claim.crank_range ? over(std::nullopt) : design.motion);
     design.of_motion = mechanism.check_motion(design.motion, design.dimensions);
     return design;
 }
 
 const Motion& motion_of(const Rebuilt& design, const Quantity& quantity) {
     return quantity.whole ? design.whole : design.motion;
+}
+
+bool is_beside_end(const Motion& motion, double input) {
+    constexpr double beside = 1e-6;
+    return !motion.full_turn && input > motion.from && input < motion.to &&
+           std::min(input - motion.from, motion.to - input) < beside;
 }
 
 bool turns_fully(const Rebuilt& design) {

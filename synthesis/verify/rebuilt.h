@@ -22,8 +22,9 @@ struct RebuiltPath {
     std::vector<Vector<Digits50>> reached;  ///< NaN where the mechanism does not assemble
     std::vector<Digits50> directions;       ///< of a guided body, radians
     std::vector<Digits50> distances;
-    std::vector<Digits50> roundings;  ///< how far the rounding of doubles moves each point: far next to a limit
+    std::vector<Digits50> roundings;  ///< how far the rounding of doubles moves each point beside a limit; else 0
     Digits50 size;                    ///< the longest length or coordinate that a point is computed from
+    Motion motion{};                  ///< along which the curve of a path in any order is looked at
 };
 
 struct Rebuilt {
@@ -39,6 +40,10 @@ struct Rebuilt {
 };
 
 Rebuilt rebuilt(const Claim& claim);
+
+/// Whether a place of the motion is beside an end of it where no full turn is made. There points go by the root of the
+/// way from a limit, and the rounding of doubles decides where they are.
+bool is_beside_end(const Motion& motion, double input);
 
 /// The motion over which a quantity of the design is measured.
 const Motion& motion_of(const Rebuilt& design, const Quantity& quantity);

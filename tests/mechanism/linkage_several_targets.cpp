@@ -295,8 +295,17 @@ TEST(SeveralTargets, ASixBarIsFoundByItsPathAndItsPoses) {
 
 namespace {
 
+/// A path of a point at prescribed crank angles, after the links and before the points.
+std::string timed_path(const std::string& name, const std::string& point, const std::string& crank_angles,
+                       const std::string& start, const std::string& through) {
+    return "[[path]]\nname = \"" + name + "\"\npoint = \"" + point +
+           "\"\ntiming = \"prescribed\"\ncrank_angles = " + crank_angles + "\ncrank-start = " + start +
+           "\npoints = " + through + "\n";
+}
+
 /// A double rocker, whose crank goes from 14.4 to 91.8 deg: points of its coupler and of its crank, in Python.
-const std::string double_rocker = head + R"(
+const std::string double_rocker =
+    head + R"(
 [dimensions]
 crank = { min = 70, max = 90 }
 along = { min = 10, max = 40 }
@@ -307,21 +316,11 @@ coupler = { B = [0, 0], C = [50, 0], P = ["along", 40] }
 rocker = { D = [0, 0], C = [80, 0] }
 [drive]
 link = "crank"
-[[path]]
-name = "p"
-point = "P"
-timing = "prescribed"
-crank_angles = [0, 6.452439423, 12.904878847]
-crank-start = { min = 17, max = 37 }
-points = [[49.040721, 78.338477], [55.651539, 90.304997], [59.030235, 98.729135]]
-[[path]]
-name = "q"
-point = "Q"
-timing = "prescribed"
-crank_angles = [0, 12.904878847, 19.35731827]
-crank-start = { min = 409, max = 429 }
-points = [[4.570035, 66.926189], [-10.492229, 66.25642], [-17.871557, 64.657617]]
-)";
+)" +
+    timed_path("p", "P", "[0, 6.452439423, 12.904878847]", "{ min = 17, max = 37 }",
+               "[[49.040721, 78.338477], [55.651539, 90.304997], [59.030235, 98.729135]]") +
+    timed_path("q", "Q", "[0, 12.904878847, 19.35731827]", "{ min = 409, max = 429 }",
+               "[[4.570035, 66.926189], [-10.492229, 66.25642], [-17.871557, 64.657617]]");
 
 }  // namespace
 
@@ -345,7 +344,8 @@ TEST(SeveralTargets, ALimitedMotionCoversAll) {
 /// Points of the coupler and of the crank's pin that no crank-rocker of the kind meets; in the long form of the double
 /// rocker, too.
 TEST(SeveralTargets, AreTradedAgainstEachOtherAndStudied) {
-    const std::string turning = head + R"(
+    const std::string turning =
+        head + R"(
 [dimensions]
 crank = { min = 1.5, max = 2.5 }
 along = { min = 1, max = 3 }
@@ -356,21 +356,8 @@ coupler = { B = [0, 0], C = [6, 0], P = ["along", 1.5] }
 rocker = { D = [0, 0], C = [5, 0] }
 [drive]
 link = "crank"
-[[path]]
-name = "p"
-point = "P"
-timing = "prescribed"
-crank_angles = [0, 30, 60]
-crank-start = { min = 10, max = 50 }
-points = [[3, 3], [2, 3.5], [1, 3.6]]
-[[path]]
-name = "q"
-point = "B"
-timing = "prescribed"
-crank_angles = [0, 30, 60]
-crank-start = { min = 10, max = 50 }
-points = [[1.5, 0.7], [1.1, 1.4], [0.3, 1.6]]
-)";
+)" + timed_path("p", "P", "[0, 30, 60]", "{ min = 10, max = 50 }", "[[3, 3], [2, 3.5], [1, 3.6]]") +
+        timed_path("q", "B", "[0, 30, 60]", "{ min = 10, max = 50 }", "[[1.5, 0.7], [1.1, 1.4], [0.3, 1.6]]");
     for (const std::string& text : {turning, double_rocker}) {
         if (text == double_rocker && !in_long_form()) continue;
         const Json front = solved(text +

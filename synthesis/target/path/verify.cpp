@@ -199,18 +199,18 @@ Vector<double> curve_point(const Rebuilt& design, std::size_t target, double cra
 
 double distance_between(const Vector<double>& a, const Vector<double>& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// The motion over which the curve along a target is looked at. Next to a limit its point goes by the root of the way
-/// from there, and rounding decides where it is: a point that is met so close to one may count by more than it is away
-/// from the limit itself, and the curve is looked at up to where it is met.
+/// The motion over which the curve along a target is looked at: a point that is met beside an end may count by more
+/// than it is away from the end itself, and the curve is looked at up to where it is met.
 Motion motion_of_curve(const Rebuilt& design, std::size_t target) {
-    constexpr double beside_limit = 1e-6;
-    Motion motion = design.motion;
-    if (motion.full_turn) return motion;
+    Motion motion = design.path->motion;
     const PointRange points = design.claim->path->points_of(target);
     for (std::size_t i = points.first; i < points.end(); ++i) {
         const double at = plain(design.path->crank_angles[i]);
-        if (at > design.motion.from && at < design.motion.from + beside_limit) motion.from = std::max(motion.from, at);
-        if (at < design.motion.to && at > design.motion.to - beside_limit) motion.to = std::min(motion.to, at);
+        if (!is_beside_end(design.path->motion, at)) continue;
+        if (at - design.path->motion.from < design.path->motion.to - at)
+            motion.from = std::max(motion.from, at);
+        else
+            motion.to = std::min(motion.to, at);
     }
     return motion;
 }
