@@ -75,6 +75,9 @@ struct CurveFit {
     /// Samples of the curve, about `coarse` of them and more where it is quick. False: the links assemble nowhere.
     bool (*sample)(InstructionSet, std::size_t assembly, std::span<const double> arguments, std::size_t coarse,
                    SampledCurve& out) = nullptr;
+    /// Points at the crank angles of a curve, of other arguments with the same lengths.
+    void (*points)(InstructionSet, std::size_t assembly, std::span<const double> arguments,
+                   SampledCurve& curve) = nullptr;
     /// The nearest points, from those of the chords; targets are in the frame of the mechanism.
     void (*nearest)(InstructionSet, std::size_t assembly, std::span<const double> arguments, const SampledCurve& curve,
                     const NearestChords& chords, const GroupedTargets& targets, NearestOnCurve& out) = nullptr;

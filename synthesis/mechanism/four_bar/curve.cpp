@@ -365,6 +365,14 @@ void nearest_points(const Arguments& a, const SampledCurve& curve, const Nearest
     return sampled<Avx2Lanes>(a, coarse, out);
 }
 
+[[gnu::flatten, gnu::target("avx2")]] void points_avx2(const Arguments& a, SampledCurve& curve) {
+    placed_points<Avx2Lanes>(a, curve, 0, curve.count);
+}
+
+[[gnu::flatten, gnu::target("avx512f")]] void points_avx512(const Arguments& a, SampledCurve& curve) {
+    placed_points<Avx512Lanes>(a, curve, 0, curve.count);
+}
+
 [[gnu::flatten, gnu::target("avx2")]] void nearest_avx2(const Arguments& a, const SampledCurve& curve,
                                                         const NearestChords& chords, const GroupedTargets& targets,
                                                         NearestOnCurve& out) {
@@ -395,6 +403,16 @@ bool sampled_curve(InstructionSet set, std::size_t assembly, std::span<const dou
     return sampled_baseline(a, coarse, out);
 }
 
+void points_on_curve(InstructionSet set, std::size_t assembly, std::span<const double> arguments, SampledCurve& curve) {
+    const Arguments a = arguments_of(assembly, arguments);
+#if defined(__x86_64__)
+    if (set == InstructionSet::avx512) return points_avx512(a, curve);
+    if (set == InstructionSet::avx2) return points_avx2(a, curve);
+#endif
+    static_cast<void>(set);
+    placed_points<BaselineLanes>(a, curve, 0, curve.count);
+}
+
 void nearest_on_curve(InstructionSet set, std::size_t assembly, std::span<const double> arguments,
                       const SampledCurve& curve, const NearestChords& chords, const GroupedTargets& targets,
                       NearestOnCurve& out) {
@@ -418,6 +436,6 @@ const std::vector<LinearCondition>& borders() {
 
 }  // namespace
 
-CurveFit four_bar_curve_fit() { return {sampled_curve, nearest_on_curve, borders}; }
+CurveFit four_bar_curve_fit() { return {sampled_curve, points_on_curve, nearest_on_curve, borders}; }
 
 }  // namespace mechwright

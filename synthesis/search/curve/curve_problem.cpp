@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <numeric>
 
 #include "analysis/numbers/scalar.h"
 #include "synthesis/program/condition_margin.h"
@@ -53,22 +53,63 @@ GroupedTargets grouped(const std::vector<Vector<double>>& targets, const std::ve
     return g;
 }
 
-void set_moments(CurveProblem& p, const std::vector<Vector<double>>& targets, const std::vector<double>& weights) {
-    std::complex<double> middle = 0, second = 0;
-    double square = 0;
+void set_spread(CurveProblem& p, const std::vector<Vector<double>>& targets, const std::vector<double>& weights) {
+    Vector<double> middle{};
     for (std::size_t i = 0; i < targets.size(); ++i) {
         p.weight += weights[i];
-        middle += weights[i] * std::complex(targets[i].x, targets[i].y);
+        middle = middle + weights[i] * targets[i];
     }
-    middle /= p.weight;
+    middle = (1 / p.weight) * middle;
+    double square = 0;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        const std::complex from = std::complex(targets[i].x, targets[i].y) - middle;
-        square += weights[i] * std::norm(from);
-        second += weights[i] * from * from;
+        const Vector<double> from = targets[i] - middle;
+        square += weights[i] * dot(from, from);
     }
-    p.middle = {middle.real(), middle.imag()};
     p.spread = std::sqrt(square / p.weight);
-    p.second = {second.real() / p.weight, second.imag() / p.weight};
+}
+
+using Order = std::vector<std::size_t>;
+
+double distance(const Vector<double>& a, const Vector<double>& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// Where targets are along a way in such an order; its length follows.
+std::vector<double> along_way(const std::vector<Vector<double>>& targets, const Order& order, bool closed) {
+    std::vector<double> along(targets.size() + 1, 0.0);
+    double length = 0;
+    for (std::size_t k = 1; k < order.size(); ++k) {
+        length += distance(targets[order[k - 1]], targets[order[k]]);
+        along[order[k]] = length;
+    }
+    along.back() = length + (closed ? distance(targets[order.back()], targets[order.front()]) : 0);
+    return along;
+}
+
+/// From the first target to the nearest one that is left, again and again.
+Order by_nearest_left(const std::vector<Vector<double>>& targets) {
+    Order order(targets.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (auto next = order.begin() + 1; next < order.end(); ++next) {
+        const Vector<double>& here = targets[*(next - 1)];
+        const auto nearest = std::min_element(next, order.end(), [&](std::size_t a, std::size_t b) {
+            return distance(targets[a], here) < distance(targets[b], here);
+        });
+        std::iter_swap(next, nearest);
+    }
+    return order;
+}
+
+/// The way through the targets as they are listed, or, where that is shorter, to the nearest one that is left each
+/// time: points in any order are seldom listed without any.
+void set_way(CurveProblem& p, const std::vector<Vector<double>>& targets) {
+    Order listed(targets.size());
+    std::iota(listed.begin(), listed.end(), std::size_t{0});
+    p.way = along_way(targets, listed, p.closed);
+    std::vector<double> other = along_way(targets, by_nearest_left(targets), p.closed);
+    if (other.back() < p.way.back()) p.way = std::move(other);
+    const double length = p.way.back();
+    p.way.pop_back();
+    for (double& along : p.way)
+        along /= length;
 }
 
 }  // namespace
@@ -120,7 +161,9 @@ std::optional<CurveProblem> curve_problem(const std::vector<Program>& programs) 
     for (const Program& one : programs)
         p.kinds.push_back({one.variant.assembly, &mechanism.families[one.variant.family].conditions});
     p.targets = grouped(program.targets, problem.path->weights);
-    set_moments(p, program.targets, problem.path->weights);
+    p.closed = problem.path->closed;
+    set_spread(p, program.targets, problem.path->weights);
+    set_way(p, program.targets);
     p.weight_of_rows = per_requirement * p.weight * p.spread * p.spread;
     return p.spread > 0 ? std::optional(p) : std::nullopt;
 }

@@ -34,10 +34,10 @@ struct CurveProblem {
     CurveArguments upper{};
     std::vector<CurveKind> kinds;
     GroupedTargets targets;
+    std::vector<double> way{};    ///< where each target is along a way through all of them, from 0 to 1
+    bool closed = false;          ///< that way goes back to where it began
     double weight = 0;            ///< of all targets
-    Vector<double> middle{};      ///< of the targets
-    double spread = 0;            ///< root mean square distance from there
-    Vector<double> second{};      ///< mean of the squared ways from there, as complex numbers: where they are longest
+    double spread = 0;            ///< root mean square distance from their middle
     bool free_size = false;       ///< every length is free
     bool free_placement = false;  ///< origin and tilt are free
 

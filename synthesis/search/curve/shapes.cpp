@@ -3,18 +3,15 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "analysis/numbers/scalar.h"
 #include "synthesis/program/condition_margin.h"
-#include "synthesis/search/curve/chords.h"
+#include "synthesis/search/curve/laying.h"
 
 namespace mechwright {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 /// Lengths are drawn over this range, evenly in their logarithm; and the distance of the guided point from a pin or the
 /// middle of its link, in parts of the link or of the linkage.
@@ -23,10 +20,13 @@ constexpr double least_margin_drawn = 1e-3;
 constexpr double nearest_point_drawn = 0.025;
 constexpr double farthest_point_drawn = 5;
 constexpr int most_shapes_drawn = 16;
-/// Chords of the curve that is laid over the targets, and how often that is done.
-constexpr std::size_t chords_laid = 48;
-constexpr int layings = 4;
+/// How often a curve is laid over the targets by nearest points.
+constexpr int layings = 8;
 constexpr int layings_of_variation = 3;
+/// By which part of the motion a variation moves the times at the targets, for a spread of 1.
+constexpr double time_spread = 0.3;
+/// The part of the motion that serves the targets of an open path, at least.
+constexpr double least_motion = 0.08;
 
 /// How often a variation takes the other side of a border close by, and the other assembly; and what close is, as a
 /// part of all lengths together.
@@ -37,113 +37,6 @@ constexpr double close_by = 0.1;
 /// targets, which may make it smaller, the design still keeps from the border.
 constexpr double multiplied = 0.7;
 constexpr double least_margin = 2 * condition_margin;
-
-/// A similarity of the plane, z -> shift + factor z.
-struct Laying {
-    Complex shift{0, 0};
-    Complex factor{1, 0};
-};
-
-struct Moments {
-    Complex middle;
-    double spread;
-    Complex second;
-};
-
-/// Of the chords of a curve, by their length. Nothing where it is a point.
-std::optional<Moments> moments_of(const SampledCurve& c) {
-    double length = 0, square = 0;
-    Complex middle = 0, second = 0;
-    const auto at = [&](std::size_t k) { return Complex(c.x[k], c.y[k]); };
-    for (std::size_t k = 0; k + 1 < c.count; ++k) {
-        const double chord = std::abs(at(k + 1) - at(k));
-        length += chord;
-        middle += chord * 0.5 * (at(k) + at(k + 1));
-    }
-    if (!(length > 0)) return std::nullopt;
-    middle /= length;
-    for (std::size_t k = 0; k + 1 < c.count; ++k) {
-        const double chord = std::abs(at(k + 1) - at(k));
-        const Complex from = 0.5 * (at(k) + at(k + 1)) - middle;
-        square += chord * std::norm(from);
-        second += chord * from * from;
-    }
-    if (!(square > 0)) return std::nullopt;
-    return Moments{middle, std::sqrt(square / length), second / length};
-}
-
-void lay(SampledCurve& c, const Laying& laying) {
-    for (std::size_t k = 0; k < c.count; ++k) {
-        const Complex z = laying.shift + laying.factor * Complex(c.x[k], c.y[k]);
-        c.x[k] = z.real();
-        c.y[k] = z.imag();
-    }
-}
-
-/// The similarity that brings the nearest points of a curve closest to the targets (Procrustes), of unit size where the
-/// size is given; and what the curve missed before.
-struct NextLaying {
-    Laying laying;
-    double sum;
-};
-
-NextLaying next_laying(const CurveProblem& p, const SampledCurve& curve, CurveWork& work) {
-    nearest_chords(p.set, curve, p.targets, work.chords);
-    Complex points = 0, targets = 0, product = 0;
-    double square = 0, sum = 0;
-    for (std::size_t g = 0; g < p.targets.x.size(); ++g)
-        for (std::size_t k = 0; k < std::tuple_size_v<Group>; ++k) {
-            const double w = p.targets.weight[g][k];
-            if (!(w > 0)) continue;
-            const auto chord = static_cast<std::size_t>(work.chords.chord[g][k]);
-            const double part = work.chords.part[g][k];
-            const Complex z{curve.x[chord] + part * (curve.x[chord + 1] - curve.x[chord]),
-                            curve.y[chord] + part * (curve.y[chord + 1] - curve.y[chord])};
-            const Complex target{p.targets.x[g][k], p.targets.y[g][k]};
-            points += w * z;
-            targets += w * target;
-            product += w * std::conj(z) * target;
-            square += w * std::norm(z);
-            sum += w * work.chords.square[g][k];
-        }
-    const Complex along = product - std::conj(points) * targets / p.weight;
-    const double own = square - std::norm(points) / p.weight;
-    if (!(own > 0) || !(std::abs(along) > 0)) return {{}, sum};
-    const Complex factor = p.free_size ? along / own : along / std::abs(along);
-    return {{(targets - factor * points) / p.weight, factor}, sum};
-}
-
-/// Laid over the targets again and again, by nearest points; the design with it, and what it misses in the end.
-FittedCurve laid(const CurveProblem& p, const FittedCurve& design, SampledCurve curve, Laying all, int times,
-                 CurveWork& work) {
-    lay(curve, all);
-    FittedCurve r = design;
-    for (int i = 0; i <= times; ++i) {
-        const NextLaying next = next_laying(p, curve, work);
-        r.sum = next.sum;
-        if (i == times) break;
-        lay(curve, next.laying);
-        all = {next.laying.shift + next.laying.factor * all.shift, next.laying.factor * all.factor};
-    }
-    const std::size_t x = p.lengths + 2, y = x + 1, tilt = x + 2;
-    if (p.free_size)
-        for (std::size_t i = 0; i < x; ++i)
-            r.arguments[i] *= std::abs(all.factor);
-    const Complex origin = all.shift + all.factor * Complex(r.arguments[x], r.arguments[y]);
-    r.arguments[x] = origin.real();
-    r.arguments[y] = origin.imag();
-    r.arguments[tilt] += std::arg(all.factor);
-    return r;
-}
-
-/// The curve of a design in the drawing.
-bool drawn_curve(const CurveProblem& p, const FittedCurve& design, CurveWork& work) {
-    const CurveArguments& a = design.arguments;
-    if (!p.fit->sample(p.set, design.assembly, std::span(a).first(p.arguments), chords_laid, work.curve)) return false;
-    const std::size_t x = p.lengths + 2;
-    lay(work.curve, {{a[x], a[x + 1]}, std::polar(1.0, a[x + 2])});
-    return true;
-}
 
 /// All lengths together, then the margins to the borders, as linear functions of the lengths.
 Eigen::MatrixXd margins_of_lengths(const CurveProblem& p) {
@@ -194,6 +87,32 @@ void draw_point(const CurveProblem& p, RandomNumbers& random, CurveArguments& a)
     if (p.is_free(across)) a[across] = distance * std::sin(angle);
 }
 
+/// Times at the targets, in order along the way through them at an even speed, in either direction: all of the motion
+/// for a closed path, any part of it for an open one.
+std::vector<double> drawn_times(const CurveProblem& p, RandomNumbers& random) {
+    const double part = p.closed ? 1 : of_logarithm(least_motion, 1, random.even());
+    const double first = random.even() * (p.closed ? 1 : 1 - part);
+    const bool backwards = random.even() < 0.5;
+    std::vector<double> times;
+    for (const double along : p.way) {
+        const double time = first + part * (backwards ? 1 - along : along);
+        times.push_back(time - std::floor(time));
+    }
+    return times;
+}
+
+/// Times at which a design is at the targets, a little earlier or later, slower or quicker.
+std::vector<double> varied_times(const CurveProblem& p, const FittedCurve& design, double spread, RandomNumbers& random,
+                                 CurveWork& work) {
+    std::vector<double> times = times_at_targets(p, design, work);
+    const double later = time_spread * spread * random.normal(), slower = time_spread * spread * random.normal();
+    for (double& time : times) {
+        time += later + slower * (time - 0.5);
+        time = p.closed ? time - std::floor(time) : std::clamp(time, 0.0, 1.0);
+    }
+    return times;
+}
+
 /// Values for what is given, and for what is not where a design begins.
 CurveArguments given(const CurveProblem& p) {
     CurveArguments a{};
@@ -231,22 +150,7 @@ std::optional<FittedCurve> drawn_shape(const CurveProblem& p, RandomNumbers& ran
             if (p.is_free(i)) shape.arguments[i] = p.lower[i] + random.even() * (p.upper[i] - p.lower[i]);
         return shape;
     }
-    if (!drawn_curve(p, shape, work)) return std::nullopt;
-    const std::optional<Moments> own = moments_of(work.curve);
-    if (!own) return std::nullopt;
-    const SampledCurve curve = work.curve;
-    const Complex middle(p.middle.x, p.middle.y);
-    const double turn = (std::arg(Complex(p.second.x, p.second.y)) - std::arg(own->second)) / 2;
-    FittedCurve best;
-    for (const double flip : {0.0, pi<double>()}) {
-        const Complex factor = std::polar(p.free_size ? p.spread / own->spread : 1.0, turn + flip);
-        const FittedCurve one = laid(p, shape, curve, {middle - factor * own->middle, factor}, layings, work);
-        if (one.sum < best.sum) best = one;
-    }
-    if (!(best.sum < unlimited)) return std::nullopt;
-    best.arguments = within_ranges(p, best.arguments);
-    if (!p.allows(best.assembly, best.arguments)) return std::nullopt;
-    return best;
+    return laid(p, shape, drawn_times(p, random), layings, work);
 }
 
 std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from, double spread, RandomNumbers& random,
@@ -293,11 +197,7 @@ std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from
         if (p.is_free(i)) a[i] = from.arguments[i] * grown + 0.5 * spread * size * random.normal();
     if (p.is_free(tilt)) a[tilt] += 0.3 * spread * random.normal();
     a = within_ranges(p, a);
-    if (p.free_placement) {
-        if (!drawn_curve(p, r, work)) return std::nullopt;
-        r = laid(p, r, work.curve, {}, layings_of_variation, work);
-        r.arguments = within_ranges(p, r.arguments);
-    }
+    if (p.free_placement) return laid(p, r, varied_times(p, from, spread, random, work), layings_of_variation, work);
     if (!p.allows(r.assembly, r.arguments)) return std::nullopt;
     return r;
 }
