@@ -11,6 +11,7 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/search/curve/batch.h"
 #include "synthesis/search/curve/chords.h"
+#include "synthesis/search/curve/laying.h"
 #include "synthesis/target/path/rows/nearest_point.h"
 
 namespace mechwright {
@@ -121,9 +122,9 @@ TEST_F(WholeCurves, AreMetAtTheirNearestPoints) {
             for (std::size_t i = 0; i < curve->targets.count; ++i) {
                 const Vector<double> target{curve->targets.x[i / 8][i % 8], curve->targets.y[i / 8][i % 8]};
                 const double square = work.nearest.square[i / 8][i % 8];
-                const double scan = scanned(a, assembly, target);
                 // The point is one of the curve, so none is nearer than the nearest.
-                EXPECT_GE(std::sqrt(square), std::sqrt(scan) - 1e-3 * curve->spread);
+                EXPECT_GE(std::sqrt(square), std::sqrt(scanned(a, assembly, target)) - 1e-3 * curve->spread);
+                const double scan = scanned(a, assembly, target, 2 * sure_part);
                 ++compared;
                 as_near += std::sqrt(square) <= std::sqrt(scan) * (1 + 1e-6) + 1e-7 * curve->spread ? 1 : 0;
             }
@@ -262,6 +263,80 @@ TEST_F(WholeCurves, AreLeftByDescentsWhereNothingIsToBeGained) {
         balanced += again.sum >= (1 - 1e-2) * shape->sum ? 1 : 0;
     }
     EXPECT_GE(balanced, 36);
+}
+
+/// A linkage of any size and place whose motion is neither tiny nor next to a border.
+CurveArguments random_linkage(RandomNumbers& random) {
+    while (true) {
+        CurveArguments a{};
+        for (std::size_t i = 0; i < 4; ++i)
+            a[i] = 10 * std::pow(10, random.even());
+        for (std::size_t i = 4; i < 8; ++i)
+            a[i] = 10 * random.normal();
+        a[8] = 2 * pi * random.even();
+        const CrankRange<double> range = assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]});
+        if (range.to - range.from > 1) return a;
+    }
+}
+
+TEST(WholeCurvesOfLinkages, AreLaidOverPointsThatTheyPassAtGivenTimes) {
+    RandomNumbers random(5);
+    CurveWork work;
+    for (int n = 0; n < 20; ++n) {
+        const CurveArguments a = random_linkage(random);
+        const CrankRange<double> range = assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]});
+        std::vector<Vector<double>> points;
+        for (int k = 0; k < 24; ++k)
+            points.push_back(coupler_point(a, 0, range.from + (0.05 + 0.03 * k) * (range.to - range.from)));
+        const Problem problem = problem_of(points);
+        const std::vector<Program> programs = programs_of(problem);
+        const auto curve = curve_problem(programs);
+        ASSERT_TRUE(curve);
+        FittedCurve known{a, 0, 0};
+        for (std::size_t i = 0; i < 8; ++i)
+            known.arguments[i] /= programs.front().length;
+        const std::vector<double> times = times_at_targets(*curve, known, work);
+        ASSERT_EQ(times.size(), points.size());
+        // The same proportions elsewhere, of another size, with another point: it is told by the points alone.
+        FittedCurve other = known;
+        for (std::size_t i = 0; i < 4; ++i)
+            other.arguments[i] *= 0.37;
+        other.arguments[4] = 0.2;
+        other.arguments[5] = -0.1;
+        other.arguments[6] = other.arguments[7] = other.arguments[8] = 0;
+        const auto laid_there = laid(*curve, other, times, 4, work);
+        ASSERT_TRUE(laid_there);
+        // Chords stand for the curve between its samples.
+        EXPECT_LT(std::sqrt(laid_there->sum / curve->weight), 0.01 * curve->spread) << n;
+        for (std::size_t i = 0; i < 8; ++i)
+            EXPECT_NEAR(laid_there->arguments[i], known.arguments[i], 0.1 * curve->spread) << n << ", argument " << i;
+        FittedCurve end = *laid_there;
+        ASSERT_TRUE(descend(*curve, end, 2000, 1e-14, work));
+        // Points are written with six digits.
+        EXPECT_LT(std::sqrt(end.sum / curve->weight), 1e-5 * curve->spread) << n;
+    }
+}
+
+TEST(WholeCurvesOfLinkages, HaveAWayThroughTheirPointsHoweverTheseAreListed) {
+    std::vector<Vector<double>> points;
+    for (int k = 0; k < 24; ++k) {
+        const double angle = 2 * pi * (k * 7 % 24) / 24;
+        points.push_back({10 * std::cos(angle), 5 * std::sin(angle)});
+    }
+    const Problem problem = problem_of(points, "closed = true\n");
+    const std::vector<Program> programs = programs_of(problem);
+    const auto curve = curve_problem(programs);
+    ASSERT_TRUE(curve);
+    std::vector<std::pair<double, int>> along;
+    for (int k = 0; k < 24; ++k)
+        along.emplace_back(curve->way[static_cast<std::size_t>(k)], k * 7 % 24);
+    std::sort(along.begin(), along.end());
+    for (std::size_t k = 1; k < along.size(); ++k) {
+        const int step = (along[k].second - along[k - 1].second + 24) % 24;
+        EXPECT_TRUE(step == 1 || step == 23);
+        EXPECT_EQ(step, (along[1].second - along[0].second + 24) % 24);
+        EXPECT_LT(along[k].first, 1);
+    }
 }
 
 TEST(WholeCurvesOfLinkages, AreFoundAgainByTheirPoints) {

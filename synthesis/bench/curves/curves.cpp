@@ -26,7 +26,7 @@ std::vector<Row> measured(const Shape& shape, const Effort& effort) {
     RunOptions options;
     options.jobs = effort.jobs;
     options.stop = effort.stop;
-    for (int seed = 1; seed <= effort.pick(1, 10) && !effort.stopped(); ++seed) {
+    for (int seed = 1; seed <= effort.pick(1, 5) && !effort.stopped(); ++seed) {
         const Problem problem = parse_problem(problem_text(shape, seed), "shape.toml").problem;
         const Result result = solve(problem, options);
         const Cell error = result.status == Status::solved ? Cell(result.best->objective) : Cell();

@@ -15,12 +15,12 @@ namespace {
 
 /// Every so manieth shape of those without requirements, and the evaluations of a run.
 constexpr std::size_t step = 4;
-constexpr long evaluations = 400'000;
+constexpr long evaluations = 200'000;
 
 std::vector<Row> measured(const Shape& shape, const Effort& effort) {
     std::vector<Row> rows;
     for (const PeerMethod& method : peer_methods())
-        for (int seed = 1; seed <= effort.pick(1, 4) && !effort.stopped(); ++seed) {
+        for (int seed = 1; seed <= effort.pick(1, 2) && !effort.stopped(); ++seed) {
             if (method.closed_only && !shape.closed) continue;
             const PeerRun run = method.run(shape, static_cast<std::uint64_t>(seed), effort.pick(20'000L, evaluations));
             rows.push_back({std::string(method.name), seed, std::isfinite(run.rms) ? Cell(run.rms) : Cell(),
@@ -65,7 +65,7 @@ std::string chapter(const Sheet& sheet) {
     }
     return "The same shapes without requirements by searches that others use, on one thread each. CMA-ES and "
            "differential\nevolution are pagmo's (2.18, Debian), on the program's own measure of a whole curve, begun "
-           "again until 400,000\nevaluations are used up; differential evolution on elliptic Fourier descriptors "
+           "again until 200,000\nevaluations are used up; differential evolution on elliptic Fourier descriptors "
            "follows four-bar-rs (200 individuals,\n50 generations, for closed shapes), whatever size of links it comes "
            "to. Median error: times the best known.\n\n" +
            to_markdown(table);

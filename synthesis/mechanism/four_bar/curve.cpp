@@ -9,6 +9,7 @@
 #include "analysis/numbers/turn_in_lanes.h"
 #include "synthesis/mechanism/four_bar/guide_in_lanes.h"
 #include "synthesis/mechanism/mechanism.h"
+#include "synthesis/mechanism/sure_part.h"
 
 namespace mechwright {
 
@@ -144,9 +145,20 @@ bool divide(const Arguments& a, double longest, std::size_t most, const SampledC
     return ++to.count > from.count;
 }
 
+/// The crank angles at which a linkage whose motion ends assembles by twice `sure_part` of its longest link, as designs
+/// are judged: of the two links that meet at the rocker pin the shorter one made shorter by so much, both together
+/// stretch so much less and fold so much less.
+CrankRange<double> sure_range(FourBar<double> m) {
+    const CrankRange<double> all = assembled_range(m);
+    if (all.full_turn || !(all.from <= all.to)) return all;
+    double& shorter = m.coupler < m.rocker ? m.coupler : m.rocker;
+    shorter -= 2 * sure_part * std::max({m.ground, m.crank, m.coupler, m.rocker});
+    return assembled_range(m);
+}
+
 template <class T>
 bool sampled(const Arguments& a, std::size_t coarse, SampledCurve& curve) {
-    const CrankRange<double> range = assembled_range(a.links);
+    const CrankRange<double> range = sure_range(a.links);
     if (!(range.from <= range.to)) return false;
     SampledCurve even;
     even.count = std::min(coarse, SampledCurve::most / 2) + 1;
@@ -190,7 +202,7 @@ Moving<T> moving(const FourBar<T>& m, const CouplerPoint<T>& point, const HalfTu
 }
 
 /// The end of a motion as the crank range that ends there moves with the lengths: the diagonal from crank pin to rocker
-/// pivot is then coupler + rocker or their difference, and the coupler lies along it.
+/// pivot is then coupler + rocker or their difference, and the coupler lies along it, but for sure_part.
 NearestEnd end_of_motion(const Arguments& a, double crank_angle, const Vector<double>& target) {
     const auto& m = a.links;
     const Moving<double> at = moving(m, a.point, half_turn(crank_angle), a.assembly);

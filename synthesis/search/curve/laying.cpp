@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "analysis/numbers/scalar.h"
 #include "synthesis/search/curve/chords.h"
 
 namespace mechwright {
@@ -147,13 +148,25 @@ std::optional<Laying> best_laying(const CurveProblem& p, const CurveArguments& a
     return r;
 }
 
+/// The part of the motion after which it is at a crank angle, and the other way round: counted evenly over a full turn,
+/// towards the ends of a limited motion in smaller steps, as the point is quick there.
+double time_at(const SampledCurve& c, double crank_angle) {
+    const double part = c.to > c.from ? std::clamp((crank_angle - c.from) / (c.to - c.from), 0.0, 1.0) : 0;
+    return c.closed ? part : std::acos(1 - 2 * part) / pi<double>();
+}
+
+double crank_angle_at(const SampledCurve& c, double time) {
+    const double part = c.closed ? time : (1 - std::cos(pi<double>() * time)) / 2;
+    return c.from + part * (c.to - c.from);
+}
+
 /// Positions of the link after such parts of the motion.
 std::vector<LinkPosition> positions_at(const SampledCurve& curve, const LinkPositions& links,
                                        const std::vector<double>& times) {
     std::vector<LinkPosition> all;
     const auto first = curve.crank_angle.begin();
     for (const double time : times) {
-        const double angle = curve.from + time * (curve.to - curve.from);
+        const double angle = crank_angle_at(curve, time);
         const auto after = std::upper_bound(first + 1, first + static_cast<std::ptrdiff_t>(curve.count) - 1, angle);
         const double before = *(after - 1);
         const double part = *after > before ? std::clamp((angle - before) / (*after - before), 0.0, 1.0) : 0;
@@ -208,8 +221,7 @@ std::vector<double> times_at_targets(const CurveProblem& p, const FittedCurve& d
     for (std::size_t i = 0; i < p.targets.count; ++i) {
         const auto k = static_cast<std::size_t>(work.chords.chord[i / 8][i % 8]);
         const double part = work.chords.part[i / 8][i % 8];
-        const double angle = c.crank_angle[k] + part * (c.crank_angle[k + 1] - c.crank_angle[k]);
-        times.push_back(c.to > c.from ? (angle - c.from) / (c.to - c.from) : 0);
+        times.push_back(time_at(c, c.crank_angle[k] + part * (c.crank_angle[k + 1] - c.crank_angle[k])));
     }
     return times;
 }

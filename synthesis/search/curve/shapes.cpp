@@ -13,10 +13,12 @@ namespace mechwright {
 
 namespace {
 
-/// Lengths are drawn over this range, evenly in their logarithm; and the distance of the guided point from a pin or the
-/// middle of its link, in parts of the link or of the linkage.
+/// Lengths are drawn from this part of the longest on, evenly in their logarithm; or, so often, margins to the borders
+/// from that part of it on; and the distance of the guided point from a pin or the middle of its link, in parts of the
+/// link or of the linkage.
 constexpr double least_ratio = 1e-2;
-constexpr double least_margin_drawn = 1e-3;
+constexpr double by_margins = 0.7;
+constexpr double least_margin_drawn = 1e-5;
 constexpr double nearest_point_drawn = 0.025;
 constexpr double farthest_point_drawn = 5;
 constexpr int most_shapes_drawn = 16;
@@ -25,7 +27,10 @@ constexpr int layings = 8;
 constexpr int layings_of_variation = 3;
 /// By which part of the motion a variation moves the times at the targets, for a spread of 1.
 constexpr double time_spread = 0.3;
-/// The part of the motion that serves the targets of an open path, at least.
+/// How often the way through the targets of an open path is cut once more into parts, each with a stretch of the
+/// motion; how many there are at most, and the least of the motion that is one.
+constexpr double one_more_stretch = 0.4;
+constexpr std::size_t most_stretches = 3;
 constexpr double least_motion = 0.08;
 
 /// How often a variation takes the other side of a border close by, and the other assembly; and what close is, as a
@@ -51,16 +56,15 @@ Eigen::MatrixXd margins_of_lengths(const CurveProblem& p) {
 
 double of_logarithm(double low, double high, double part) { return low * std::pow(high / low, part); }
 
-/// Lengths in their ranges; any proportions where the size is free. Every second time one link is given and the margins
-/// to the borders are drawn, on any side of them, which reaches what is next to several: there many of the best designs
-/// are.
+/// Lengths in their ranges; any proportions where the size is free. More often one link is drawn and the margins to the
+/// borders, on any side of them, which reaches what is next to several: there many of the best designs are.
 void draw_lengths(const CurveProblem& p, RandomNumbers& random, CurveArguments& a) {
     for (std::size_t i = 0; i < p.lengths; ++i) {
         const double high = p.free_size ? 1 : p.upper[i];
         const double low = p.free_size ? least_ratio : std::max(p.lower[i], least_ratio * high);
         a[i] = low < high ? of_logarithm(low, high, random.even()) : high;
     }
-    if (!p.free_size || p.lengths != p.fit->borders().size() + 1 || random.even() < 0.5) return;
+    if (!p.free_size || p.lengths != p.fit->borders().size() + 1 || random.even() > by_margins) return;
     const Eigen::MatrixXd rows = margins_of_lengths(p);
     Eigen::VectorXd margins(rows.rows());
     double sizes = 0;
@@ -87,15 +91,37 @@ void draw_point(const CurveProblem& p, RandomNumbers& random, CurveArguments& a)
     if (p.is_free(across)) a[across] = distance * std::sin(angle);
 }
 
-/// Times at the targets, in order along the way through them at an even speed, in either direction: all of the motion
-/// for a closed path, any part of it for an open one.
+/// A stretch of the motion that serves targets, at an even speed in either direction.
+struct Stretch {
+    double first;
+    double part;
+    bool backwards;
+
+    double time(double along) const { return first + part * (backwards ? 1 - along : along); }
+};
+
+Stretch drawn_stretch(bool whole, RandomNumbers& random) {
+    const double part = whole ? 1 : of_logarithm(least_motion, 1, random.even());
+    return {random.even() * (whole ? 1 : 1 - part), part, random.even() < 0.5};
+}
+
+/// Times at the targets, in order along the way through them: all of the motion for a closed path; for an open one a
+/// stretch of it, or one for each of several parts of the way, as curves that go to and fro between ends of the motion
+/// have them.
 std::vector<double> drawn_times(const CurveProblem& p, RandomNumbers& random) {
-    const double part = p.closed ? 1 : of_logarithm(least_motion, 1, random.even());
-    const double first = random.even() * (p.closed ? 1 : 1 - part);
-    const bool backwards = random.even() < 0.5;
+    std::vector<double> cuts{0, 1};
+    while (!p.closed && cuts.size() <= most_stretches && random.even() < one_more_stretch)
+        cuts.push_back(random.even());
+    std::sort(cuts.begin(), cuts.end());
+    std::vector<Stretch> stretches;
+    for (std::size_t k = 1; k < cuts.size(); ++k)
+        stretches.push_back(drawn_stretch(p.closed, random));
     std::vector<double> times;
     for (const double along : p.way) {
-        const double time = first + part * (backwards ? 1 - along : along);
+        const auto after = std::upper_bound(cuts.begin() + 1, cuts.end() - 1, along);
+        const double before = *(after - 1);
+        const Stretch& stretch = stretches[static_cast<std::size_t>(after - cuts.begin()) - 1];
+        const double time = stretch.time(*after > before ? (along - before) / (*after - before) : 0);
         times.push_back(time - std::floor(time));
     }
     return times;

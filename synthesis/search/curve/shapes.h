@@ -18,13 +18,13 @@ private:
     std::uint64_t state_;
 };
 
-/// A design of any proportions, its curve laid over the targets by their moments and then by nearest points. Nothing
+/// A design of any proportions, its curve laid over the targets (laying.h) for crank angles that are drawn. Nothing
 /// where the draw belongs to no design.
 std::optional<FittedCurve> drawn_shape(const CurveProblem& problem, RandomNumbers& random, CurveWork& work);
 
-/// A design near another, as far as `spread` (of order 0.01 to 1) says: margins to its borders, guided point and
-/// placement are changed, now and then the other side of a border or the other assembly is taken. Nothing where the
-/// draw belongs to no design.
+/// A design near another, as far as `spread` (of order 0.01 to 1) says: margins to its borders, guided point and the
+/// crank angles at the targets are changed, now and then the other side of a border or the other assembly is taken.
+/// Nothing where the draw belongs to no design.
 std::optional<FittedCurve> varied(const CurveProblem& problem, const FittedCurve& from, double spread,
                                   RandomNumbers& random, CurveWork& work);
 
