@@ -122,8 +122,9 @@ TEST_F(WholeCurves, AreMetAtTheirNearestPoints) {
             for (std::size_t i = 0; i < curve->targets.count; ++i) {
                 const Vector<double> target{curve->targets.x[i / 8][i % 8], curve->targets.y[i / 8][i % 8]};
                 const double square = work.nearest.square[i / 8][i % 8];
-                // The point is one of the curve, so none is nearer than the nearest.
-                EXPECT_GE(std::sqrt(square), std::sqrt(scanned(a, assembly, target)) - 1e-3 * curve->spread);
+                // The point is one of the curve, so that none is nearer than the nearest.
+                const Vector<double> miss = coupler_point(a, assembly, work.nearest.crank_angle[i / 8][i % 8]) - target;
+                EXPECT_NEAR(std::sqrt(square), std::sqrt(dot(miss, miss)), 1e-7 * curve->spread);
                 const double scan = scanned(a, assembly, target, 2 * sure_part);
                 ++compared;
                 as_near += std::sqrt(square) <= std::sqrt(scan) * (1 + 1e-6) + 1e-7 * curve->spread ? 1 : 0;

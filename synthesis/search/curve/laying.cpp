@@ -32,10 +32,7 @@ LinkPosition between(const LinkPosition& a, const LinkPosition& b, double part) 
 struct LinkPositions {
     std::array<LinkPosition, SampledCurve::most> at;
 
-    LinkPosition on_chord(double chord, double part) const {
-        const auto k = static_cast<std::size_t>(chord);
-        return between(at[k], at[k + 1], part);
-    }
+    LinkPosition on_chord(std::size_t k, double part) const { return between(at[k], at[k + 1], part); }
 };
 
 Complex target_of(const CurveProblem& p, std::size_t i) {
@@ -170,7 +167,7 @@ std::vector<LinkPosition> positions_at(const SampledCurve& curve, const LinkPosi
         const auto after = std::upper_bound(first + 1, first + static_cast<std::ptrdiff_t>(curve.count) - 1, angle);
         const double before = *(after - 1);
         const double part = *after > before ? std::clamp((angle - before) / (*after - before), 0.0, 1.0) : 0;
-        all.push_back(links.on_chord(static_cast<double>(after - first - 1), part));
+        all.push_back(links.on_chord(static_cast<std::size_t>(after - first - 1), part));
     }
     return all;
 }
@@ -187,7 +184,8 @@ void lay(const Laying& laying, const LinkPositions& links, SampledCurve& curve) 
 void set_nearest(const CurveProblem& p, const LinkPositions& links, CurveWork& work, std::vector<LinkPosition>& out) {
     nearest_chords(p.set, work.curve, p.targets, work.chords);
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = links.on_chord(work.chords.chord[i / 8][i % 8], work.chords.part[i / 8][i % 8]);
+        out[i] =
+            links.on_chord(static_cast<std::size_t>(work.chords.chord[i / 8][i % 8]), work.chords.part[i / 8][i % 8]);
 }
 
 double sum_of(const CurveProblem& p, const NearestChords& chords) {
