@@ -12,6 +12,7 @@
 #include "synthesis/search/curve/batch.h"
 #include "synthesis/search/curve/chords.h"
 #include "synthesis/search/curve/laying.h"
+#include "synthesis/search/curve/least_greatest.h"
 #include "synthesis/target/path/rows/nearest_point.h"
 
 namespace mechwright {
@@ -278,6 +279,33 @@ CurveArguments random_linkage(RandomNumbers& random) {
         const CrankRange<double> range = assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]});
         if (range.to - range.from > 1) return a;
     }
+}
+
+double greatest_distance(const CurveProblem& p, const FittedCurve& design, CurveWork& work) {
+    EXPECT_TRUE(evaluate_nearest(p, design.arguments, design.assembly, InstructionSet::baseline, work));
+    double greatest = 0;
+    for (std::size_t i = 0; i < p.targets.count; ++i)
+        greatest = std::max(greatest, std::sqrt(work.nearest.square[i / 8][i % 8]));
+    return greatest;
+}
+
+TEST_F(WholeCurves, ComeNearerToTheTargetThatIsFarthestAway) {
+    ASSERT_TRUE(curve);
+    RandomNumbers random(11);
+    int designs = 0, nearer = 0;
+    while (designs < 20) {
+        auto shape = drawn_shape(*curve, random, work);
+        if (!shape || !descend(*curve, *shape, 400, 1e-9, work)) continue;
+        ++designs;
+        const GreatestDistance least = towards_least_greatest(*curve, *shape, work);
+        const double before = greatest_distance(*curve, *shape, work);
+        EXPECT_NEAR(least.distance, greatest_distance(*curve, least.design, work), 1e-9 * before);
+        EXPECT_LE(least.distance, before * (1 + 1e-9));
+        // By least squares it is nearer to most of them.
+        EXPECT_GE(least.design.sum, shape->sum * (1 - 1e-2));
+        nearer += least.distance < 0.95 * before ? 1 : 0;
+    }
+    EXPECT_GE(nearer, 12);
 }
 
 TEST(WholeCurvesOfLinkages, AreLaidOverPointsThatTheyPassAtGivenTimes) {

@@ -10,6 +10,7 @@
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/curve/batch.h"
+#include "synthesis/search/curve/least_greatest.h"
 #include "synthesis/search/optima.h"
 #include "synthesis/search/path/path_objective.h"
 #include "synthesis/search/polished_search.h"
@@ -25,6 +26,8 @@ constexpr int most_batches_of_round = 4;
 constexpr long evaluations_of_batch = 10000;
 constexpr int rounds = 20;
 constexpr int starts_of_rounds = 32;
+/// Where least squares only lead to the objective there is another search beside this one, and there are fewer rounds.
+constexpr int rounds_that_lead = 4;
 /// Batches whose least sums of squares agree to this part came to one end; they hit the best one if they agree with it
 /// to the smaller part.
 constexpr double same_end_within = 3e-6;
@@ -42,6 +45,10 @@ constexpr int most_times = 12;
 constexpr std::size_t most_polished = 4;
 constexpr double polished_apart = 1e-3;
 constexpr std::size_t most_polished_variables = 60;
+/// Where the greatest distance counts so many designs of every batch are taken there, those of a greater program in no
+/// more than so many evaluations.
+constexpr std::size_t most_polished_of_batch = 3;
+constexpr int evaluations_of_great_program = 60;
 /// Beside requirements the method of least squares that keeps to them (local.h) takes designs there, in so many passes
 /// with nearest points found anew.
 constexpr int most_passes = 4;
@@ -50,17 +57,19 @@ constexpr int evaluations_of_pass = 600;
 struct Search {
     const Problem& problem;
     const RunOptions& options;
+    bool leads;  ///< least squares lead to the objective, which is another: the greatest distance
     std::vector<Program> programs;
     std::optional<CurveProblem> curve;
     LocalLimits limits;
     SearchReport report;
     SearchEnds ends{same_end_within};
-    std::vector<double> least_sums;  ///< of batches
-    std::vector<FittedCurve> best;   ///< of all of them
-    int chains = 0;                  ///< of variations, so far
+    std::vector<double> least_of_batches;  ///< what each came to: the sum, or the objective that it leads to
+    std::vector<FittedCurve> best;         ///< of all of them
+    std::vector<Solution> led_to;          ///< designs that least squares led to
+    int chains = 0;                        ///< of variations, so far
 
     Search(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline)
-        : problem(p), options(o) {
+        : problem(p), options(o), leads(least_squares_lead_on(p)) {
         for (const Variant& variant : variants(p))
             programs.push_back(build_program(p, variant));
         curve = curve_problem(programs);
@@ -70,7 +79,10 @@ struct Search {
     }
 
     int batches_of_round() const { return std::min(most_batches_of_round, problem.solver.starts); }
-    int most_rounds() const { return rounds * ((problem.solver.starts + starts_of_rounds - 1) / starts_of_rounds); }
+    int most_rounds() const {
+        return (leads ? rounds_that_lead : rounds) *
+               ((problem.solver.starts + starts_of_rounds - 1) / starts_of_rounds);
+    }
 
     /// The design of a fit in the program of its kind of motion.
     std::optional<Solution> assessed(const FittedCurve& fitted) const {
@@ -107,12 +119,55 @@ struct Search {
             return curve_batch(*curve, mixed(problem.solver.seed) + number, evaluations_of_batch,
                                [&] { return stopped(); });
         });
-        for (const CurveBatch& batch : done) {
-            if (batch.best.empty()) continue;
+        for (const double least : leads ? led_objectives(done) : least_sums(done)) {
             ++report.starts;
-            ends.add(batch.best.front().sum);
-            least_sums.push_back(batch.best.front().sum);
+            ends.add(least);
+            least_of_batches.push_back(least);
         }
+    }
+
+    static std::vector<double> least_sums(const std::vector<CurveBatch>& batches) {
+        std::vector<double> sums;
+        for (const CurveBatch& batch : batches)
+            if (!batch.best.empty()) sums.push_back(batch.best.front().sum);
+        return sums;
+    }
+
+    /// Designs of a batch from which the greatest distance is made least: the best by their sums, and by that distance.
+    std::vector<FittedCurve> least_greatest(const CurveBatch& batch) const {
+        CurveWork work;
+        std::vector<GreatestDistance> all;
+        for (const FittedCurve& fitted : batch.best)
+            all.push_back(towards_least_greatest(*curve, fitted, work));
+        std::stable_sort(all.begin(), all.end(),
+                         [](const GreatestDistance& a, const GreatestDistance& b) { return a.distance < b.distance; });
+        all.resize(std::min(most_polished_of_batch, all.size()));
+        std::vector<FittedCurve> chosen = batch.best;
+        chosen.resize(std::min(most_polished_of_batch, chosen.size()));
+        for (const GreatestDistance& one : all)
+            chosen.push_back(one.design);
+        return chosen;
+    }
+
+    /// The least objective that the designs of each batch lead to.
+    std::vector<double> led_objectives(const std::vector<CurveBatch>& batches) {
+        std::vector<FittedCurve> chosen;
+        std::vector<std::size_t> batch_of;
+        for (std::size_t b = 0; b < batches.size(); ++b)
+            for (const FittedCurve& fitted : least_greatest(batches[b])) {
+                chosen.push_back(fitted);
+                batch_of.push_back(b);
+            }
+        const std::vector<SearchEnd> ended = polished(chosen);
+        std::vector<double> least(batches.size(), unlimited);
+        for (std::size_t i = 0; i < ended.size(); ++i) {
+            if (!ended[i].solution) continue;
+            if (ended[i].solution->feasible)
+                least[batch_of[i]] = std::min(least[batch_of[i]], ended[i].solution->objective);
+            led_to.push_back(*ended[i].solution);
+        }
+        std::erase(least, unlimited);
+        return least;
     }
 
     bool is_exact() const { return !best.empty() && is_rounding(*curve, best.front().sum); }
@@ -125,7 +180,7 @@ struct Search {
 
     /// Variations of the best of all batches. What they come to that no batch has come to is one more end.
     void refine() {
-        if (best.empty()) return;
+        if (best.empty() || leads) return;
         const double best_of_batches = best.front().sum;
         double before = unlimited;
         for (int time = 0; time < most_times && best.front().sum < (1 - gain_of_chains) * before; ++time) {
@@ -178,13 +233,13 @@ struct Search {
     SearchEnd polished(FittedCurve fitted) const {
         const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
         CurveWork work;
-        settle(*curve, fitted, work);
+        if (!leads) settle(*curve, fitted, work);
         SearchEnd end{"drawn", "least-squares: gains too small", work.evaluations};
         end.solution = assessed(fitted);
         if (end.solution) {
             const Program& program = programs[program_of(programs, fitted.arguments, fitted.assembly)];
             if (curve->has_requirements()) meet_requirements(program, end);
-            if (program.size() <= most_polished_variables || curve->has_requirements()) polish(program, end);
+            if (program.size() <= most_polished_variables || curve->has_requirements() || leads) polish(program, end);
         }
         end.seconds = timed.seconds();
         return end;
@@ -192,7 +247,9 @@ struct Search {
 
     void polish(const Program& program, SearchEnd& end) const {
         const Eigen::VectorXd x = point_of(program, end.solution->design);
-        const LocalOutcome outcome = polished_search(program, x, slsqp, limits);
+        LocalLimits some = limits;
+        if (leads && program.size() > most_polished_variables) some.most_evaluations = evaluations_of_great_program;
+        const LocalOutcome outcome = polished_search(program, x, slsqp, some);
         end.evaluations += outcome.evaluations;
         end.verdict = outcome.verdict;
         if (outcome.x.size() == 0 || !curve->keeps_from_borders(arguments_at(program, outcome.x))) return;
@@ -200,27 +257,43 @@ struct Search {
         if (preferred(problem, after, *end.solution)) end.solution = std::move(after);
     }
 
-    std::vector<Solution> finish() {
-        const std::vector<FittedCurve> chosen = different();
-        std::vector<SearchEnd> finished(chosen.size());
-        share_work(static_cast<int>(chosen.size()), options.jobs, [&](int i) {
-            finished[static_cast<std::size_t>(i)] = polished(chosen[static_cast<std::size_t>(i)]);
-        });
-        std::vector<Solution> found;
-        for (const SearchEnd& end : finished) {
+    /// The same of several, with what they took.
+    std::vector<SearchEnd> polished(const std::vector<FittedCurve>& fits) {
+        std::vector<SearchEnd> ended(fits.size());
+        share_work(static_cast<int>(fits.size()), options.jobs,
+                   [&](int i) { ended[static_cast<std::size_t>(i)] = polished(fits[static_cast<std::size_t>(i)]); });
+        for (const SearchEnd& end : ended) {
             report.evaluations += end.evaluations;
-            if (end.solution) found.push_back(*end.solution);
             if (options.trace) options.trace->ends.push_back(end);
         }
+        return ended;
+    }
+
+    /// What the search comes to.
+    std::vector<Solution> finish() {
+        if (leads) return std::move(led_to);
+        std::vector<Solution> found;
+        for (SearchEnd& end : polished(different()))
+            if (end.solution) found.push_back(*std::move(end.solution));
         return found;
     }
 
     /// Batches that came to the best end.
     int hits() const {
-        if (best.empty()) return 0;
-        return static_cast<int>(std::count_if(least_sums.begin(), least_sums.end(), [&](double sum) {
-            return is_rounding(*curve, sum) || sum <= (1 + hits_within) * best.front().sum;
+        if (least_of_batches.empty()) return 0;
+        double least = *std::min_element(least_of_batches.begin(), least_of_batches.end());
+        if (!leads) least = std::min(least, best.front().sum);
+        return static_cast<int>(std::count_if(least_of_batches.begin(), least_of_batches.end(), [&](double of_batch) {
+            return (!leads && is_rounding(*curve, of_batch)) || of_batch <= (1 + hits_within) * least;
         }));
+    }
+
+    std::optional<Solution> best_so_far() const {
+        if (!leads) return best.empty() ? std::nullopt : assessed(best.front());
+        const auto least = std::min_element(led_to.begin(), led_to.end(), [&](const Solution& a, const Solution& b) {
+            return preferred(problem, a, b);
+        });
+        return least == led_to.end() ? std::nullopt : std::optional(*least);
     }
 
     void tell_progress(const std::optional<Solution>& now) const {
@@ -233,7 +306,7 @@ struct Search {
 }  // namespace
 
 bool can_search_curves(const Problem& problem) {
-    if (!problem.path || !least_squares_suffice(problem)) return false;
+    if (!problem.path || !(least_squares_suffice(problem) || least_squares_lead_on(problem))) return false;
     std::vector<Program> programs;
     for (const Variant& variant : variants(problem))
         programs.push_back(build_program(problem, variant));
@@ -246,8 +319,7 @@ Multistart curve_search(const Problem& problem, const RunOptions& options,
     Search search(problem, options, deadline);
     for (int round = 0; round < search.most_rounds() && !search.stopped(); ++round) {
         search.run_round(round);
-        std::optional<Solution> now;
-        if (!search.best.empty()) now = search.assessed(search.best.front());
+        std::optional<Solution> now = search.best_so_far();
         search.tell_progress(now);
         result.milestones.push_back({search.report.drawn, search.report.evaluations, 0, std::move(now)});
         if (!search.enough() && round + 1 < search.most_rounds()) continue;

@@ -7,8 +7,8 @@
 
 namespace mechwright {
 
-/// Whether a problem can be searched so: a path in any order whose least squares are the objective (curve_problem says
-/// what else).
+/// Whether a problem can be searched so: a path in any order whose least squares are the objective, or whose greatest
+/// distance is, to which they lead (curve_problem says what else).
 bool can_search_curves(const Problem& problem);
 
 /// Runs batches, some at a time, until the points are met exactly, or hardly any batch would end where none has yet, or

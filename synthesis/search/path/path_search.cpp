@@ -65,6 +65,13 @@ struct Search {
           thoroughness((p.solver.starts + most_starts_of_round - 1) / most_starts_of_round),
           most_rounds(rounds_for_starts * thoroughness) {}
 
+    /// What another search came to: designs that this one is to do better than.
+    void begin_with(const Multistart& other) {
+        rounds.report = other.report;
+        found = other.optima;
+        if (!found.empty()) best = found.front();
+    }
+
     /// Counts the searches from screened starts that ended at the least sum of squares of a feasible design, those of
     /// earlier rounds too; and the rounds that came to the best design, each of which goes its own way.
     void count_hits(const std::vector<Trial>& trials, const std::optional<Solution>& best_of_round) {
@@ -209,14 +216,16 @@ std::string why_no_path_search(const Problem& problem) {
 
 Multistart path_search(const Problem& problem, const RunOptions& options,
                        std::chrono::steady_clock::time_point deadline) {
+    Multistart by_curves;
     if (can_search_curves(problem)) {
-        Multistart by_curves = curve_search(problem, options, deadline);
+        by_curves = curve_search(problem, options, deadline);
         const bool feasible = !by_curves.optima.empty() && by_curves.optima.front().feasible;
-        if (feasible || by_curves.stopped) return by_curves;
+        if (by_curves.stopped || (feasible && least_squares_suffice(problem))) return by_curves;
     }
     Multistart result;
     Search search(problem, options, deadline);
-    if (search.rounds.programs.all.empty()) return result;
+    if (search.rounds.programs.all.empty()) return by_curves;
+    search.begin_with(by_curves);
     for (int round = 0; round < search.most_rounds && !search.rounds.limits.reached(); ++round) {
         const std::vector<Trial> trials = search.rounds.trials_of(round);
         const std::optional<Solution> best_of_round = search.finish(trials);
@@ -235,6 +244,8 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     result.optima = distinct_optima(problem, all, result.report);
     if (search.rounds.least_squares) result.report.hits = std::max(result.report.hits, search.hits);
     if (search.rounds.led && problem.path->any_order) result.report.missed_chance = search.known_ends.unseen();
+    if (!by_curves.optima.empty())
+        result.report.missed_chance = std::max(result.report.missed_chance, by_curves.report.missed_chance);
     result.stopped = search.rounds.limits.reached();
     if (search.best_is_exact()) {
         result.report.proof = proof_by_zero(problem);
