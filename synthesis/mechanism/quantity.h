@@ -3,7 +3,7 @@
 /// What is measured of a mechanism: quantities, over the motion of a design, as functions of some of its dimensions.
 
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -15,8 +15,10 @@
 
 namespace mechwright {
 
-/// Fifty decimal digits: what verification computes with.
-using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+/// Fifty decimal digits: what verification computes with. MPFR rounds every function correctly.
+using Digits50 =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
 
 enum class Unit { none, length, area, curvature, angle, force, torque, rate };
 
