@@ -3,6 +3,8 @@
 /// The only place with threads: independent tasks, numbered, shared between workers. Whatever a task computes goes into
 /// a slot of its own, so that results do not depend on who did what when.
 
+#include <mpfr.h>
+
 #include <atomic>
 #include <exception>
 #include <functional>
@@ -34,7 +36,10 @@ inline void share_work(int count, int jobs, const std::function<void(int)>& task
         helpers.reserve(static_cast<std::size_t>(jobs > 1 ? jobs - 1 : 0));
         try {
             for (int i = 1; i < jobs && i < count; ++i)
-                helpers.emplace_back(work);
+                helpers.emplace_back([&] {
+                    work();
+                    mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);  // what fifty digits keep for each thread
+                });
         } catch (const std::exception&) {  // no more threads, or no memory for one
         }
         work();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <cstddef>
 
@@ -13,7 +13,9 @@
 
 namespace mechwright::test {
 
-using Precise = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Precise =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
 
 inline FourBar<Precise> precise(const FourBar<double>& m) { return converted<Precise>(m); }
 

@@ -4,14 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <random>
 
 namespace mechwright {
 
 namespace {
 
-using Precise = boost::multiprecision::cpp_bin_float_50;
+using Precise = boost::multiprecision::mpfr_float_50;
 
 struct Drawn {
     Interval interval;
