@@ -12,6 +12,7 @@
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/curve/curve_search.h"
 #include "synthesis/search/optima.h"
+#include "synthesis/search/path/path_objective.h"
 #include "synthesis/search/path/path_rounds.h"
 #include "synthesis/search/polished_search.h"
 
