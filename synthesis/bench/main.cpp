@@ -98,7 +98,7 @@ void add_options(CLI::App& program, BenchOptions& options) {
     for (const bench::Section& section : bench::sections())
         names += fmt::format("{}{}", names.empty() ? "" : ", ", section.name);
     program.add_option("--out", options.folder, "Folder for the report and its data (results)")->option_text("DIR");
-    program.add_flag("--full", options.full, "Thorough: an hour instead of two minutes");
+    program.add_flag("--full", options.full, "Thorough: two hours instead of two minutes");
     program.add_option("--only", options.only, "Sections to measure; all stay in the report")->option_text("SECTION");
     program.add_option("--problems", options.problems, "Problems that come with mechwright (problems)")
         ->option_text("DIR");

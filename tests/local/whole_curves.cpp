@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,7 @@
 #include "synthesis/problem/reader.h"
 #include "synthesis/search/curve/batch.h"
 #include "synthesis/search/curve/chords.h"
+#include "synthesis/search/curve/curve_search.h"
 #include "synthesis/search/curve/laying.h"
 #include "synthesis/search/curve/least_greatest.h"
 #include "synthesis/target/path/rows/nearest_point.h"
@@ -27,14 +29,15 @@ const std::string wide_ranges =
     "point-across = { min = -200, max = 200 }\norigin-x = { min = -200, max = 200 }\n"
     "origin-y = { min = -200, max = 200 }\ntilt = { min = 0, max = 360 }\n";
 
-Problem problem_of(const std::vector<Vector<double>>& points, const std::string& of_path = "") {
+Problem problem_of(const std::vector<Vector<double>>& points, const std::string& of_path = "",
+                   const std::string& objective = "path-rms") {
     std::string list;
     for (const Vector<double>& p : points)
         list += (list.empty() ? "[" : ", [") + std::to_string(p.x) + ", " + std::to_string(p.y) + "]";
     const ReadProblem read =
         parse_problem("schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + wide_ranges +
                           "assembly = \"either\"\n[path]\npoints = [" + list + "]\ntiming = \"none\"\n" + of_path +
-                          "[objective]\nminimize = \"path-rms\"\n",
+                          "[solver]\nstarts = 1\n[objective]\nminimize = \"" + objective + "\"\n",
                       "curve.toml");
     for (const Message& message : read.messages)
         ADD_FAILURE() << to_string(message);
@@ -127,7 +130,7 @@ TEST_F(WholeCurves, AreMetAtTheirNearestPoints) {
                 // The point is one of the curve, so that none is nearer than the nearest.
                 const Vector<double> miss = coupler_point(a, assembly, work.nearest.crank_angle[i / 8][i % 8]) - target;
                 EXPECT_NEAR(std::sqrt(square), std::sqrt(dot(miss, miss)), 1e-7 * curve->spread);
-                const double scan = scanned(a, assembly, target, 2 * sure_part);
+                const double scan = scanned(a, assembly, target, judged_part);
                 ++compared;
                 as_near += std::sqrt(square) <= std::sqrt(scan) * (1 + 1e-6) + 1e-7 * curve->spread ? 1 : 0;
             }
@@ -176,7 +179,7 @@ TEST_F(WholeCurves, AreMetByDesignsWhereAScanSays) {
                 const Vector<double> miss = coupler_point(a, assembly, design.path_angles[i]) - target;
                 // Next to the ends of a motion its point goes as the root of what is left of it: half of the digits.
                 EXPECT_LE(std::sqrt(dot(miss, miss)),
-                          std::sqrt(scanned(a, assembly, target, 2 * sure_part)) + 1e-6 * curve->spread);
+                          std::sqrt(scanned(a, assembly, target, judged_part)) + 1e-6 * curve->spread);
             }
         }
     EXPECT_GT(compared, 40);
@@ -298,13 +301,38 @@ TEST_F(WholeCurves, ComeNearerToTheTargetThatIsFarthestAway) {
         auto shape = drawn_shape(*curve, random, work);
         if (!shape || !descend(*curve, *shape, 400, 1e-9, work)) continue;
         ++designs;
-        const GreatestDistance least = towards_least_greatest(*curve, *shape, work);
+        const auto least = towards_least_greatest(*curve, *shape, work);
+        ASSERT_TRUE(least);
         const double before = greatest_distance(*curve, *shape, work);
-        EXPECT_NEAR(least.distance, greatest_distance(*curve, least.design, work), 1e-9 * before);
-        EXPECT_LE(least.distance, before * (1 + 1e-9));
-        nearer += least.distance < 0.95 * before ? 1 : 0;
+        EXPECT_NEAR(least->distance, greatest_distance(*curve, least->design, work), 1e-9 * before);
+        EXPECT_LE(least->distance, before * (1 + 1e-9));
+        nearer += least->distance < 0.95 * before ? 1 : 0;
     }
     EXPECT_GE(nearer, 12);
+}
+
+TEST(WholeCurvesOfLinkages, HaveTheLeastGreatestDistanceWhereThatIsTheObjective) {
+    const std::vector<Vector<double>> points = rounded_square(14);
+    const Problem problem = problem_of(points, "closed = true\n", "path-max");
+    ASSERT_TRUE(can_search_curves(problem));
+    const Multistart found = curve_search(problem, {}, std::chrono::steady_clock::time_point::max());
+    ASSERT_FALSE(found.optima.empty());
+    const Solution& least = found.optima.front();
+    EXPECT_TRUE(least.feasible);
+    CurveArguments a{};
+    std::copy_n(least.design.dimensions.begin(), a.size(), a.begin());
+    double square = 0;
+    for (const Vector<double>& point : points)
+        square = std::max(square, scanned(a, least.design.assembly, point));
+    EXPECT_LE(least.objective, std::sqrt(square) * (1 + 1e-9));
+    EXPECT_NEAR(least.objective, std::sqrt(square), 1e-2 * least.objective);
+    // The least squares of a batch have a farther one.
+    const std::vector<Program> programs = programs_of(problem);
+    const auto curve = curve_problem(programs);
+    const CurveBatch batch = curve_batch(*curve, 1, 10000, [] { return false; });
+    CurveWork work;
+    const double by_squares = programs.front().length * greatest_distance(*curve, batch.best.front(), work);
+    EXPECT_LT(least.objective, 0.95 * by_squares);
 }
 
 TEST(WholeCurvesOfLinkages, AreLaidOverPointsThatTheyPassAtGivenTimes) {

@@ -20,28 +20,12 @@
 
 namespace mechwright::measuring {
 
-/// How many components a quantity has.
-inline std::size_t component_count(Kind kind) {
-    switch (kind) {
-        case Kind::mean:
-        case Kind::rms:
-        case Kind::at:
-        case Kind::extent:
-        case Kind::function_rms:
-        case Kind::turned_width:
-        case Kind::turned_area:
-        case Kind::total_length: return 1;
-        case Kind::function_greatest: return most_errors;
-        case Kind::time_ratio: return 2;
-        case Kind::range:
-        case Kind::deviation:
-        case Kind::room_width:
-        case Kind::room_height:
-        case Kind::link_ratio: return most_of_range * most_of_range;
-        case Kind::room_area: return most_of_area * most_of_area * most_of_area * most_of_area;
-        default: return most_extremes;
-    }
-}
+/// How many components a quantity has, and what is made of them.
+struct ComponentsOfKind {
+    std::size_t count;
+    Reduce reduce;
+};
+ComponentsOfKind components_of(Kind kind);
 
 /// Calls write(k, component) for as many components as a quantity has: where there are fewer, the last is repeated.
 template <class T, class Write>
@@ -156,21 +140,21 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
     }
     if (!found.possible) return false;
 
-    const std::size_t n = arguments.size(), count = component_count(kind), pairs = n * (n + 1) / 2;
-    const auto components_of = [&]<class T>(std::span<const T> seeded) {
+    const std::size_t n = arguments.size(), count = components_of(kind).count, pairs = n * (n + 1) / 2;
+    const auto seeded_components = [&]<class T>(std::span<const T> seeded) {
         return Components<T, K>(over, seeded, signals, plain, course, found, stretch).all();
     };
-    write_components(components_of(arguments), count, [&](std::size_t k, double value) { out.value[k] = value; });
+    write_components(seeded_components(arguments), count, [&](std::size_t k, double value) { out.value[k] = value; });
     if (out.hessian.empty() && !out.gradient.empty())
         by_few(arguments, [&](const auto& seeded, std::size_t from, std::size_t carried) {
-            write_components(components_of(seeded), count, [&](std::size_t k, const auto& c) {
+            write_components(seeded_components(seeded), count, [&](std::size_t k, const auto& c) {
                 for (std::size_t i = 0; i < carried; ++i)
                     out.gradient[k * n + from + i] = c.partial[i];
             });
         });
     if (out.hessian.empty()) return true;
     by_pairs(arguments, [&](const auto& seeded, const SeededPair& carried) {
-        write_components(components_of(seeded), count, [&](std::size_t k, const auto& c) {
+        write_components(seeded_components(seeded), count, [&](std::size_t k, const auto& c) {
             for (std::size_t v = 0; v < seeded_at_once && !out.gradient.empty(); ++v)
                 if (carried[v] < n) out.gradient[k * n + carried[v]] = c.first[v];
             for_each_pair(carried, n, [&](std::size_t v, std::size_t w, std::size_t entry) {

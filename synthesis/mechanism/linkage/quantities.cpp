@@ -12,11 +12,7 @@ namespace mechwright {
 
 namespace measuring {
 
-namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-Reduce reduce_of(Kind kind) {
+ComponentsOfKind components_of(Kind kind) {
     switch (kind) {
         case Kind::mean:
         case Kind::rms:
@@ -25,20 +21,24 @@ Reduce reduce_of(Kind kind) {
         case Kind::function_rms:
         case Kind::turned_width:
         case Kind::turned_area:
-        case Kind::total_length: return Reduce::only;
-        case Kind::function_greatest:
-        case Kind::greatest:
-        case Kind::distance_greatest:
+        case Kind::total_length: return {1, Reduce::only};
+        case Kind::function_greatest: return {most_errors, Reduce::greatest};
+        case Kind::time_ratio: return {2, Reduce::greatest};
         case Kind::range:
         case Kind::deviation:
         case Kind::room_width:
         case Kind::room_height:
-        case Kind::room_area:
-        case Kind::time_ratio:
-        case Kind::link_ratio: return Reduce::greatest;
-        default: return Reduce::least;
+        case Kind::link_ratio: return {most_of_range * most_of_range, Reduce::greatest};
+        case Kind::room_area: return {most_of_area * most_of_area * most_of_area * most_of_area, Reduce::greatest};
+        case Kind::greatest:
+        case Kind::distance_greatest: return {most_extremes, Reduce::greatest};
+        default: return {most_extremes, Reduce::least};
     }
 }
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 bool is_defined(const Motion& motion) {
     const LinkageMeasure& m = *static_cast<const LinkageMeasure*>(motion.of);
@@ -52,7 +52,7 @@ bool is_defined(const Motion& motion) {
 }
 
 std::size_t components(const Motion& motion) {
-    return component_count(static_cast<const LinkageMeasure*>(motion.of)->kind);
+    return components_of(static_cast<const LinkageMeasure*>(motion.of)->kind).count;
 }
 
 void measure(const Over& over, std::span<const double> arguments, const Measurement& out) {
@@ -110,12 +110,12 @@ Quantity linkage_quantity(std::string name, Unit unit, std::string meaning, Link
     quantity.name = std::move(name);
     quantity.unit = unit;
     quantity.meaning = std::move(meaning);
-    quantity.reduce = measuring::reduce_of(of.kind);
+    quantity.reduce = measuring::components_of(of.kind).reduce;
     quantity.reads = Reads(dimensions);
     quantity.defined = measuring::is_defined;
     quantity.components = measuring::components;
     quantity.measure = measuring::measure_over_motion;
-    quantity.worst_first = measuring::component_count(of.kind) > 1;
+    quantity.worst_first = measuring::components_of(of.kind).count > 1;
     using Kind = LinkageMeasure::Kind;
     quantity.of_motion =
         of.kind != Kind::total_length && of.kind != Kind::link_ratio && of.kind != Kind::full_turn_margin;

@@ -134,40 +134,40 @@ struct Search {
     }
 
     /// Designs of a batch from which the greatest distance is made least: the best by their sums, and by that distance.
-    std::vector<FittedCurve> least_greatest(const CurveBatch& batch) const {
-        CurveWork work;
+    std::vector<FittedCurve> least_greatest(const CurveBatch& batch, CurveWork& work) const {
         std::vector<GreatestDistance> all;
         for (const FittedCurve& fitted : batch.best)
-            all.push_back(towards_least_greatest(*curve, fitted, work));
+            if (const auto nearer = towards_least_greatest(*curve, fitted, work)) all.push_back(*nearer);
         std::stable_sort(all.begin(), all.end(),
                          [](const GreatestDistance& a, const GreatestDistance& b) { return a.distance < b.distance; });
-        all.resize(std::min(most_polished_of_batch, all.size()));
         std::vector<FittedCurve> chosen = batch.best;
         chosen.resize(std::min(most_polished_of_batch, chosen.size()));
-        for (const GreatestDistance& one : all)
-            chosen.push_back(one.design);
+        for (std::size_t k = 0; k < std::min(most_polished_of_batch, all.size()); ++k)
+            chosen.push_back(all[k].design);
         return chosen;
     }
 
     /// The least objective that the designs of each batch lead to.
     std::vector<double> led_objectives(const std::vector<CurveBatch>& batches) {
-        std::vector<FittedCurve> chosen;
-        std::vector<std::size_t> batch_of;
-        for (std::size_t b = 0; b < batches.size(); ++b)
-            for (const FittedCurve& fitted : least_greatest(batches[b])) {
-                chosen.push_back(fitted);
-                batch_of.push_back(b);
+        std::vector<std::vector<FittedCurve>> chosen(batches.size());
+        std::vector<CurveWork> work(batches.size());
+        share_work(static_cast<int>(batches.size()), options.jobs, [&](int i) {
+            const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
+            const auto k = static_cast<std::size_t>(i);
+            if (!stopped()) chosen[k] = least_greatest(batches[k], work[k]);
+        });
+        std::vector<double> all;
+        for (std::size_t k = 0; k < batches.size(); ++k) {
+            report.evaluations += work[k].evaluations;
+            double least = unlimited;
+            for (SearchEnd& end : polished(chosen[k])) {
+                if (!end.solution) continue;
+                if (end.solution->feasible) least = std::min(least, end.solution->objective);
+                led_to.push_back(*std::move(end.solution));
             }
-        const std::vector<SearchEnd> ended = polished(chosen);
-        std::vector<double> least(batches.size(), unlimited);
-        for (std::size_t i = 0; i < ended.size(); ++i) {
-            if (!ended[i].solution) continue;
-            if (ended[i].solution->feasible)
-                least[batch_of[i]] = std::min(least[batch_of[i]], ended[i].solution->objective);
-            led_to.push_back(*ended[i].solution);
+            if (least < unlimited) all.push_back(least);
         }
-        std::erase(least, unlimited);
-        return least;
+        return all;
     }
 
     bool is_exact() const { return !best.empty() && is_rounding(*curve, best.front().sum); }

@@ -38,7 +38,8 @@ void weigh_anew(CurveProblem& p, const std::vector<double>& squares) {
 
 }  // namespace
 
-GreatestDistance towards_least_greatest(const CurveProblem& problem, const FittedCurve& from, CurveWork& work) {
+std::optional<GreatestDistance> towards_least_greatest(const CurveProblem& problem, const FittedCurve& from,
+                                                       CurveWork& work) {
     CurveProblem weighed = problem;
     GreatestDistance best;
     FittedCurve at = from;
@@ -50,7 +51,7 @@ GreatestDistance towards_least_greatest(const CurveProblem& problem, const Fitte
         weigh_anew(weighed, squares);
         if (!descend(weighed, at, evaluations_of_pass, gains_too_small, work)) break;
     }
-    if (best.distance < unlimited) descend(problem, best.design, 1, 0, work);
+    if (!(best.distance < unlimited) || !descend(problem, best.design, 1, 0, work)) return std::nullopt;
     return best;
 }
 

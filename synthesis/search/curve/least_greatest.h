@@ -13,7 +13,8 @@ struct GreatestDistance {
 };
 
 /// Least squares again and again, in which each target counts by what it has been missed by (Lawson, 1961, for linear
-/// problems); the design whose greatest distance was the least of all. Nothing assembles: an unlimited distance.
-GreatestDistance towards_least_greatest(const CurveProblem& problem, const FittedCurve& from, CurveWork& work);
+/// problems); the design whose greatest distance was the least of all. Nothing where the design does not assemble.
+std::optional<GreatestDistance> towards_least_greatest(const CurveProblem& problem, const FittedCurve& from,
+                                                       CurveWork& work);
 
 }  // namespace mechwright

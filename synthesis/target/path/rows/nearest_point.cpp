@@ -103,9 +103,8 @@ std::vector<Sample> divided(const Problem& problem, const Design& design, std::s
 /// The crank angle nearest to an end of the motion at which it is sure where the point is: so far inwards, which may be
 /// negative, or twice as far, again and again; then halved. The end itself where nothing ends there.
 double sure_end(const Problem& problem, const Design& design, std::size_t guided, double end, double inwards) {
-    constexpr double to_spare = 2;
     constexpr int halvings = 50;
-    const double wanted = to_spare * sure_part * longest_length(*problem.mechanism, design.dimensions);
+    const double wanted = judged_part * longest_length(*problem.mechanism, design.dimensions);
     const auto is_sure = [&](double way) {
         PathMiss miss{};
         miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly, guided), design.dimensions,
