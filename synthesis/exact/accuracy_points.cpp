@@ -258,17 +258,15 @@ ExactDesigns accuracy_point_designs(const Problem& problem, const RunOptions& op
     const AccuracyProblem a(problem);
     const std::vector<std::size_t> searched = searched_scales(a);
     if (searched.empty()) return isolated(a);
-    return search_family(
-        problem, searched.size(),
-        [&](std::span<const double> numbers) {
-            const Scales s = scales_for(a, searched, numbers);
-            SolutionCounts counts;
-            std::optional<ExactDesign> best;
-            for (const Pins& pins : pins_for(a, s, counts))
-                keep_better(problem, best, design_of(a, s, pins));
-            return best;
-        },
-        options, end);
+    const auto member = [&](std::span<const double> numbers) {
+        const Scales s = scales_for(a, searched, numbers);
+        SolutionCounts counts;
+        std::optional<ExactDesign> best;
+        for (const Pins& pins : pins_for(a, s, counts))
+            keep_better(problem, best, design_of(a, s, pins));
+        return best;
+    };
+    return search_family(problem, {searched.size(), member}, options, end);
 }
 
 }  // namespace mechwright

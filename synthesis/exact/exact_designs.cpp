@@ -215,12 +215,14 @@ void add_design(ExactDesigns& out, ExactDesign design) {
         out.excluded.push_back({std::move(design.solution), std::move(design.defect)});
 }
 
-void keep_better(const Problem& problem, std::optional<ExactDesign>& best, ExactDesign design) {
+bool keep_better(const Problem& problem, std::optional<ExactDesign>& best, ExactDesign design) {
     const auto is_better = [&] {
         if (best->defect.empty() != design.defect.empty()) return design.defect.empty();
         return preferred(problem, design.solution, best->solution);
     };
-    if (!best || is_better()) best = std::move(design);
+    const bool better = !best || is_better();
+    if (better) best = std::move(design);
+    return better;
 }
 
 void rank(const Problem& problem, ExactDesigns& out) {

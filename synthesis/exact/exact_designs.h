@@ -52,8 +52,8 @@ ExactDesign excluded_design(Design design, std::string defect);
 /// Puts a design where it belongs.
 void add_design(ExactDesigns& out, ExactDesign design);
 
-/// Keeps the better of two: without a defect before with one, then as the problem prefers.
-void keep_better(const Problem& problem, std::optional<ExactDesign>& best, ExactDesign design);
+/// Keeps the better of two: without a defect before with one, then as the problem prefers. Whether it was the new one.
+bool keep_better(const Problem& problem, std::optional<ExactDesign>& best, ExactDesign design);
 
 /// Best first.
 void rank(const Problem& problem, ExactDesigns& out);

@@ -74,8 +74,8 @@ std::string why_no_extreme_velocity_ratio(const Problem& problem) {
 
 ExactDesigns extreme_velocity_ratio_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const double ratio = *required_extreme(problem)->equal;
-    return search_family(
-        problem, 2, [&](std::span<const double> numbers) { return member(problem, ratio, numbers); }, options, end);
+    const DesignFamily family{2, [&](std::span<const double> numbers) { return member(problem, ratio, numbers); }};
+    return search_family(problem, family, options, end);
 }
 
 }  // namespace mechwright

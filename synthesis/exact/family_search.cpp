@@ -15,7 +15,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-constexpr int members_examined = 4096;
 constexpr int most_improvements = 1500;  ///< evaluations of one run of a local search
 constexpr int most_runs = 6;             ///< each from where the last one stopped
 /// A run that gains less, relative to the objective, was the last one.
@@ -43,13 +42,13 @@ double merit(const Problem& problem, const std::optional<ExactDesign>& design) {
 
 struct Search {
     const Problem& problem;
-    const FamilyMember& member;
+    const DesignFamily& family;
     const RunEnd& end;
     std::atomic<long> evaluations{0};
 
     bool ended() const { return end.reached(); }
 
-    Candidate at(Numbers numbers) {
+    Candidate at(Numbers numbers, const FamilyMember& member) {
         ++evaluations;
         Candidate candidate{std::move(numbers), {}};
         candidate.design = member(candidate.numbers);
@@ -58,20 +57,21 @@ struct Search {
 };
 
 /// A run of Subplex; never worse than where it began.
-Candidate run_from(Search& search, const Candidate& from) {
+Candidate run_from(Search& search, const Candidate& from, const FamilyMember& member) {
     const CubeFunction function{[&](const Numbers& numbers) {
                                     ++search.evaluations;
-                                    return merit(search.problem, search.member(numbers));
+                                    return merit(search.problem, member(numbers));
                                 },
                                 [&] { return search.ended(); }};
-    Candidate found = search.at(subplex(function, from.numbers, most_improvements));
+    Candidate found = search.at(subplex(function, from.numbers, most_improvements), member);
     return merit(search.problem, found.design) < merit(search.problem, from.design) ? found : from;
 }
 
 Candidate improved(Search& search, Candidate candidate) {
     for (int run = 0; run < most_runs; ++run) {
         const double before = merit(search.problem, candidate.design);
-        candidate = run_from(search, candidate);
+        const DesignFamily& family = search.family;
+        candidate = run_from(search, candidate, family.near ? family.near(candidate.numbers) : family.member);
         const double after = merit(search.problem, candidate.design);
         if (search.ended() || before - after <= least_gain * std::abs(after)) break;
     }
@@ -89,27 +89,27 @@ bool is_same(const Design& a, const Design& b) {
 
 }  // namespace
 
-ExactDesigns search_family(const Problem& problem, std::size_t numbers, const FamilyMember& member,
-                           const RunOptions& options, const RunEnd& end) {
-    Search search{problem, member, end};
-    const LowDiscrepancy sequence(std::max<std::size_t>(numbers, 1), problem.solver.seed, 0);
-    std::vector<Candidate> candidates(members_examined);
-    constexpr int chunk = 64;
-    share_work(members_examined / chunk, options.jobs, [&](int part) {
-        for (int k = part * chunk; k < (part + 1) * chunk && !search.ended(); ++k) {
+ExactDesigns search_family(const Problem& problem, const DesignFamily& family, const RunOptions& options,
+                           const RunEnd& end) {
+    Search search{problem, family, end};
+    const LowDiscrepancy sequence(std::max<std::size_t>(family.numbers, 1), problem.solver.seed, 0);
+    std::vector<Candidate> candidates(static_cast<std::size_t>(family.examined));
+    constexpr int parts = 64;
+    share_work(parts, options.jobs, [&](int part) {
+        for (int k = part; k < family.examined && !search.ended(); k += parts) {
             Numbers drawn;
-            for (std::size_t j = 0; j < numbers; ++j)
+            for (std::size_t j = 0; j < family.numbers; ++j)
                 drawn.push_back(sequence(static_cast<std::uint64_t>(k), j));
-            candidates[static_cast<std::size_t>(k)] = search.at(std::move(drawn));
+            candidates[static_cast<std::size_t>(k)] = search.at(std::move(drawn), family.member);
         }
     });
     std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
         return merit(problem, a.design) < merit(problem, b.design);
     });
-    candidates.resize(static_cast<std::size_t>(std::clamp(problem.solver.starts, 1, members_examined)));
+    candidates.resize(static_cast<std::size_t>(std::clamp(problem.solver.starts, 1, family.examined)));
     // What is not improved is kept too: an optimum may lie where a linkage cannot be relied upon any more.
     const std::vector<Candidate> as_drawn = candidates;
-    if (numbers > 0)
+    if (family.numbers > 0)
         share_work(static_cast<int>(candidates.size()), options.jobs, [&](int k) {
             Candidate& candidate = candidates[static_cast<std::size_t>(k)];
             if (candidate.design && !search.ended()) candidate = improved(search, std::move(candidate));

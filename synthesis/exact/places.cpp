@@ -4,6 +4,7 @@
 
 #include "synthesis/exact/homotopy/certify.h"
 #include "synthesis/exact/homotopy/guidance_linkages.h"
+#include "synthesis/exact/place_family.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/program/work_sharing.h"
 
@@ -14,11 +15,12 @@ namespace {
 constexpr std::size_t nine = 9;
 
 std::string why_not_so_many_points(const std::vector<Vector<double>>& points) {
-    if (points.size() == nine) return {};
-    return fmt::format("it finds four-bars through nine points, and there are {}: {}", points.size(),
-                       points.size() > nine
-                           ? "through more no linkage passes in general; least-squares finds the closest"
-                           : "through fewer pass whole families; least-squares finds members of them");
+    if (points.size() < 2) return "it needs from two to nine points, and there is one";
+    if (points.size() <= nine) return {};
+    return fmt::format(
+        "it finds four-bars through up to nine points, and there are {}: through more no linkage passes in general; "
+        "least-squares finds the closest",
+        points.size());
 }
 
 /// "3 poses and 1 point"
@@ -26,12 +28,27 @@ std::string counted(std::size_t poses, std::size_t points) {
     return fmt::format("{} pose{} and {} point{}", poses, poses == 1 ? "" : "s", points, points == 1 ? "" : "s");
 }
 
-std::string why_not_these(std::size_t poses, std::size_t points) {
-    if (poses <= 4 && 2 * poses + points == 10) return {};
+std::string why_not_these(const PathTarget& path) {
+    if (path.points.size() < 2) return "it needs two places or more, and there is one";
+    if (conditions_said_by(path) <= conditions_of_four_bar) return {};
+    const std::size_t poses = path.poses(), points = path.points.size() - poses;
     return fmt::format(
-        "there are {}; it finds four-bars through 4 poses and 2 points, 3 and 4, 2 and 6, or 1 and 8: more leave no "
-        "linkage in general, fewer whole families, and least-squares finds the closest or members of them",
+        "there are {}; it finds four-bars through up to 4 poses and 2 points, 3 and 4, 2 and 6, or 1 and 8: more leave "
+        "no linkage in general, and least-squares finds the closest",
         counted(poses, points));
+}
+
+/// What is given beside too few places to say all of it: a member of the family that has it is not found by chance.
+std::string why_not_given(const Problem& problem) {
+    if (free_directions(*problem.path) == 0) return {};
+    const Mechanism& own = problem.mechanism->plain ? *problem.mechanism->plain : *problem.mechanism;
+    for (std::size_t i = 0; i < own.dimensions.size(); ++i)
+        if (problem.dimensions[i].fixed())
+            return fmt::format(
+                "a family of four-bars passes so few places, and '{}' has one value besides: give it a range, or use "
+                "least-squares",
+                own.dimensions[i].name);
+    return {};
 }
 
 std::string why_points_coincide(const PathTarget& path) {
@@ -85,13 +102,14 @@ std::string why_no_places(const Problem& problem) {
         return "it needs points that are met in their order at any crank angle: timing = \"free\"";
     if (has_ties(problem)) return "dimensions are tied to others";
     const PathTarget& path = *problem.path;
-    const std::size_t poses = path.poses();
-    const std::string why =
-        path.guides_body() ? why_not_these(poses, path.points.size() - poses) : why_not_so_many_points(path.points);
-    return why.empty() ? why_points_coincide(path) : why;
+    const std::string why = path.guides_body() ? why_not_these(path) : why_not_so_many_points(path.points);
+    if (!why.empty()) return why;
+    const std::string given = why_not_given(problem);
+    return given.empty() ? why_points_coincide(path) : given;
 }
 
 ExactDesigns place_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
+    if (free_directions(*problem.path) > 0) return place_family_designs(problem, options, end);
     const std::vector<homotopy::GuidedPlace> places = places_of(*problem.path);
     const homotopy::GuidanceTarget target = homotopy::guidance_target(places);
     const homotopy::GuidanceSystem& system = target.system;

@@ -278,7 +278,11 @@ void choose_compact(const Problem& problem, Found& found, const Method& method, 
     along->solver.starts = std::min(along->solver.starts, starts);
     RunOptions of_family = quiet(options);
     of_family.trace = nullptr;
-    const Found compact = method.run(*along, of_family, end.deadline);
+    Found compact = method.run(*along, of_family, end.deadline);
+    if (compact.stopped) return;
+    // Members that are drawn come near to limits, which the optimum is at where searches end.
+    if (method.run == every_solution)
+        compact = better(*along, std::move(compact), find_method("auto")->run(*along, of_family, end.deadline));
     if (compact.stopped) return;
     found.report.evaluations += compact.report.evaluations;
     LocalLimits limits;

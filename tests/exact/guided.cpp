@@ -261,8 +261,9 @@ TEST(ExactMethod, SaysWhyItDoesNotApplyToPosesAndTimedPoints) {
     EXPECT_NE(why(with_start, timed_points_of(random_motion(random, 6))).find("up to five points"), std::string::npos);
     EXPECT_EQ(why(with_start, timed_points_of(random_motion(random, 5))), "");
     EXPECT_NE(why(with_start, timed_points_of(random_motion(random, 1))).find("there is one"), std::string::npos);
-    const std::string mixed = why(with_body, "[poses]\nposes = [[0, 0, 0], [1, 1], [2, 0, 30]]");
-    EXPECT_NE(mixed.find("2 poses and 1 point;"), std::string::npos) << mixed;
+    const std::string mixed =
+        why(with_body, "[poses]\nposes = [[0, 0, 0], [1, 1], [2, 0, 30], [3, 1, 40], [4, 2], [5, 1, 50], [6, 0]]");
+    EXPECT_NE(mixed.find("4 poses and 3 points;"), std::string::npos) << mixed;
     const std::string same =
         why(with_body, "[poses]\nposes = [[0, 0, 0], [1, 1, 1], [2, 0, 2], [3, 1, 3], [4, 0], [1, 1]]");
     EXPECT_NE(same.find("points 2 and 6 are the same"), std::string::npos) << same;

@@ -51,10 +51,13 @@ bool is_real_within(double part, const GuidanceValues& u) {
     return apart <= part * part * size;
 }
 
-/// Refines a solution. Whether it is one, isolated, and stands for a linkage.
+}  // namespace
+
 bool refined_to_regular(const GuidanceSystem& system, GuidanceValues& u, const GuidanceParameters& target) {
     return refine(system, u, target) < regular_below && !is_degenerate(u);
 }
+
+namespace {
 
 struct Ends {
     const StartSystem& start;

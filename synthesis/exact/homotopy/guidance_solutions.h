@@ -53,6 +53,9 @@ GuidanceTarget guidance_target(const std::vector<GuidedPlace>& places);
 GuidanceSystem::Parameters<Digits50> exact_parameters(const GuidanceTarget& target,
                                                       const std::vector<GuidedPlace>& places);
 
+/// Refines a solution. Whether it is one, isolated, and stands for a linkage.
+bool refined_to_regular(const GuidanceSystem& system, GuidanceValues& solution, const GuidanceParameters& target);
+
 /// Whether the conjugates of a solution are those of its numbers, but for rounding: then it is a four-bar.
 bool is_real(const GuidanceValues& solution);
 

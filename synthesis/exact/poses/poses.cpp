@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "synthesis/exact/poses/certified_dyad.h"
-#include "synthesis/exact/poses/pose_targets.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 
 namespace mechwright {
@@ -41,7 +40,8 @@ void for_each_linkage(const PoseTargets& g, const Dyad& crank, std::span<const D
     }
 }
 
-/// The best four-bar of the poses whose dyads the numbers choose.
+}  // namespace
+
 std::optional<ExactDesign> member_of_poses(const PoseTargets& g, std::span<const double> numbers) {
     const std::size_t each = numbers_of_dyad(g.places());
     std::optional<ExactDesign> best;
@@ -51,6 +51,8 @@ std::optional<ExactDesign> member_of_poses(const PoseTargets& g, std::span<const
                          [&](ExactDesign design) { keep_better(*g.problem, best, std::move(design)); });
     return best;
 }
+
+namespace {
 
 /// The crank of timed points seen from the other end of the coupler: a dyad whose moving pivot is the crank pin,
 /// turned by half a turn, and whose link runs from the pin to the point. This is the crank's own dyad, and how the
@@ -150,7 +152,7 @@ std::vector<ExactDisplacement> exact_coupler(const PoseTargets& g, const std::op
     const auto& a = seen->fixed;
     const auto& x = seen->moving;
     const Vector<Digits50> first = x - a;
-    for (const auto& [shift, turn] : g.exact) {
+    for (const auto& [shift, turn] : exact_displacements(g)) {
         const Vector<Digits50> now{shift.x - a.x + (x.x * turn.x - x.y * turn.y),
                                    shift.y - a.y + (x.x * turn.y + x.y * turn.x)};
         const Digits50 square = dot(first, first);
@@ -167,7 +169,7 @@ ExactDesigns through_five_poses(const PoseTargets& g) {
     ExactDesigns out;
     bool complete = true;
     SolutionCounts counts;
-    const std::vector<RealDyad> real = counted(g.displacements, g.exact, counts, complete);
+    const std::vector<RealDyad> real = counted(g.displacements, exact_displacements(g), counts, complete);
     counts.real = real.size();
     counts.certified = certified_of(real);
     const std::vector<Dyad> dyads = plain(real);
@@ -187,7 +189,7 @@ ExactDesigns through_five_timed_points(const PoseTargets& g) {
     ExactDesigns out;
     bool complete = true;
     SolutionCounts counts;
-    const std::vector<RealDyad> cranks = counted(g.displacements, g.exact, counts, complete);
+    const std::vector<RealDyad> cranks = counted(g.displacements, exact_displacements(g), counts, complete);
     for (const auto& [seen, proof] : cranks) {
         const TimedCrank crank = timed_crank(g, seen);
         const std::vector<RealDyad> rockers = counted(crank.displacements, exact_coupler(g, proof), counts, complete);
@@ -246,9 +248,9 @@ std::string why_no_poses(const Problem& problem) {
 ExactDesigns pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PoseTargets g = pose_targets(problem);
     if (g.places() == 5) return finished(problem, through_five_poses(g));
-    return search_family(
-        problem, 2 * numbers_of_dyad(g.places()),
-        [&](std::span<const double> numbers) { return member_of_poses(g, numbers); }, options, end);
+    const DesignFamily family{2 * numbers_of_dyad(g.places()),
+                              [&](std::span<const double> numbers) { return member_of_poses(g, numbers); }};
+    return search_family(problem, family, options, end);
 }
 
 std::string why_no_timed_points(const Problem& problem) {
@@ -261,9 +263,9 @@ std::string why_no_timed_points(const Problem& problem) {
 ExactDesigns timed_point_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PoseTargets g = pose_targets(problem);
     if (g.places() == 5) return finished(problem, through_five_timed_points(g));
-    return search_family(
-        problem, 2 * numbers_of_dyad(g.places()),
-        [&](std::span<const double> numbers) { return member_of_timed_points(g, numbers); }, options, end);
+    const DesignFamily family{2 * numbers_of_dyad(g.places()),
+                              [&](std::span<const double> numbers) { return member_of_timed_points(g, numbers); }};
+    return search_family(problem, family, options, end);
 }
 
 }  // namespace mechwright

@@ -89,9 +89,9 @@ std::string why_no_slider_crank_poses(const Problem& problem) {
 
 ExactDesigns slider_crank_pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PoseTargets g = pose_targets(problem);
-    const std::size_t numbers = numbers_of_dyad(g.places()) + numbers_of_slider(g.places());
-    return search_family(
-        problem, numbers, [&](std::span<const double> at) { return member(g, at); }, options, end);
+    const DesignFamily family{numbers_of_dyad(g.places()) + numbers_of_slider(g.places()),
+                              [&](std::span<const double> numbers) { return member(g, numbers); }};
+    return search_family(problem, family, options, end);
 }
 
 }  // namespace mechwright
