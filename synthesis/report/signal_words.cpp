@@ -103,7 +103,7 @@ std::string explained_parts(std::string_view parts) {
     return {};
 }
 
-constexpr std::array<SignalWord, 4> of_rooms{{
+constexpr std::array<SignalWord, 5> of_rooms{{
     {"width", "NAME.width",
      "of the box that the parts of the [[room]] NAME need over the motion, in its direction; with direction = "
      "\"least-width\" the least of all directions: where a side of the box lies on two places, or the slope by the "
@@ -113,6 +113,12 @@ constexpr std::array<SignalWord, 4> of_rooms{{
      "of this box: its width times its height; with direction = \"least-area\" the least of all directions (Freeman "
      "and "
      "Shapira, Communications of the ACM 18 (1975), 409-413)"},
+    {"self-distance", "NAME.self-distance",
+     "of the path of the only point of the [[room]] NAME: the least length of all chords that stand square to the path "
+     "at "
+     "both ends, as across the neck of an hourglass, or at one where the other is an end of the path; 0 where the path "
+     "crosses or retraces itself (Litherland, Simon, Durumeric and Rawdon, Topology and its Applications 91 (1999), "
+     "233-244)"},
     {"margin", "NAME.margin",
      "least distance over the motion from the border of the [[region]] NAME, in or out of which parts keep; negative "
      "where they do not: by how much they are beyond a border, or what overlaps has to be moved at least"},

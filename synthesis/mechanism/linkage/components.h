@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/linkage/measuring/means.h"
+#include "synthesis/mechanism/linkage/rooms/approach.h"
 #include "synthesis/mechanism/linkage/rooms/found_apart.h"
 #include "synthesis/mechanism/linkage/rooms/found_room.h"
 #include "synthesis/mechanism/linkage/rooms/turned_size.h"
@@ -38,7 +39,7 @@ public:
         if (over.is_of_function()) measured_.ask(wanted(seeded, over.motion.function->series));
         // Several points may be farthest in one pose.
         const Kind kind = over.measure.kind;
-        if (is_of_room(kind) || is_of_turned_box(kind) || kind == Kind::region_margin) measured_.keep_poses();
+        if (is_of_room(kind) || is_of_coordinates(kind) || kind == Kind::region_margin) measured_.keep_poses();
         arguments_ = seeded;
     }
 
@@ -60,6 +61,11 @@ public:
             case Kind::turned_width:
             case Kind::turned_area:
                 out.push_back(least_size(measured_, course_, found_.box, kind == Kind::turned_area, ends_));
+                break;
+            case Kind::self_distance:
+                if constexpr (K >= 2)
+                    for (const Approach& approach : found_.approaches)
+                        out.push_back(distance_of(measured_, course_, approach, ends_));
                 break;
             case Kind::time_ratio: add_time_ratios(out); break;
             case Kind::extent: out.push_back(extent()); break;

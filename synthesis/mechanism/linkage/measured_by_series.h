@@ -119,6 +119,13 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
             found.box =
                 TurnedBoxSearch<K>(over, over.model.rooms[over.measure.of_room], plain, course, dimensions).found();
             found.possible = found.box.possible;
+        } else if (kind == Kind::self_distance) {
+            if constexpr (K >= 2) {
+                plain.keep_poses();
+                ApproachSearch<K> search(over, over.model.rooms[over.measure.of_room], plain, course, dimensions);
+                found.approaches = search.found(most_extremes);
+                found.possible = search.closes && !found.approaches.empty();
+            }
         } else if (keeps_out(over)) {
             found = std::move(apart);
             settle_some(plain, course, found.plus, most_extremes, keep_least);

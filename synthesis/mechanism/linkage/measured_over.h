@@ -96,16 +96,19 @@ inline bool is_of_room(Kind kind) {
 
 inline bool is_of_turned_box(Kind kind) { return kind == Kind::turned_width || kind == Kind::turned_area; }
 
+/// Whether it goes by the places of a room's pins, and not by how far they are along something.
+inline bool is_of_coordinates(Kind kind) { return is_of_turned_box(kind) || kind == Kind::self_distance; }
+
 /// How far all pins of a room are along its width, or its height; of its area all along the one, then along the other.
-/// Of a box that turns the coordinates of each.
+/// Of a box that turns, and of a path, the coordinates of each.
 inline std::vector<Signal> signals_of_room(const LinkageRoom& room, Kind kind) {
     std::vector<Signal> signals;
     for (const std::size_t pin : room.pins) {
-        if (!is_of_turned_box(kind)) break;
+        if (!is_of_coordinates(kind)) break;
         signals.push_back({Signal::Kind::x, pin});
         signals.push_back({Signal::Kind::y, pin});
     }
-    if (is_of_turned_box(kind)) return signals;
+    if (is_of_coordinates(kind)) return signals;
     for (const bool across : {false, true}) {
         if (kind == (across ? Kind::room_width : Kind::room_height)) continue;
         for (const std::size_t pin : room.pins)
@@ -152,7 +155,7 @@ inline std::vector<Signal> own_signals(const LinkageModel& model, const LinkageM
         const auto distance = target.followed == Followed::line ? Signal::Kind::y : Signal::Kind::radius;
         return {{distance, pin}, {Signal::Kind::x, pin}, {Signal::Kind::y, pin}};
     }
-    if (is_of_room(kind) || is_of_turned_box(kind)) return signals_of_room(model.rooms[measure.of_room], kind);
+    if (is_of_room(kind) || is_of_coordinates(kind)) return signals_of_room(model.rooms[measure.of_room], kind);
     if (kind == Kind::region_margin) return signals_of_region(model.regions[measure.of_room], model.unit);
     if (kind == Kind::transmission_angle_worst)
         for (std::size_t margin = 0; margin < model.order.margins_of_dyads(); ++margin)
@@ -205,11 +208,13 @@ linkage::Measured<T, K> measured(const Over& over, std::span<const T> arguments,
             ways_of(m, plain, over.motion.assembly)};
 }
 
-/// Distances of links' origins to their pins, but those that are 0, in the drawing.
+/// Distances of links' origins to their pins, but those that are 0, in the drawing: clearance makes no link longer.
 template <class T>
 std::vector<T> link_lengths(const LinkageModel& model, std::span<const T> dimensions) {
     const linkage::Structure& s = model.structure;
-    const std::vector<T> numbers = numbers_of(model, dimensions);
+    std::vector<T> numbers;
+    for (const Affine& number : model.as_drawn.empty() ? model.numbers : model.as_drawn)
+        numbers.push_back(number.at(dimensions));
     const T scale = model.scale.at(dimensions);
     std::vector<T> lengths;
     for (std::size_t pin = 0; pin < s.pins.size(); ++pin) {

@@ -47,6 +47,8 @@ struct LinkageMeasure {
         // Of one that is turned so that this is least:
         turned_width,
         turned_area,
+        // Of the path of a point over the motion:
+        self_distance,  ///< from itself (rooms/approach.h)
         // Of parts over the motion:
         region_margin  ///< how far they keep inside of a region, or outside; negative where they do not
     };

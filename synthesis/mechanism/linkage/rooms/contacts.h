@@ -28,6 +28,12 @@ inline double turn_of_side(std::size_t side) {
     return side == 0 ? 0 : side == 1 ? 2 * quarter : side == 2 ? quarter : -quarter;
 }
 
+/// Two places of the path of a point and how far they are apart.
+struct Approach {
+    Contact one{}, other{};
+    double distance = 0;
+};
+
 /// A box turned to be least.
 struct TurnedBox {
     bool possible = true;

@@ -25,6 +25,13 @@ std::string meaning_of_least(std::string_view size, const LinkageRoom& room) {
                        room.name);
 }
 
+std::string meaning_of_self_distance(const LinkageRoom& room) {
+    return fmt::format(
+        "least length of a chord that stands square to the path of '{}' at both of its ends; 0 where the "
+        "path crosses itself",
+        room.name);
+}
+
 std::string meaning_of_margin(const LinkageRegion& region) {
     return fmt::format("least distance over the motion by which parts keep {} '{}'; negative where they do not",
                        region.inside ? "in" : "out of", region.name);
@@ -48,6 +55,8 @@ std::vector<Quantity> quantities_of_rooms(const LinkageModel& model, std::size_t
         if (room.turn == LinkageRoom::Turn::least_area)
             add(room.name + ".area", Unit::area, meaning_of_least("area", room), Kind::turned_area, i);
         if (room.turn != LinkageRoom::Turn::given) continue;
+        if (room.pins.size() == 1)
+            add(room.name + ".self-distance", Unit::length, meaning_of_self_distance(room), Kind::self_distance, i);
         const double width = room.direction / degree, height = width + 90;
         add(room.name + ".width", Unit::length, meaning_of_side("width", room, width), Kind::room_width, i);
         add(room.name + ".height", Unit::length, meaning_of_side("height", room, height), Kind::room_height, i);

@@ -44,7 +44,8 @@ struct Found {
     std::vector<Term> minus{};                        ///< of a range: those that are taken away
     std::vector<Term> plus_across{}, minus_across{};  ///< of an area: those of the other range
     std::vector<linkage::MarginPlace> margins{};
-    TurnedBox box{};  ///< of a box that turns
+    TurnedBox box{};                     ///< of a box that turns
+    std::vector<Approach> approaches{};  ///< of a path to itself
     bool possible = true;
     double whole_turns = 0;  ///< by which the output of a function is counted on
     bool samples = false;    ///< of a function, not extremes: they keep their share of the motion
