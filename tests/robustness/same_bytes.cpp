@@ -67,7 +67,7 @@ std::vector<std::string> file_of(const std::string& name) {
     if (has_front)
         text = replaced(text, "pareto = 8", "pareto = 3");
     else
-        text += in_long_form() ? "\n[solver]\nstarts = 6\n" : "\n[solver]\nstarts = 3\n";
+        text += in_long_form() ? "\n[solver]\nstarts = 6\n" : "\n[solver]\nstarts = 1\n";
     static const TemporaryFolder folder;
     return {folder.write("problem.toml", text)};
 }
