@@ -250,6 +250,13 @@ struct MotionTable {
     bool (*row)(const Motion&, std::span<const double> dimensions, double crank_angle, std::span<double> row) = nullptr;
 };
 
+/// The pin joints of a mechanism, which can have clearance.
+struct PinJoints {
+    std::vector<std::string> names;
+    /// The model with the hole of each joint moved on its link: in the frame of that link, a length of the drawing.
+    Model (*moved)(const Model&, std::span<const double> dimensions, std::span<const Vector<double>> by) = nullptr;
+};
+
 struct MovingDesign;
 struct FigurePanel;
 struct Mechanism;
@@ -326,6 +333,7 @@ struct Mechanism {
     std::vector<Task> tasks{};
     std::optional<Drawing> drawing{};
     std::optional<AsLinkage> as_linkage{};
+    std::optional<PinJoints> pin_joints{};
 
     std::optional<PointGuidance> point{};
     std::optional<BodyGuidance> body{};

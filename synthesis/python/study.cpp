@@ -57,10 +57,8 @@ std::string run_in(const std::string& folder, const PreparedStudy& prepared, con
     const StudyRun run = run_study(prepared, store, options);
     store.close();
     if (!run.fault.empty()) throw StoreFault(run.fault);
-    if (!run.complete || !prepared.study->tolerances()) return {};
-    std::string why;
-    const auto design = toleranced_design(prepared, options, why);
-    return design ? tolerance_text(tolerance_report(prepared, *design, data_file(folder))) : why + "\n";
+    if (!run.complete || !run.design) return {};
+    return tolerance_text(tolerance_report(prepared, *run.design, data_file(folder)));
 }
 
 }  // namespace

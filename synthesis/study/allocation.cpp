@@ -52,31 +52,12 @@ std::vector<KeptLimit> limits_of(const TolerancedDesign& design) {
     return limits;
 }
 
-/// The value of a quantity for a piece whose one dimension is off by a deviation.
-std::optional<double> value_beside(const TolerancedDesign& design, const Study& study, std::size_t quantity,
-                                   std::size_t deviation, double off) {
-    std::vector<double> offs(study.deviations.size(), 0.0);
-    offs[deviation] = off;
-    return quantity_value(design.problem, quantity, piece_of(design, study, offs).design);
-}
-
-/// By how much a quantity is off for a standard deviation of each tolerance: from exact derivatives, or where it has
-/// none, as over a range of use that moves with the dimensions, from pieces that are off by one.
+/// By how much a quantity is off for a standard deviation of each tolerance.
 std::optional<std::vector<double>> deviations_of(const TolerancedDesign& design, const Study& study,
                                                  std::size_t quantity) {
-    const auto gradient = sensitivities(design.problem, quantity, design.nominal.design);
-    std::vector<double> made;
-    for (std::size_t i = 0; i < study.deviations.size(); ++i) {
-        const double one = standard_deviation(study.deviations[i], design.sizes[i]);
-        if (gradient) {
-            made.push_back((*gradient)[study.deviations[i].dimension] * one);
-            continue;
-        }
-        const auto more = value_beside(design, study, quantity, i, one);
-        const auto less = value_beside(design, study, quantity, i, -one);
-        if (!more || !less) return {};
-        made.push_back((*more - *less) / 2);
-    }
+    auto made = changes_of(design, study, quantity);
+    for (std::size_t i = 0; made && i < study.deviations.size(); ++i)
+        (*made)[i] *= standard_deviation(study.deviations[i], design.sizes[i]);
     return made;
 }
 
@@ -87,9 +68,10 @@ bool is_stopped(const StudyRunOptions& options) {
     return (options.stop != nullptr && *options.stop) || std::chrono::steady_clock::now() > options.deadline;
 }
 
-bool meets_limits(const Problem& problem, const Design& piece) {
-    return std::all_of(problem.requirements.begin(), problem.requirements.end(), [&](const Requirement& requirement) {
-        const auto value = quantity_value(problem, requirement.quantity, piece);
+bool meets_limits(const Piece& piece) {
+    const auto& requirements = piece.problem.requirements;
+    return std::all_of(requirements.begin(), requirements.end(), [&](const Requirement& requirement) {
+        const auto value = quantity_value(piece.problem, requirement.quantity, piece.solution.design);
         return value && !(requirement.min && *value < *requirement.min) &&
                !(requirement.max && *value > *requirement.max);
     });
@@ -105,7 +87,7 @@ double share_within(const TolerancedDesign& design, Study study, const StudyRunO
     std::atomic<std::uint64_t> within = 0;
     share_work(parts, options.jobs, [&](int part) {
         for (auto number = static_cast<std::uint64_t>(part); number < pieces && !is_stopped(options); number += parts)
-            within += meets_limits(design.problem, sample(design, study, number).design);
+            within += meets_limits(sample(design, study, number));
     });
     const auto all = static_cast<double>(pieces);
     const double share = static_cast<double>(within) / all;

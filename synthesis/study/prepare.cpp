@@ -8,6 +8,7 @@
 #include "synthesis/document/versions.h"
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/input_tasks.h"
+#include "synthesis/problem/linkage/of_kinds/expand.h"
 #include "synthesis/problem/study/varied_problem.h"
 
 namespace mechwright {
@@ -113,6 +114,12 @@ PreparedOrNot prepare_study(const std::string& text, const std::string& file) {
         outcome.messages.push_back({file, 0, 0,
                                     "there is no [study] in it: write [study] and below it what to vary, as in "
                                     "\"dimensions.ground\" = [100, 120, 140]"});
+        return outcome;
+    }
+    if (read.problem.study->as_linkage) {
+        ExpandedProblem linkage = expand_problem(text, file);
+        if (linkage.ok()) return prepare_study(linkage.text, file);
+        outcome.messages = std::move(linkage.messages);
         return outcome;
     }
     prepared.text = text;

@@ -203,8 +203,8 @@ void run_samples(Shared& shared, const TolerancedDesign& design, std::uint64_t n
     std::vector<StudyRow> rows;
     for (std::uint64_t i = 0; i < strand.count; ++i) {
         if (shared.stopped()) return;
-        rows.push_back(evaluated_row(shared.prepared, strand.first + i, design.problem,
-                                     sample(design, *shared.prepared.study, strand.first + i)));
+        const Piece piece = sample(design, *shared.prepared.study, strand.first + i);
+        rows.push_back(evaluated_row(shared.prepared, strand.first + i, piece.problem, piece.solution));
     }
     shared.store.put(rows);
     shared.store.put_check(number, {false, true});
@@ -232,6 +232,7 @@ StudyRun run_study(const PreparedStudy& prepared, StudyStore& store, const Study
             run.unsolved_design = true;
             return run;
         }
+        run.design = std::make_shared<const TolerancedDesign>(*design);
     }
     const auto strands = static_cast<int>(last - std::min(options.first_strand, last));
     share_work(strands, options.jobs, [&](int i) {

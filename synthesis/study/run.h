@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "synthesis/study/store.h"
@@ -22,12 +23,15 @@ struct StudyRunOptions {
     std::uint64_t last_strand = UINT64_MAX;  ///< not run itself
 };
 
+struct TolerancedDesign;
+
 struct StudyRun {
     std::uint64_t points = 0;      ///< of the strands asked for
     std::uint64_t solved = 0;      ///< points dealt with in this run
     bool complete = false;         ///< all strands asked for are done
     std::string fault;             ///< of the store, which ended the run; what was done before is kept
     bool unsolved_design = false;  ///< the fault is that there is no design whose tolerances could be sampled
+    std::shared_ptr<const TolerancedDesign> design{};  ///< whose tolerances were sampled, where that was asked for
 };
 
 /// Runs the strands that are not finished. Each point goes into the store as soon as it is done. What the data are at

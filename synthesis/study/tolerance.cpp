@@ -6,6 +6,7 @@
 #include <array>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "analysis/numbers/low_discrepancy.h"
@@ -28,15 +29,66 @@ namespace {
 /// A zone of tolerance is so many standard deviations wide.
 constexpr double deviations_in_zone = 6;
 
-/// The width of the zone in which a dimension lies.
-double zone_of(const Deviation& deviation, double size) { return size * (deviation.uniform ? 2 : deviations_in_zone); }
+/// The width of the zone in which a dimension lies, or the pin of a hole.
+double zone_of(const Deviation& deviation, double size) {
+    return size * (deviation.uniform || deviation.joint ? 2 : deviations_in_zone);
+}
 
-/// The deviations of pieces, one for each of the study: from the numbers of sample and dimension alone.
-double random_deviation(const Deviation& deviation, double size, std::uint64_t seed, std::uint64_t number) {
-    const std::uint64_t bits = mixed(mixed(mixed(seed) ^ deviation.dimension) ^ number);
+/// The deviations of pieces, one for each of the study: from the numbers of sample and dimension, or joint, alone.
+Off random_deviation(const Deviation& deviation, double size, std::uint64_t seed, std::uint64_t number) {
+    const std::uint64_t which = deviation.joint ? ~static_cast<std::uint64_t>(*deviation.joint) : deviation.dimension;
+    const std::uint64_t bits = mixed(mixed(mixed(seed) ^ which) ^ number);
     const double part = std::ldexp(static_cast<double>(bits >> 11) + 0.5, -53);
-    if (deviation.uniform) return size * (2 * part - 1);
-    return -size * std::numbers::sqrt2 * boost::math::erfc_inv(2 * part);
+    if (deviation.joint) {
+        const double direction = 2 * std::numbers::pi * part;
+        return {size * std::cos(direction), size * std::sin(direction)};
+    }
+    if (deviation.uniform) return {size * (2 * part - 1), 0};
+    return {-size * std::numbers::sqrt2 * boost::math::erfc_inv(2 * part), 0};
+}
+
+/// The mechanism of a piece whose holes are off, each by so much.
+std::shared_ptr<const Mechanism> with_holes_off(const TolerancedDesign& design, const Study& study,
+                                                const std::vector<Off>& offs) {
+    const std::shared_ptr<const Mechanism>& nominal = design.problem.mechanism;
+    if (!nominal->pin_joints) return nominal;
+    std::vector<Vector<double>> by(nominal->pin_joints->names.size(), {0, 0});
+    bool any = false;
+    for (std::size_t i = 0; i < offs.size(); ++i)
+        if (const auto& joint = study.deviations[i].joint) {
+            by[*joint] = offs[i];
+            any = any || offs[i].x != 0 || offs[i].y != 0;
+        }
+    if (!any) return nominal;
+    auto made = std::make_shared<Mechanism>(*nominal);
+    made->model = nominal->pin_joints->moved(nominal->model, design.nominal.design.dimensions, by);
+    return made;
+}
+
+/// The value of a quantity for a piece that is off by one deviation alone.
+std::optional<double> value_off(const TolerancedDesign& design, const Study& study, std::size_t quantity,
+                                std::size_t deviation, const Off& off) {
+    std::vector<Off> offs(study.deviations.size(), Off{0, 0});
+    offs[deviation] = off;
+    const Piece piece = piece_of(design, study, offs);
+    return quantity_value(piece.problem, quantity, piece.solution.design);
+}
+
+/// By how much a quantity changes with a small part of a deviation, in each of the two directions of a pin; nothing
+/// where a piece beside the design has no such value.
+std::optional<double> change_by_difference(const TolerancedDesign& design, const Study& study, std::size_t quantity,
+                                           std::size_t deviation) {
+    constexpr double part = 1e-3;
+    const double step = part * design.sizes[deviation];
+    Vector<double> slope{0, 0};
+    const std::array<Vector<double>, 2> directions{{{1, 0}, {0, 1}}};
+    for (std::size_t k = 0; k < (study.deviations[deviation].joint ? 2u : 1u); ++k) {
+        const auto more = value_off(design, study, quantity, deviation, step * directions[k]);
+        const auto less = value_off(design, study, quantity, deviation, -step * directions[k]);
+        if (!more || !less) return {};
+        slope = slope + ((*more - *less) / (2 * step)) * directions[k];
+    }
+    return study.deviations[deviation].joint ? std::hypot(slope.x, slope.y) : slope.x;
 }
 
 /// The derivatives of the distances from a path's points: at a fixed crank angle, or at the nearest point, which comes
@@ -99,11 +151,11 @@ std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared,
     }
     design.nominal = *result.best;
     for (const Deviation& deviation : prepared.study->deviations) {
-        const Dimension& dimension = design.problem.mechanism->dimensions[deviation.dimension];
         if (deviation.grade == 0 && deviation.general == 0) {
             design.sizes.push_back(deviation.size);
             continue;
         }
+        const Dimension& dimension = design.problem.mechanism->dimensions[deviation.dimension];
         const double size = design.nominal.design.dimensions[deviation.dimension];
         const auto zone =
             deviation.grade > 0 ? iso_tolerance(deviation.grade, size) : general_tolerance(deviation.general, size);
@@ -122,34 +174,36 @@ std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared,
 }
 
 double standard_deviation(const Deviation& deviation, double size) {
+    if (deviation.joint) return size / std::numbers::sqrt2;
     return deviation.uniform ? size / std::numbers::sqrt3 : size;
 }
 
-Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_t number) {
-    std::vector<double> offs;
+Piece sample(const TolerancedDesign& design, const Study& study, std::uint64_t number) {
+    std::vector<Off> offs;
     offs.reserve(study.deviations.size());
     for (std::size_t i = 0; i < study.deviations.size(); ++i)
         offs.push_back(random_deviation(study.deviations[i], design.sizes[i], study.seed, number));
     return piece_of(design, study, offs);
 }
 
-Solution piece_of(const TolerancedDesign& design, const Study& study, const std::vector<double>& offs) {
+Piece piece_of(const TolerancedDesign& design, const Study& study, const std::vector<Off>& offs) {
     Design piece = design.nominal.design;
     for (std::size_t i = 0; i < study.deviations.size(); ++i)
-        piece.dimensions[study.deviations[i].dimension] += offs[i];
-    const std::optional<PathTarget>& path = design.problem.path;
-    if (path && path->prescribed_timing)
-        set_prescribed_angles(design.problem, piece);
-    else if (path)
-        meet_nearest_points(design.problem, piece);
-    if (design.problem.use)
-        count_on(design.nominal.design.path_angles, cycle_of(*design.problem.mechanism), piece.path_angles);
-    // The ranges of the dimensions are for design, not for pieces.
+        if (!study.deviations[i].joint) piece.dimensions[study.deviations[i].dimension] += offs[i].x;
     Problem as_made = design.problem;
     as_made.text.clear();  // it asks for other dimensions
+    as_made.mechanism = with_holes_off(design, study, offs);
+    const std::optional<PathTarget>& path = as_made.path;
+    if (path && path->prescribed_timing)
+        set_prescribed_angles(as_made, piece);
+    else if (path)
+        meet_nearest_points(as_made, piece);
+    if (as_made.use) count_on(design.nominal.design.path_angles, cycle_of(*as_made.mechanism), piece.path_angles);
+    // The ranges of the dimensions are for design, not for pieces.
     for (std::size_t i = 0; i < piece.dimensions.size(); ++i)
         as_made.dimensions[i] = allowed_between(as_made.dimensions[i], piece.dimensions[i], piece.dimensions[i]);
-    return assess(as_made, std::move(piece));
+    Solution solution = assess(as_made, std::move(piece));
+    return {std::move(as_made), std::move(solution)};
 }
 
 std::optional<std::vector<double>> sensitivities(const Problem& problem, std::size_t quantity, const Design& design) {
@@ -174,19 +228,38 @@ std::optional<std::vector<double>> sensitivities(const Problem& problem, std::si
     return finite ? std::optional(all) : std::nullopt;
 }
 
+std::optional<std::vector<double>> changes_of(const TolerancedDesign& design, const Study& study,
+                                              std::size_t quantity) {
+    const auto gradient = sensitivities(design.problem, quantity, design.nominal.design);
+    std::vector<double> changes;
+    for (std::size_t i = 0; i < study.deviations.size(); ++i) {
+        const Deviation& deviation = study.deviations[i];
+        const auto change = gradient && !deviation.joint ? std::optional((*gradient)[deviation.dimension])
+                                                         : change_by_difference(design, study, quantity, i);
+        if (!change) return {};
+        changes.push_back(*change);
+    }
+    return changes;
+}
+
 namespace {
 
+/// The unit in which a deviation is given.
+Unit unit_of_size(const Deviation& deviation, const Mechanism& mechanism) {
+    return deviation.joint ? Unit::length : unit_of(mechanism.dimensions[deviation.dimension].kind);
+}
+
 void predict(const TolerancedDesign& design, const Study& study, std::size_t quantity, QuantitySpread& spread) {
-    const auto gradient = sensitivities(design.problem, quantity, design.nominal.design);
-    if (!gradient) return;
+    const auto changes = changes_of(design, study, quantity);
+    if (!changes) return;
     const Mechanism& mechanism = *design.problem.mechanism;
     const double factor = file_units_per_inner(mechanism.quantities[quantity].unit, design.problem.units);
     double variance = 0;
     for (std::size_t i = 0; i < study.deviations.size(); ++i) {
         const Deviation& deviation = study.deviations[i];
-        const double derivative = (*gradient)[deviation.dimension] * factor;
+        const double derivative = (*changes)[i] * factor;
         const double effect = derivative * standard_deviation(deviation, design.sizes[i]);
-        const Unit unit = unit_of(mechanism.dimensions[deviation.dimension].kind);
+        const Unit unit = unit_of_size(deviation, mechanism);
         spread.derivatives.push_back(derivative / file_units_per_inner(unit, design.problem.units));
         spread.parts.push_back(effect * effect);
         variance += effect * effect;
@@ -243,7 +316,7 @@ std::string limits_of(const Problem& problem) {
 /// The coarsest grade of ISO 286 whose zone is no wider than that of a deviation; 0 where there is none.
 int grade_of(const TolerancedDesign& design, const Deviation& deviation, double size) {
     const Problem& problem = design.problem;
-    if (problem.units.length != "mm" ||
+    if (deviation.joint || problem.units.length != "mm" ||
         problem.mechanism->dimensions[deviation.dimension].kind != DimensionKind::length)
         return 0;
     const double zone = zone_of(deviation, size);
@@ -263,13 +336,14 @@ ToleranceReport tolerance_report(const PreparedStudy& prepared, const Toleranced
     const Study& study = *prepared.study;
     ToleranceReport report;
     for (std::size_t i = 0; i < study.deviations.size(); ++i) {
-        const Dimension& dimension = problem.mechanism->dimensions[study.deviations[i].dimension];
-        report.dimensions.emplace_back(dimension.name);
-        report.standard_deviations.push_back(standard_deviation(study.deviations[i], design.sizes[i]) *
-                                             file_units_per_inner(unit_of(dimension.kind), problem.units));
-        report.sizes.push_back(design.sizes[i] * file_units_per_inner(unit_of(dimension.kind), problem.units));
-        report.uniform.push_back(study.deviations[i].uniform);
-        report.grades.push_back(grade_of(design, study.deviations[i], design.sizes[i]));
+        const Deviation& deviation = study.deviations[i];
+        const double factor = file_units_per_inner(unit_of_size(deviation, *problem.mechanism), problem.units);
+        report.dimensions.push_back(name_of_deviation(deviation, *problem.mechanism));
+        report.standard_deviations.push_back(standard_deviation(deviation, design.sizes[i]) * factor);
+        report.sizes.push_back(design.sizes[i] * factor);
+        report.uniform.push_back(deviation.uniform);
+        report.clearances.push_back(deviation.joint.has_value());
+        report.grades.push_back(grade_of(design, deviation, design.sizes[i]));
     }
     report.allocated = design.allocated;
     if (study.allocation) report.wanted_share = study.allocation->share;

@@ -33,16 +33,31 @@ struct TolerancedDesign {
 std::optional<TolerancedDesign> toleranced_design(const PreparedStudy& prepared, const StudyRunOptions& options,
                                                   std::string& why);
 
-/// The standard deviation of a dimension whose deviation has this size.
+/// The standard deviation of a dimension whose deviation has this size; of a pin in its hole that in any direction.
 double standard_deviation(const Deviation& deviation, double size);
 
-/// A piece whose dimensions are off by what is said, one number for each deviation of the study.
-Solution piece_of(const TolerancedDesign& design, const Study& study, const std::vector<double>& offs);
+/// By how much a piece is off: a dimension by `x`, a pin by a vector in the frame of the link that has its hole.
+using Off = Vector<double>;
+
+/// A piece as it is made, and the problem whose mechanism it is: that of the design but for where its holes are.
+struct Piece {
+    Problem problem;
+    Solution solution;
+};
+
+/// A piece that is off by what is said, one for each deviation of the study.
+Piece piece_of(const TolerancedDesign& design, const Study& study, const std::vector<Off>& offs);
 
 /// A piece: every dimension with its deviation, drawn for this sample alone. The zone of a grade or a
 /// class lies evenly about the nominal size and is six standard deviations wide, or the whole width of a uniform
-/// distribution.
-Solution sample(const TolerancedDesign& design, const Study& study, std::uint64_t number);
+/// distribution. Pins touch their holes in directions that are all as likely: without load for one, each as far off as
+/// its clearance lets it be.
+Piece sample(const TolerancedDesign& design, const Study& study, std::uint64_t number);
+
+/// By how much a quantity is off for a unit of each deviation of the study; of a pin for a unit in the worst direction.
+/// In the problem's inner units; from `sensitivities`, and of pins and where there are none from pieces that are off by
+/// little. Nothing where one of these has no such value.
+std::optional<std::vector<double>> changes_of(const TolerancedDesign& design, const Study& study, std::size_t quantity);
 
 /// The derivatives of a quantity with respect to the dimensions, in the problem's inner units, from the exact gradients
 /// of the analysis (of a least or greatest value those of the component that is it: envelope theorem); nothing where
@@ -63,16 +78,17 @@ struct QuantitySpread {
 };
 
 struct ToleranceReport {
-    std::vector<std::string> dimensions;  ///< that deviate
+    std::vector<std::string> dimensions;  ///< that deviate, and clearances
     std::vector<double> standard_deviations;
     std::vector<QuantitySpread> quantities;
     std::uint64_t samples = 0;
     std::uint64_t assembled = 0;
     std::uint64_t within_limits = 0;  ///< samples that meet all requirements that are limits
     bool has_limits = false;
-    std::vector<double> sizes;  ///< as the study says them: standard deviation, or half the width
+    std::vector<double> sizes;  ///< as the study says them: standard deviation, or half the width or the clearance
     std::vector<bool> uniform;
-    std::vector<int> grades;  ///< the coarsest of ISO 286 that is no wider; 0 where none is known
+    std::vector<bool> clearances;  ///< which of them are
+    std::vector<int> grades;       ///< the coarsest of ISO 286 that is no wider; 0 where none is known
     std::optional<AllocatedTolerances> allocated;
     double wanted_share = 0;  ///< of the allocation
 };

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "synthesis/report/text/table.h"
 #include "synthesis/study/allocation.h"
 
@@ -41,9 +43,10 @@ std::string by_dimension(const ToleranceReport& report, const CellText& cell) {
     return to_text(table, 2);
 }
 
-/// What a deviation is called: its distribution and size.
-std::string deviation_text(bool uniform, double size) {
-    return uniform ? "+- " + number_text(size, 3) : "s = " + number_text(size, 3);
+/// What a deviation is called: its distribution and size, of a clearance all of it.
+std::string deviation_text(const ToleranceReport& report, std::size_t i, double size) {
+    if (report.clearances[i]) return number_text(2 * size, 3);
+    return report.uniform[i] ? "+- " + number_text(size, 3) : "s = " + number_text(size, 3);
 }
 
 std::string allocation_text(const ToleranceReport& report, const AllocatedTolerances& allocated) {
@@ -54,8 +57,8 @@ std::string allocation_text(const ToleranceReport& report, const AllocatedTolera
         const double usual = report.sizes[i] / allocated.times[i];
         const bool widest = allocated.times[i] >= widest_times;
         unlimited |= widest;
-        table.rows.push_back({report.dimensions[i], deviation_text(report.uniform[i], usual),
-                              deviation_text(report.uniform[i], report.sizes[i]),
+        table.rows.push_back({report.dimensions[i], deviation_text(report, i, usual),
+                              deviation_text(report, i, report.sizes[i]),
                               number_text(allocated.times[i], 3) + (widest ? " *" : ""),
                               report.grades[i] > 0 ? fmt::format("IT{}", report.grades[i]) : ""});
     }
@@ -85,9 +88,11 @@ std::string tolerance_text(const ToleranceReport& report) {
         "\nSpread (s: standard deviation of the samples; predicted: from the derivatives;\nworst: with all zones at "
         "their ends)\n" +
         spreads(report);
-    text += "\nChange per unit of each dimension\n" + by_dimension(report, [](const QuantitySpread& s, std::size_t i) {
-                return number_text(s.derivatives[i], 4);
-            });
+    const bool pins = std::find(report.clearances.begin(), report.clearances.end(), true) != report.clearances.end();
+    text +=
+        fmt::format("\nChange per unit of each dimension{}\n",
+                    pins ? ", and per unit by which a pin is off in the worst direction" : "") +
+        by_dimension(report, [](const QuantitySpread& s, std::size_t i) { return number_text(s.derivatives[i], 4); });
     text += "\nPart of the variance that comes from each dimension\n" +
             by_dimension(report, [](const QuantitySpread& s, std::size_t i) {
                 return fmt::format("{:.0f}%", 100 * s.parts[i]);

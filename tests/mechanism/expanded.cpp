@@ -169,6 +169,8 @@ std::string reason_to_refuse(const std::string& name) {
         {"quick-return/uniform-speed-whitworth.toml", "no 'speed-variation'"},
         {"trade-off/case-4-margin.toml", "no 'grashof-margin'"},
         {"studies/prime-radius-nomogram.toml", "a cam is no linkage"},
+        {"studies/crank-rocker-tolerances.toml", ""},
+        {"studies/crank-rocker-allocation.toml", ""},
     };
     if (const auto reason = reasons.find(name); reason != reasons.end()) return reason->second;
     if (name.starts_with("studies/")) return "cannot carry [study]";

@@ -170,10 +170,11 @@ TEST(Tolerances, AreWorstWithAllZonesAtTheirEnds) {
         for (std::size_t i = 0; i < s.derivatives.size(); ++i)
             ends.push_back(std::copysign(study.study->deviations[i].uniform ? 0.001 : 0.0006, s.derivatives[i]));
         const auto value_at = [&](double side) {
-            std::vector<double> offs;
+            std::vector<Off> offs;
             for (const double end : ends)
-                offs.push_back(side * end);
-            const double value = *quantity_value(design.problem, quantity, piece_of(design, *study.study, offs).design);
+                offs.push_back({side * end, 0});
+            const Design piece = piece_of(design, *study.study, offs).solution.design;
+            const double value = *quantity_value(design.problem, quantity, piece);
             return in_file_unit(value, design.problem.mechanism->quantities[quantity].unit, design.problem.units);
         };
         EXPECT_NEAR((value_at(1) - value_at(-1)) / 2, s.worst, 1e-3 * s.worst) << s.quantity;
@@ -283,7 +284,7 @@ TEST(Allocation, KeepsTheShareOfPiecesWithinLimits) {
         size *= 1.17;
     int within = 0;
     for (std::uint64_t number = 0; number < 20000; ++number) {
-        const Solution piece = sample(wider, *study.study, number);
+        const Solution piece = sample(wider, *study.study, number).solution;
         within += std::all_of(
             wider.problem.requirements.begin(), wider.problem.requirements.end(), [&](const Requirement& requirement) {
                 const double value = *quantity_value(wider.problem, requirement.quantity, piece.design);

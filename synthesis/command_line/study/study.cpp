@@ -30,15 +30,6 @@ int default_jobs() {
     return cores > 0 ? std::min(cores, 1024) : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// The tolerances of a finished study as tables.
-std::string tolerances_of(const PreparedStudy& prepared, const StudyOptions& options) {
-    StudyRunOptions run;
-    run.jobs = static_cast<int>(options.jobs.value_or(static_cast<std::uint64_t>(default_jobs())));
-    std::string why;
-    const auto design = toleranced_design(prepared, run, why);
-    return design ? tolerance_text(tolerance_report(prepared, *design, data_file(options.folder))) : why + "\n";
-}
-
 int run_all(const PreparedStudy& prepared, const StudyOptions& options, Console& console) {
     if (const auto fault = prepare_folder(options.folder)) {
         complain(console, *fault);
@@ -50,12 +41,15 @@ int run_all(const PreparedStudy& prepared, const StudyOptions& options, Console&
         return exit_code::no_access;
     }
     StudyStore store(data_file(options.folder), prepared, false);
-    const int code = run_strands(prepared, store, options, 0, UINT64_MAX, console);
+    StudyRun outcome;
+    const int code = run_strands(prepared, store, options, 0, UINT64_MAX, console, outcome);
     store.close();
     if (options.quiet) return code;
-    print(console, standing_text(data_file(options.folder)));
-    if (code == exit_code::solved && prepared.study->tolerances()) print(console, tolerances_of(prepared, options));
-    print(console, fmt::format("Data: {}\n", data_file(options.folder).string()));
+    const std::filesystem::path data = data_file(options.folder);
+    print(console, standing_text(data));
+    if (code == exit_code::solved && outcome.design)
+        print(console, tolerance_text(tolerance_report(prepared, *outcome.design, data)));
+    print(console, fmt::format("Data: {}\n", data.string()));
     return code;
 }
 
@@ -95,7 +89,7 @@ int prepare_and_report(const std::string& file, bool quiet, Console& console, Pr
 }
 
 int run_strands(const PreparedStudy& prepared, StudyStore& store, const StudyOptions& options, std::uint64_t first,
-                std::uint64_t last, Console& console) {
+                std::uint64_t last, Console& console, StudyRun& outcome) {
     const Interrupt interrupt(!options.quiet && console.err_is_terminal);
     ProgressLine line{&console, prepared.file, ""};
     StudyRunOptions run;
@@ -111,7 +105,7 @@ int run_strands(const PreparedStudy& prepared, StudyStore& store, const StudyOpt
         run.progress = [&line](std::uint64_t done, std::uint64_t newly, std::uint64_t total) {
             draw_points(line, done, newly, total);
         };
-    const StudyRun outcome = run_study(prepared, store, run);
+    outcome = run_study(prepared, store, run);
     erase(line);
     if (!outcome.fault.empty()) {
         complain(console, outcome.fault);

@@ -29,9 +29,10 @@ void add_run_options(CLI::App& command, StudyOptions& options);
 /// Reads the study of a file and reports what is wrong with it. Returns the exit code.
 int prepare_and_report(const std::string& file, bool quiet, Console& console, PreparedStudy& prepared);
 
-/// Runs strands with progress and Ctrl-C. Returns the exit code: 0 if all of them are done.
+/// Runs strands with progress and Ctrl-C, and says in `outcome` what came of it. Returns the exit code: 0 if all of
+/// them are done.
 int run_strands(const PreparedStudy& prepared, StudyStore& store, const StudyOptions& options, std::uint64_t first,
-                std::uint64_t last, Console& console);
+                std::uint64_t last, Console& console, StudyRun& outcome);
 
 /// Below `study`: plan, run and merge; status, export and charts; driver.
 std::vector<Command> add_study_chunks(CLI::App& study);

@@ -93,7 +93,8 @@ int run_chunk(const StudyPlan& plan, const PreparedStudy& prepared, std::uint64_
     }
     StudyStore store(partial, prepared, true);
     const auto [first, last] = strands_of_chunk(plan, chunk);
-    const int code = run_strands(prepared, store, options, first, last, console);
+    StudyRun outcome;
+    const int code = run_strands(prepared, store, options, first, last, console, outcome);
     store.close();
     if (code != exit_code::solved) return code;
     std::error_code error;

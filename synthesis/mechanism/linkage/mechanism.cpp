@@ -8,6 +8,7 @@
 #include "analysis/linkage/placing/needed.h"
 #include "synthesis/mechanism/linkage/again/again.h"
 #include "synthesis/mechanism/linkage/branches.h"
+#include "synthesis/mechanism/linkage/clearances.h"
 #include "synthesis/mechanism/linkage/drawing/drawing.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/mechanism/linkage/rooms/room_quantities.h"
@@ -257,6 +258,8 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
         made.input = input_range(made.quantities, made.dimensions.size());
     if (!model.guided.empty()) add_guidance(model, made);
     add_over_input(model, made);
+    if (auto joints = names_of_joints(model); !joints.empty())
+        made.pin_joints = PinJoints{std::move(joints), with_moved_holes};
     made.model = Model(std::move(model));
     made.size = size_of_linkage;
     made.motion = motion_of_linkage;

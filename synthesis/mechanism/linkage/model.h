@@ -69,6 +69,7 @@ struct LinkageModel {
     linkage::Order order;
     std::vector<Affine> numbers;                  ///< of the structure
     std::vector<bool> lengths;                    ///< which of these are
+    std::vector<Affine> as_drawn{};               ///< of a piece whose holes are off: those by which it has been drawn
     std::vector<LinkageDrive> drives;             ///< the master first
     std::vector<std::vector<std::int8_t>> sides;  ///< [assembly][choice of the order], 1 or -1
     std::array<Affine, 3> placement{};            ///< origin-x, origin-y, tilt of the frame in the drawing

@@ -287,7 +287,8 @@ inline constexpr std::array allocation{
         {},
         {},
         {0, 10, true, true}},
-    Key{"weights", Shape::value, "Of dimensions: what the tolerance of one costs. Preset: 1 for each."}};
+    Key{"weights", Shape::value,
+        "Of dimensions, and of pins by \"clearance C\": what the tolerance of one costs. Preset: 1 for each."}};
 
 /// Everything else in [study] is the path of a value.
 inline constexpr std::array study{
@@ -305,6 +306,8 @@ inline constexpr std::array study{
         "By how much dimensions are off from piece to piece: a grade of ISO 286 (\"IT7\"), a class of ISO 2768 (\"ISO "
         "2768-m\"), { normal = ... } or { uniform = ... }; "
         "'lengths' for all lengths that are not named."},
+    Key{"clearance", Shape::value,
+        "Of the pins of a linkage: a diameter by which holes are wider, for all, or a table { C = 0.05 } of pins."},
     Key{"allocation",
         Shape::table,
         "Tolerances in place of those given: as wide as the limits allow, the cheapest of all such.",

@@ -215,7 +215,7 @@ void check_size(const Section& section, const Study& study, Messages& messages) 
 }
 
 void read_count(Section& section, Study& study, Messages& messages) {
-    const bool wanted = study.random() || section.table->contains("tolerance");
+    const bool wanted = study.random() || samples_pieces(*section.table);
     const auto count = read_whole_number(section, "count", messages);
     if (!wanted && has(section, "count"))
         return add_error(messages, place_of(section, "count"),
@@ -265,14 +265,15 @@ void read_study(Section& file, Problem& problem, Messages& messages) {
     read_axes(*section, *study, messages);
     read_quantities(*section, *study, problem, messages);
     read_tolerance(*section, *study, problem, messages);
+    read_clearance(*section, *study, problem, messages);
     read_allocation(*section, *study, problem, messages);
     read_charts(*section, *study, messages);
-    if (study->axes.empty() && !section->table->contains("tolerance") && !messages.failed)
+    if (study->axes.empty() && !samples_pieces(*section->table) && !messages.failed)
         add_error(messages, section->place,
                   "[study] varies nothing: name a value by its path, as in \"dimensions.ground\" = [100, 120, 140], or "
                   "give the dimensions a [study.tolerance]");
-    if (!study->axes.empty() && section->table->contains("tolerance"))
-        add_error(messages, place_of(*section, "tolerance"),
+    if (!study->axes.empty() && samples_pieces(*section->table))
+        add_error(messages, place_of(*section, section->table->contains("tolerance") ? "tolerance" : "clearance"),
                   "a study varies values or samples tolerances, not both: use two files");
     check_size(*section, *study, messages);
     messages.failed |= failed_before;

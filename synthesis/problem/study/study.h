@@ -49,14 +49,20 @@ struct FollowingValue {
 
 enum class StudyDesign { grid, one_at_a_time, sobol, latin_hypercube };
 
-/// By how much a dimension is off from piece to piece.
+/// By how much a dimension is off from piece to piece; or where a pin touches its hole, anywhere around.
 struct Deviation {
     std::size_t dimension = 0;
     bool uniform = false;  ///< else normal
-    double size = 0;       ///< half the width, or the standard deviation; in the problem's inner units
+    double size = 0;       ///< half the width or the clearance, or the standard deviation; in the problem's inner units
     int grade = 0;         ///< of ISO 286, which says the size; 0: none
     int general = 0;       ///< class of ISO 2768 that says it: 1 to 4 for f, m, c, v; 0: none
+    std::optional<std::size_t> joint{};  ///< of the mechanism's pin joints, in place of a dimension
 };
+
+struct Mechanism;
+
+/// What a deviation is of, as reports and weights call it: a dimension, or "clearance C".
+std::string name_of_deviation(const Deviation& deviation, const Mechanism& mechanism);
 
 /// Tolerances that a study is to find: as wide as limits allow, where those that are given are the usual ones.
 struct Allocation {
@@ -90,11 +96,12 @@ struct Study {
     std::vector<StudyAxis> axes;
     std::vector<FollowingValue> following;
     std::vector<Deviation> deviations;  ///< of a tolerance study, which has no axes
+    bool as_linkage = false;  ///< pins of a built-in kind have clearance: it is studied as the linkage that it is
     std::optional<Allocation> allocation;
     std::vector<std::string> quantities;  ///< that are wanted; empty: all
     std::vector<StudyChart> charts;
 
-    bool tolerances() const { return !deviations.empty(); }
+    bool tolerances() const { return !deviations.empty() || as_linkage; }
     bool random() const { return design == StudyDesign::sobol || design == StudyDesign::latin_hypercube; }
 };
 

@@ -2,12 +2,22 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "synthesis/problem/problem.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/study_sections.h"
 #include "synthesis/problem/text.h"
+
+namespace mechwright {
+
+std::string name_of_deviation(const Deviation& deviation, const Mechanism& mechanism) {
+    return deviation.joint ? "clearance " + mechanism.pin_joints->names[*deviation.joint]
+                           : mechanism.dimensions[deviation.dimension].name;
+}
+
+}  // namespace mechwright
 
 namespace mechwright::reading {
 
@@ -93,6 +103,8 @@ std::optional<Deviation> to_deviation(const toml::node& node, const std::string&
 
 }  // namespace
 
+bool samples_pieces(const toml::table& study) { return study.contains("tolerance") || study.contains("clearance"); }
+
 void read_tolerance(Section& study_section, Study& study, const Problem& problem, Messages& messages) {
     std::optional<Section> section = read_section(study_section, "tolerance", messages);
     if (!section || problem.mechanism == nullptr || problem.dimensions.empty()) return;
@@ -130,14 +142,92 @@ void read_tolerance(Section& study_section, Study& study, const Problem& problem
 
 namespace {
 
+constexpr std::string_view usual_clearance = "clearance = 0.05, or clearance = { C = 0.05 } for some pins";
+
+/// A diameter, > 0, as half of it.
+std::optional<double> read_half_clearance(const toml::node& node, const std::string& what, Messages& messages) {
+    const auto number = node.value<double>();
+    if (!number || !node.is_number()) {
+        report_kind(node, what, "a number", messages);
+        return {};
+    }
+    if (!(*number > 0) || !std::isfinite(*number)) {
+        add_error(messages, place_of(node), fmt::format("{} must be greater than 0, not {}", what, *number));
+        return {};
+    }
+    return *number / 2;
+}
+
+/// Whether a joint is of this pin.
+bool is_of_pin(std::string_view joint, std::string_view pin) {
+    return joint == pin || (joint.starts_with(pin) && joint.substr(pin.size()).starts_with(" on "));
+}
+
+void add_clearance(std::size_t joint, double half, Study& study) {
+    Deviation deviation;
+    deviation.size = half;
+    deviation.joint = joint;
+    study.deviations.push_back(deviation);
+}
+
+/// What each pin is called, once.
+std::vector<std::string> pins_of(const PinJoints& joints) {
+    std::vector<std::string> pins;
+    for (const std::string& joint : joints.names) {
+        const std::string pin = joint.substr(0, joint.find(" on "));
+        if (std::find(pins.begin(), pins.end(), pin) == pins.end()) pins.push_back(pin);
+    }
+    return pins;
+}
+
+void read_clearances_of_pins(const toml::node& node, const PinJoints& joints, Study& study, Messages& messages) {
+    const std::vector<std::string> pins = pins_of(joints);
+    Section section{node.as_table(), "'clearance' in [study]", place_of(node)};
+    for (const std::string& pin : pins) {
+        const toml::node* one = find(section, pin);
+        if (one == nullptr) continue;
+        const auto half = read_half_clearance(*one, name_of(section, pin), messages);
+        for (std::size_t j = 0; half && j < joints.names.size(); ++j)
+            if (is_of_pin(joints.names[j], pin)) add_clearance(j, *half, study);
+    }
+    report_unknown_keys(section, messages);
+}
+
+}  // namespace
+
+void read_clearance(Section& study_section, Study& study, const Problem& problem, Messages& messages) {
+    const toml::node* node = find(study_section, "clearance");
+    if (node == nullptr || problem.mechanism == nullptr || problem.dimensions.empty()) return;
+    const std::optional<PinJoints>& joints = problem.mechanism->pin_joints;
+    study.as_linkage = problem.mechanism->as_linkage.has_value();
+    if (study.as_linkage) return;  // the linkage's own reader says what is wrong with it
+    if (!joints)
+        return add_error(
+            messages, place_of(*node),
+            fmt::format("'clearance' is for the pins of linkages, and this {} has none", problem.mechanism->name));
+    if (node->is_table()) return read_clearances_of_pins(*node, *joints, study, messages);
+    if (!node->is_number())
+        return report_kind(*node, "'clearance' in [study]",
+                           fmt::format("a number or a table, as in {}", usual_clearance), messages);
+    const auto half = read_half_clearance(*node, "'clearance' in [study]", messages);
+    for (std::size_t j = 0; half && j < joints->names.size(); ++j)
+        add_clearance(j, *half, study);
+}
+
+namespace {
+
 /// What the tolerances of dimensions cost in comparison with each other; 1 where nothing is said.
 std::vector<double> read_weights(Section& allocation, const Study& study, const Problem& problem, Messages& messages) {
     std::vector<double> weights(study.deviations.size(), 1.0);
+    if (study.as_linkage) return weights;  // the linkage has others
+    std::vector<std::string> names;
+    for (const Deviation& deviation : study.deviations)
+        names.push_back(name_of_deviation(deviation, *problem.mechanism));
     std::optional<Section> section = read_section(allocation, "weights", messages);
     if (!section) return weights;
     section->title = "[study.allocation.weights]";
     for (std::size_t i = 0; i < study.deviations.size(); ++i) {
-        const std::string& name = problem.mechanism->dimensions[study.deviations[i].dimension].name;
+        const std::string& name = names[i];
         const auto weight = read_number(*section, name, messages);
         if (weight && !(*weight > 0))
             add_error(messages, place_of(*section, name),
@@ -169,7 +259,7 @@ void read_allocation(Section& study_section, Study& study, const Problem& proble
     read("exponent", 0, 10, allocation.exponent);
     allocation.weights = read_weights(*section, study, problem, messages);
     report_unknown_keys(*section, messages);
-    if (study.deviations.empty())
+    if (!study.tolerances())
         add_error(messages, section->place,
                   "[study.allocation] widens the tolerances of [study.tolerance] or makes them closer: write the usual "
                   "ones there, like lengths = \"IT9\"");

@@ -8,6 +8,7 @@
 
 #include "synthesis/problem/linkage/of_kinds/expanding.h"
 #include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/study/study_sections.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/toml/toml_text.h"
@@ -189,7 +190,8 @@ void refuse_sections(Expanding& e) {
         if (const toml::node* node = e.table.get(section))
             add_error(e.messages, place_of(*node), fmt::format("a linkage cannot carry [{}]: {}", section, why));
     };
-    refuse("study", "its values are those of the file as it is: leave it out, and write it for the linkage");
+    if (const toml::table* study = e.table["study"].as_table(); study == nullptr || !samples_pieces(*study))
+        refuse("study", "its values are those of the file as it is: leave it out, and write it for the linkage");
     refuse("instant",
            "it asks for velocities at a crank angle that is designed; require signals at given ones, like "
            "\"rocker-angle.speed.at(60)\"");
@@ -270,6 +272,7 @@ ExpandedProblem expand_problem(std::string_view text, const std::string& file, c
     write_section(e, "motion");
     write_asked(e);
     write_section(e, "solver");
+    write_section(e, "study");
     if (!messages.failed) check_made(e.text, file, messages);
     if (messages.failed) return refusal(std::move(messages));
     return {std::move(e.text), {}};
