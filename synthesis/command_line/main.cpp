@@ -11,6 +11,7 @@
 
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/run.h"
+#include "synthesis/program/number_memory.h"
 
 namespace {
 
@@ -62,6 +63,7 @@ void take_stack() {
 int main(int argc, char** argv) {
     std::set_terminate(on_terminate);
     take_stack();
+    mechwright::throw_where_numbers_get_no_memory();
     // A closed pipe and a full file are errors of writing, not the end of the program.
     ::signal(SIGPIPE, SIG_IGN);
     ::signal(SIGXFSZ, SIG_IGN);

@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include "synthesis/document/versions.h"
+#include "synthesis/program/number_memory.h"
 #include "synthesis/python/calls.h"
 #include "synthesis/python/errors.h"
 
@@ -46,6 +47,7 @@ py::bytes export_design(const py::object& design, std::string format, std::optio
 }  // namespace
 
 PYBIND11_MODULE(_program, module) {
+    mechwright::throw_where_numbers_get_no_memory();
     module.doc() = "The compiled part of mechwright.";
     module.attr("__version__") = mechwright::program_version();
     python::add_errors(module);
