@@ -109,14 +109,16 @@ std::optional<LinkageMeasure> of_room(const Linkage& linkage, Word name, std::st
                    std::nullopt;
         }
         if (const auto word = index_in(of_rooms, rest)) return made.kind = kinds[*word], made;
-        if (rest == "self-distance" && linkage.rooms[i].pins.size() == 1) return made.kind = Kind::self_distance, made;
+        if (rest == "self-distance" && has_path(linkage.structure, linkage.rooms[i]))
+            return made.kind = Kind::self_distance, made;
         if (rest == "self-distance")
-            return fault = fmt::format("{} is of the path of one point: write of = [\"P\"] with this alone",
+            return fault = fmt::format("{} is of the path of one point that moves: write of = [\"P\"] with this alone",
                                        reading::quoted(name)),
                    std::nullopt;
-        return fault = fmt::format("{} is no quantity of a room: '{}' has {}", reading::quoted(name), owner,
-                                   linkage.rooms[i].pins.size() == 1 ? "width, height, area and self-distance"
-                                                                     : "width, height and area"),
+        return fault =
+                   fmt::format("{} is no quantity of a room: '{}' has {}", reading::quoted(name), owner,
+                               has_path(linkage.structure, linkage.rooms[i]) ? "width, height, area and self-distance"
+                                                                             : "width, height and area"),
                std::nullopt;
     }
     for (std::size_t i = 0; i < linkage.regions.size(); ++i) {

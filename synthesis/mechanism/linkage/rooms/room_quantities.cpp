@@ -55,7 +55,7 @@ std::vector<Quantity> quantities_of_rooms(const LinkageModel& model, std::size_t
         if (room.turn == LinkageRoom::Turn::least_area)
             add(room.name + ".area", Unit::area, meaning_of_least("area", room), Kind::turned_area, i);
         if (room.turn != LinkageRoom::Turn::given) continue;
-        if (room.pins.size() == 1)
+        if (has_path(model.structure, room))
             add(room.name + ".self-distance", Unit::length, meaning_of_self_distance(room), Kind::self_distance, i);
         const double width = room.direction / degree, height = width + 90;
         add(room.name + ".width", Unit::length, meaning_of_side("width", room, width), Kind::room_width, i);

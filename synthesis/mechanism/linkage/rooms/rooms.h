@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/geometry/vector.h"
+#include "analysis/linkage/structure/structure.h"
 
 namespace mechwright {
 
@@ -20,6 +21,11 @@ struct LinkageRoom {
     double direction = 0;  ///< of its width, radians, where that is given; its height is across
     Turn turn = Turn::given;
 };
+
+/// Whether it is about the path of one point, which moves.
+inline bool has_path(const linkage::Structure& structure, const LinkageRoom& room) {
+    return room.pins.size() == 1 && !linkage::is_on(structure.pins[room.pins.front()], 0);
+}
 
 /// A region that parts of a linkage keep in or out of. One that is a link moves with it.
 struct LinkageRegion {
