@@ -11,7 +11,8 @@ set(synthesis_headers
     mechanism/curve_fit.h mechanism/path_screening.h
     target/function/function_target.h
     target/function/loop_row.h
-    problem/by_name.h problem/problem.h problem/reader.h program/assess.h program/proof.h program/quantity_value.h
+    problem/by_name.h problem/problem.h problem/reader.h program/assess.h program/number_memory.h program/proof.h
+    program/quantity_value.h
     program/result.h program/run_options.h document/document.h solve/solve.h verify/verify.h)
 list(TRANSFORM synthesis_headers PREPEND ${PROJECT_SOURCE_DIR}/synthesis/)
 
