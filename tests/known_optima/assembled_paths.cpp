@@ -70,6 +70,33 @@ minimize = "path-rms"
     EXPECT_NEAR(s.result.best->objective, 0.188852, 1e-6);
 }
 
+/// An oval that a slider-crank would come closest to with rod and crank of one length, where it may fold at two of the
+/// points: the search stays beside that.
+TEST(AssembledPaths, AnOvalBesideAChangePoint) {
+    const Solved s = solved(R"(schema = 1
+mechanism = "slider-crank"
+[dimensions]
+crank = { min = 1, max = 60 }
+rod = { min = 1, max = 60 }
+offset = { min = -60, max = 60 }
+point-along = { min = -60, max = 60 }
+point-across = { min = -60, max = 60 }
+origin-x = { min = -60, max = 60 }
+origin-y = { min = -60, max = 60 }
+tilt = { min = 0, max = 360 }
+crank-start = { min = 0, max = 360 }
+[path]
+points = [[6.1039, 0.0], [5.1423, 2.9935], [2.659, 5.1849], [-0.3929, 5.987], [-3.052, 5.1849], [-4.7494, 2.9935],
+    [-5.3181, 0.0], [-4.7494, -2.9935], [-3.052, -5.1849], [-0.3929, -5.987], [2.659, -5.1849], [5.1423, -2.9935]]
+timing = "prescribed"
+crank_angles = [0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330]
+[objective]
+minimize = "path-rms"
+)");
+    EXPECT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.result.best->objective, 0.1646927, 1e-6);
+}
+
 TEST(AssembledPaths, SixPosesOfABody) {
     const Solved s = solved(links + R"(body-angle = { min = 0, max = 360 }
 assembly = "either"

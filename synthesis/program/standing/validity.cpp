@@ -15,16 +15,23 @@ namespace mechwright {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
+/// At a prescribed crank angle that its range begins or ends with a design may stand at its limit; at all others it
+/// keeps from that, as what passes a limit may go on in either assembly.
 double margin_at_targets(const Problem& problem, const Design& design) {
+    const auto& angles = design.path_angles;
+    if (angles.empty()) return endless;
+    const auto [first, last] = std::minmax_element(angles.begin(), angles.end());
+    const double sure = sure_part * longest_length(*problem.mechanism, design.dimensions);
     double least = endless;
     for (std::size_t i = 0; i < design.path_angles.size(); ++i) {
         PathMiss miss{};
         miss_of_point(*problem.mechanism, problem.mechanism->form(design.assembly, problem.path->target_of(i)),
                       design.dimensions, design.path_angles[i], problem.path->points[i], miss);
-        if (!(miss.margin >= least)) least = miss.margin;
+        const bool at_end = angles[i] == *first || angles[i] == *last;
+        const double margin = miss.margin - (problem.path->prescribed_timing && at_end ? 0 : sure);
+        if (!(margin >= least)) least = margin;
     }
-    const double sure = problem.path->prescribed_timing ? 0 : sure_part;
-    return least - sure * longest_length(*problem.mechanism, design.dimensions);
+    return least;
 }
 
 /// Whether a target has points whose order counts.
