@@ -113,7 +113,7 @@ TEST(SelfDistance, IsTheLeastOfAllChords) {
     }
 }
 
-/// The path of a coupler point that keeps clear of itself by a given distance and is no longer than it needs to be.
+/// A coupler point whose path keeps clear of itself by a given distance, in a box that is as small as that allows.
 TEST(SelfDistance, CanBeRequired) {
     const ReadProblem read = parse_problem(
         "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 4\ncrank = 1.5\ncoupler = 4\nrocker = "

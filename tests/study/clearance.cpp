@@ -14,7 +14,7 @@ namespace {
 
 const FourBar<double> links{100, 35, 95, 80};
 
-/// A crank-rocker as a linkage, with a rod from its coupler to a lever, so that two joints meet at P.
+/// These as a linkage.
 const std::string crank_rocker = R"(schema = 1
 mechanism = "linkage"
 [dimensions]
