@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/four_bar.h"
-#include "synthesis/mechanism/four_bar/screening.h"
+#include "synthesis/mechanism/four_bar/path/screening.h"
 #include "tests/analysis/random_linkages.h"
 
 namespace mechwright::test {

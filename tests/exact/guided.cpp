@@ -17,17 +17,7 @@
 namespace mechwright {
 namespace {
 
-const std::string free_dimensions = R"(ground       = { min = 0, max = 1000 }
-crank        = { min = 0, max = 1000 }
-coupler      = { min = 0, max = 1000 }
-rocker       = { min = 0, max = 1000 }
-point-along  = { min = -1000, max = 1000 }
-point-across = { min = -1000, max = 1000 }
-origin-x     = { min = -1000, max = 1000 }
-origin-y     = { min = -1000, max = 1000 }
-tilt         = { min = 0, max = 360 }
-assembly     = "either"
-)";
+const std::string free_dimensions = free_four_bar(1000);
 
 Problem guided(const std::string& dimensions, const std::string& targets,
                const std::string& objective = "maximize = \"transmission-angle-worst\"") {

@@ -11,6 +11,7 @@
 #include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/solve/solve.h"
+#include "tests/exact/all_solutions.h"
 #include "tests/long_form.h"
 #include "tests/report/temporary_folder.h"
 
@@ -30,8 +31,8 @@ GuidanceTarget target_of(const Points& points) {
     return guidance_target(places);
 }
 
-/// Wampler, Morgan and Sommese 1992, Problem 3: 1442 triplets, of which 64 are real (their paper and the README of TOMS
-/// algorithm 921).
+/// Wampler, Morgan and Sommese 1992, Problem 3: 1442 triplets, of which 64 are real (their paper and the README of
+/// TOMS algorithm 921).
 const Points problem_3{{{0.25, 0},
                         {0.52, 0.10},
                         {0.80, 0.70},
@@ -216,34 +217,22 @@ TEST(NinePoints, ThatAreSpecialComeToAnEnd) {
 }
 
 Problem nine_point_problem(const std::string& points) {
-    const ReadProblem read = parse_problem(R"(schema = 1
-mechanism = "four-bar"
-[dimensions]
-ground       = { min = 0, max = 100 }
-crank        = { min = 0, max = 100 }
-coupler      = { min = 0, max = 100 }
-rocker       = { min = 0, max = 100 }
-point-along  = { min = -100, max = 100 }
-point-across = { min = -100, max = 100 }
-origin-x     = { min = -100, max = 100 }
-origin-y     = { min = -100, max = 100 }
-tilt         = { min = 0, max = 360 }
-assembly     = "either"
-[path]
-points = )" + points + R"(
+    const ReadProblem read = parse_problem(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + free_four_bar(100) + "[path]\npoints = " + points + R"(
 [objective]
 minimize = "total-length"
 [solver]
 method = "exact"
 )",
-                                           "p.toml");
+        "p.toml");
     EXPECT_TRUE(read.ok());
     return read.problem;
 }
 
 TEST(ExactMethod, SinglesOutTheUsableLinkageOfProblem3) {
     const Problem problem = nine_point_problem(
-        "[[0.25, 0], [0.52, 0.10], [0.80, 0.70], [1.20, 1.00], [1.40, 1.30], [1.10, 1.48], [0.70, 1.40], [0.20, 1.00], "
+        "[[0.25, 0], [0.52, 0.10], [0.80, 0.70], [1.20, 1.00], [1.40, 1.30], [1.10, 1.48], [0.70, 1.40], [0.20, "
+        "1.00], "
         "[0.02, 0.40]]");
     RunOptions options;
     options.jobs = 2;

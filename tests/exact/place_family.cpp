@@ -18,17 +18,7 @@
 namespace mechwright {
 namespace {
 
-const std::string ranges = R"(ground       = { min = 0, max = 100 }
-crank        = { min = 0, max = 100 }
-coupler      = { min = 0, max = 100 }
-rocker       = { min = 0, max = 100 }
-point-along  = { min = -100, max = 100 }
-point-across = { min = -100, max = 100 }
-origin-x     = { min = -100, max = 100 }
-origin-y     = { min = -100, max = 100 }
-tilt         = { min = 0, max = 360 }
-assembly     = "either"
-)";
+const std::string ranges = free_four_bar(100);
 
 ReadProblem through(const std::string& dimensions, const std::string& targets, const std::string& objective) {
     return parse_problem("schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + dimensions + targets +

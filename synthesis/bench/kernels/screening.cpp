@@ -4,7 +4,7 @@
 
 #include "synthesis/bench/kernels/lanes.h"
 #include "synthesis/bench/kernels/measured_kernel.h"
-#include "synthesis/mechanism/four_bar/screening.h"
+#include "synthesis/mechanism/four_bar/path/screening.h"
 
 namespace mechwright::bench {
 

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/four_bar/curve.h"
+#include "synthesis/mechanism/four_bar/path/curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "analysis/four_bar.h"
 #include "analysis/numbers/lanes.h"
 #include "analysis/numbers/turn_in_lanes.h"
-#include "synthesis/mechanism/four_bar/curve_nearest.h"
+#include "synthesis/mechanism/four_bar/path/curve_nearest.h"
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/mechanism/sure_part.h"
 

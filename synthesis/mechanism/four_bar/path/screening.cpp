@@ -1,7 +1,7 @@
-#include "synthesis/mechanism/four_bar/screening.h"
+#include "synthesis/mechanism/four_bar/path/screening.h"
 
 #include "analysis/four_bar.h"
-#include "synthesis/mechanism/four_bar/guide_in_lanes.h"
+#include "synthesis/mechanism/four_bar/path/guide_in_lanes.h"
 
 namespace mechwright {
 

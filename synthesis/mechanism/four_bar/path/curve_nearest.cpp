@@ -1,11 +1,11 @@
-#include "synthesis/mechanism/four_bar/curve_nearest.h"
+#include "synthesis/mechanism/four_bar/path/curve_nearest.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/numbers/lanes.h"
 #include "analysis/numbers/turn_in_lanes.h"
-#include "synthesis/mechanism/four_bar/guide_in_lanes.h"
+#include "synthesis/mechanism/four_bar/path/guide_in_lanes.h"
 
 namespace mechwright::coupler_curve {
 
