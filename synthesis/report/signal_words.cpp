@@ -103,7 +103,7 @@ std::string explained_parts(std::string_view parts) {
     return {};
 }
 
-constexpr std::array<SignalWord, 5> of_rooms{{
+constexpr std::array<SignalWord, 7> of_rooms{{
     {"width", "NAME.width",
      "of the box that the parts of the [[room]] NAME need over the motion, in its direction; with direction = "
      "\"least-width\" the least of all directions: where a side of the box lies on two places, or the slope by the "
@@ -119,6 +119,14 @@ constexpr std::array<SignalWord, 5> of_rooms{{
      "both ends, as across the neck of an hourglass, or at one where the other is an end of the path; 0 where the path "
      "crosses or retraces itself (Litherland, Simon, Durumeric and Rawdon, Topology and its Applications 91 (1999), "
      "233-244)"},
+    {"swept-area", "NAME.swept-area",
+     "of the straight line between the two points of the [[room]] NAME, as a wiper's blade: the area of all places "
+     "over "
+     "which it passes, each counted once. Its border is made of paths of the points, the envelope of the line, where "
+     "its "
+     "points move along it (Bottema and Roth, Theoretical Kinematics, chapter 8), and the line where it turns back"},
+    {"uncovered", "NAME.uncovered",
+     "of this line: the area of the polygon `screen` of the room over which it does not pass"},
     {"margin", "NAME.margin",
      "least distance over the motion from the border of the [[region]] NAME, in or out of which parts keep; negative "
      "where they do not: by how much they are beyond a border, or what overlaps has to be moved at least"},

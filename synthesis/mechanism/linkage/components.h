@@ -14,6 +14,8 @@
 #include "synthesis/mechanism/linkage/rooms/approach.h"
 #include "synthesis/mechanism/linkage/rooms/found_apart.h"
 #include "synthesis/mechanism/linkage/rooms/found_room.h"
+#include "synthesis/mechanism/linkage/rooms/swept/area.h"
+#include "synthesis/mechanism/linkage/rooms/swept/screen.h"
 #include "synthesis/mechanism/linkage/rooms/turned_size.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 
@@ -66,6 +68,10 @@ public:
                 if constexpr (K >= 2)
                     for (const Approach& approach : found_.approaches)
                         out.push_back(distance_of(measured_, course_, approach, ends_));
+                break;
+            case Kind::swept_area:
+            case Kind::uncovered:
+                if constexpr (K >= 4) out.push_back(swept());
                 break;
             case Kind::time_ratio: add_time_ratios(out); break;
             case Kind::extent: out.push_back(extent()); break;
@@ -196,6 +202,12 @@ private:
         const bool slow = value_of(one) > value_of(other);
         out.push_back(slow ? T(one / other) : T(other / one));
         out.push_back(slow ? T(other / one) : T(one / other));
+    }
+    /// What is swept, or what of the screen is left.
+    T swept() {
+        const T area = area_within(measured_, plain_, course_, found_.swept, ends_);
+        if (over_.measure.kind == Kind::swept_area) return area;
+        return T(area_of(screen_of(over_))) - area;
     }
     T shift(const Term& term) { return linkage::shift_of(measured_, term.asked, course_, term.place, ends_); }
     void add_link_ratios(std::vector<T>& out) {

@@ -14,6 +14,7 @@
 #include "synthesis/mechanism/linkage/components.h"
 #include "synthesis/mechanism/linkage/rooms/found_apart.h"
 #include "synthesis/mechanism/linkage/rooms/found_room.h"
+#include "synthesis/mechanism/linkage/rooms/swept/search.h"
 #include "synthesis/mechanism/linkage/rooms/turned_box.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 #include "synthesis/mechanism/linkage/targets/seeded.h"
@@ -125,6 +126,13 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
                 ApproachSearch<K> search(over, over.model.rooms[over.measure.of_room], plain, course, dimensions);
                 found.approaches = search.found(most_extremes);
                 found.possible = search.closes && !found.approaches.empty();
+            }
+        } else if (is_of_swept_area(kind)) {
+            if constexpr (K >= 4) {
+                plain.keep_poses();
+                auto outline = swept_outline(over, plain, course);
+                found.possible = outline.has_value();
+                if (outline) found.swept = std::move(*outline);
             }
         } else if (keeps_out(over)) {
             found = std::move(apart);

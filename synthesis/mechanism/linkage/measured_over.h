@@ -96,8 +96,12 @@ inline bool is_of_room(Kind kind) {
 
 inline bool is_of_turned_box(Kind kind) { return kind == Kind::turned_width || kind == Kind::turned_area; }
 
+inline bool is_of_swept_area(Kind kind) { return kind == Kind::swept_area || kind == Kind::uncovered; }
+
 /// Whether it goes by the places of a room's pins, and not by how far they are along something.
-inline bool is_of_coordinates(Kind kind) { return is_of_turned_box(kind) || kind == Kind::self_distance; }
+inline bool is_of_coordinates(Kind kind) {
+    return is_of_turned_box(kind) || is_of_swept_area(kind) || kind == Kind::self_distance;
+}
 
 /// How far all pins of a room are along its width, or its height; of its area all along the one, then along the other.
 /// Of a box that turns, and of a path, the coordinates of each.

@@ -21,6 +21,8 @@ ComponentsOfKind components_of(Kind kind) {
         case Kind::function_rms:
         case Kind::turned_width:
         case Kind::turned_area:
+        case Kind::swept_area:
+        case Kind::uncovered:
         case Kind::total_length: return {1, Reduce::only};
         case Kind::function_greatest: return {most_errors, Reduce::greatest};
         case Kind::time_ratio: return {2, Reduce::greatest};
@@ -59,8 +61,8 @@ void measure(const Over& over, std::span<const double> arguments, const Measurem
     const Kind kind = over.measure.kind;
     const bool full_turn = over.motion.full_turn;
     std::size_t order = over.measure.signals.empty() ? 2 : linkage::order_for(over.measure.signals, over.measure.asked);
-    // The slope of a width goes by the slope of places that are stationary.
-    if (is_of_turned_box(kind)) order = 4;
+    // The slope of a width goes by the slope of places that are stationary; an envelope goes by velocities.
+    if (is_of_turned_box(kind) || is_of_swept_area(kind)) order = 4;
     // A time ratio needs one derivative more for its second ones; what is given where it is, needs none.
     if (kind == Kind::time_ratio) ++order;
     // What divides is looked at for zeros, at its extremes.

@@ -49,6 +49,9 @@ struct LinkageMeasure {
         turned_area,
         // Of the path of a point over the motion:
         self_distance,  ///< from itself (rooms/approach.h)
+        // Of the line between two points over the motion:
+        swept_area,
+        uncovered,  ///< what of the room's screen it does not sweep
         // Of parts over the motion:
         region_margin  ///< how far they keep inside of a region, or outside; negative where they do not
     };

@@ -115,10 +115,27 @@ std::optional<LinkageMeasure> of_room(const Linkage& linkage, Word name, std::st
             return fault = fmt::format("{} is of the path of one point that moves: write of = [\"P\"] with this alone",
                                        reading::quoted(name)),
                    std::nullopt;
-        return fault =
-                   fmt::format("{} is no quantity of a room: '{}' has {}", reading::quoted(name), owner,
-                               has_path(linkage.structure, linkage.rooms[i]) ? "width, height, area and self-distance"
-                                                                             : "width, height and area"),
+        const bool sweeps = has_blade(linkage.structure, linkage.rooms[i]), screened = !linkage.rooms[i].screen.empty();
+        if (rest == "swept-area" && sweeps) return made.kind = Kind::swept_area, made;
+        if (rest == "uncovered" && screened) return made.kind = Kind::uncovered, made;
+        if (rest == "swept-area")
+            return fault = fmt::format(
+                       "{} is of the line between two points, of which one moves at least: write of = "
+                       "[\"P\", \"Q\"] with these alone",
+                       reading::quoted(name)),
+                   std::nullopt;
+        if (rest == "uncovered")
+            return fault = fmt::format(
+                       "{} is of the screen of a room: give '{}' one, like screen = [[0, 0], [9, 0], "
+                       "[9, 5]]",
+                       reading::quoted(name), owner),
+                   std::nullopt;
+        std::vector<Word> known{"width", "height", "area"};
+        if (has_path(linkage.structure, linkage.rooms[i])) known.push_back("self-distance");
+        if (sweeps) known.push_back("swept-area");
+        if (screened) known.push_back("uncovered");
+        return fault = fmt::format("{} is no quantity of a room: '{}' has {}", reading::quoted(name), owner,
+                                   reading::listed(known)),
                std::nullopt;
     }
     for (std::size_t i = 0; i < linkage.regions.size(); ++i) {

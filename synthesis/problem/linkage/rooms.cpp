@@ -183,21 +183,34 @@ std::string why_no_polygon(std::vector<Place>& corners) {
     return {};
 }
 
+/// Corners against the clock; none where they are those of no polygon, which is reported.
+std::vector<Place> read_corners(LinkageReading& reading, Section& section, std::string_view key) {
+    const toml::node* node = find(section, key);
+    const std::string what = name_of(section, key);
+    const toml::array* list = node->as_array();
+    if (list == nullptr)
+        return report_kind(*node, what, "a list of corners, [[x, y], ...]", reading.messages), std::vector<Place>{};
+    if (list->size() > LinkageReading::most_corners) {
+        add_error(reading.messages, place_of(*node),
+                  fmt::format("{} has more than {} corners", what, LinkageReading::most_corners));
+        return {};
+    }
+    std::vector<Place> corners;
+    for (const toml::node& one : *list)
+        if (const auto corner = to_pair(reading, one, "a corner of " + what)) corners.push_back(*corner);
+    if (corners.size() < list->size()) return {};
+    const std::string why = why_no_polygon(corners);
+    if (why.empty()) return corners;
+    add_error(reading.messages, place_of(*node), fmt::format("{} {}", what, why));
+    return {};
+}
+
 void read_polygon(LinkageReading& reading, Section& section, LinkageRegion& region) {
     const toml::node* node = find(section, "polygon");
     const std::string what = name_of(section, "polygon");
     region.shape = Shape::polygon;
-    const toml::array* list = node->as_array();
-    if (list == nullptr) return report_kind(*node, what, "a list of corners, [[x, y], ...]", reading.messages);
-    if (list->size() > LinkageReading::most_corners)
-        return add_error(reading.messages, place_of(*node),
-                         fmt::format("{} has more than {} corners", what, LinkageReading::most_corners));
-    for (const toml::node& one : *list)
-        if (const auto corner = to_pair(reading, one, "a corner of " + what)) region.places.push_back(*corner);
-    if (region.places.size() < list->size()) return;
-    if (const std::string why = why_no_polygon(region.places); !why.empty())
-        return add_error(reading.messages, place_of(*node), fmt::format("{} {}", what, why));
-    if (is_convex(region.places)) return;
+    region.places = read_corners(reading, section, "polygon");
+    if (region.places.empty() || is_convex(region.places)) return;
     const auto pieces = region.inside ? convex_pieces_outside(region.places) : convex_pieces(region.places);
     if (!pieces)
         return add_error(reading.messages, place_of(*node),
@@ -334,6 +347,14 @@ void read_room(LinkageReading& reading, Section& section) {
     std::sort(room.pins.begin(), room.pins.end());
     room.pins.erase(std::unique(room.pins.begin(), room.pins.end()), room.pins.end());
     read_direction(reading, section, room);
+    if (has(section, "screen")) {
+        room.screen = read_corners(reading, section, "screen");
+        if (!has_blade(reading.made.structure, room) || room.turn != LinkageRoom::Turn::given)
+            add_error(reading.messages, place_of(section, "screen"),
+                      fmt::format("{} is swept by the line between two points, of which one moves at least: write of = "
+                                  "[\"P\", \"Q\"] with these alone, and no direction in words",
+                                  name_of(section, "screen")));
+    }
     report_unknown_keys(section, reading.messages);
     if (!name) return;
     room.name = *name;

@@ -100,11 +100,16 @@ inline constexpr Key parts_of_linkage{
     "kind those that 'mechwright expand' writes. Preset: mechanism."};
 
 inline constexpr std::array room{
-    Key{"name", Shape::text, "What quantities call it: NAME.width, NAME.height, NAME.area.", true}, parts_of_linkage,
+    Key{"name", Shape::text, "What quantities call it: NAME.width, NAME.height, NAME.area, NAME.swept-area.", true},
+    parts_of_linkage,
     Key{"direction", Shape::value,
         "Angle of the width to the drawing's x axis; or \"least-width\" or \"least-area\", turned so that this is "
         "least. "
-        "Preset: 0."}};
+        "Preset: 0."},
+    Key{"screen", Shape::pairs,
+        "Where the room is of two points, as the ends of a wiper's blade: corners of a polygon in their order around "
+        "it, [x, y] in the drawing's axes. NAME.uncovered is the area of it that the line between the points does not "
+        "sweep."}};
 
 inline constexpr std::array<std::string_view, 2> turns_of_rooms{"least-width", "least-area"};
 

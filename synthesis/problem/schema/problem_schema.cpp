@@ -329,6 +329,7 @@ Json rooms(const Key& key) {
         words.push_back(word);
     schema["items"]["properties"]["direction"].update(
         any_of({Json{{"type", "number"}}, Json{{"enum", std::move(words)}}}));
+    schema["items"]["properties"]["screen"]["minItems"] = 3;
     return schema;
 }
 

@@ -65,6 +65,8 @@ void draw_rooms(const MovingDesign& design, Body& ground) {
     };
     add(model.regions);
     add(model.rooms);
+    for (const LinkageRoom& room : model.rooms)
+        if (!room.screen.empty()) ground.outlines.push_back(polygon_of(room.screen));
 }
 
 }  // namespace mechwright

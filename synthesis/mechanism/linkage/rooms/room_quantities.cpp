@@ -32,6 +32,11 @@ std::string meaning_of_self_distance(const LinkageRoom& room) {
         room.name);
 }
 
+std::string meaning_of_swept_area(const LinkageRoom& room, bool uncovered) {
+    return fmt::format("area {} the straight line between the two points of '{}' over the motion",
+                       uncovered ? "of the screen that is not swept by" : "that is swept by", room.name);
+}
+
 std::string meaning_of_margin(const LinkageRegion& region) {
     return fmt::format("least distance over the motion by which parts keep {} '{}'; negative where they do not",
                        region.inside ? "in" : "out of", region.name);
@@ -57,6 +62,10 @@ std::vector<Quantity> quantities_of_rooms(const LinkageModel& model, std::size_t
         if (room.turn != LinkageRoom::Turn::given) continue;
         if (has_path(model.structure, room))
             add(room.name + ".self-distance", Unit::length, meaning_of_self_distance(room), Kind::self_distance, i);
+        if (has_blade(model.structure, room))
+            add(room.name + ".swept-area", Unit::area, meaning_of_swept_area(room, false), Kind::swept_area, i);
+        if (!room.screen.empty())
+            add(room.name + ".uncovered", Unit::area, meaning_of_swept_area(room, true), Kind::uncovered, i);
         const double width = room.direction / degree, height = width + 90;
         add(room.name + ".width", Unit::length, meaning_of_side("width", room, width), Kind::room_width, i);
         add(room.name + ".height", Unit::length, meaning_of_side("height", room, height), Kind::room_height, i);

@@ -20,11 +20,18 @@ struct LinkageRoom {
     std::vector<std::size_t> pins;
     double direction = 0;  ///< of its width, radians, where that is given; its height is across
     Turn turn = Turn::given;
+    std::vector<Vector<double>> screen{};  ///< corners against the clock, of what the line between two pins sweeps
 };
 
 /// Whether it is about the path of one point, which moves.
 inline bool has_path(const linkage::Structure& structure, const LinkageRoom& room) {
     return room.pins.size() == 1 && !linkage::is_on(structure.pins[room.pins.front()], 0);
+}
+
+/// Whether it is about two points, so that the line between them sweeps an area; one of them may stay where it is.
+inline bool has_blade(const linkage::Structure& structure, const LinkageRoom& room) {
+    return room.pins.size() == 2 &&
+           !(linkage::is_on(structure.pins[room.pins[0]], 0) && linkage::is_on(structure.pins[room.pins[1]], 0));
 }
 
 /// A region that parts of a linkage keep in or out of. One that is a link moves with it.

@@ -15,6 +15,7 @@
 #include "analysis/linkage/measuring/margins.h"
 #include "synthesis/mechanism/linkage/measured_over.h"
 #include "synthesis/mechanism/linkage/rooms/contacts.h"
+#include "synthesis/mechanism/linkage/rooms/swept/outline.h"
 
 namespace mechwright::measuring {
 
@@ -45,6 +46,7 @@ struct Found {
     std::vector<Term> plus_across{}, minus_across{};  ///< of an area: those of the other range
     std::vector<linkage::MarginPlace> margins{};
     TurnedBox box{};                     ///< of a box that turns
+    SweptOutline swept{};                ///< by a blade
     std::vector<Approach> approaches{};  ///< of a path to itself
     bool possible = true;
     double whole_turns = 0;  ///< by which the output of a function is counted on

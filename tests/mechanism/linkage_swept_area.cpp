@@ -1,0 +1,124 @@
+// What the line between two points sweeps: against closed forms, the slices of verification and differences.
+
+#include <cmath>
+#include <string>
+
+#include "synthesis/solve/solve.h"
+#include "tests/mechanism/kinds_with_rooms.h"
+
+namespace mechwright::linkage_scans {
+
+namespace {
+
+std::string blade_of(const std::string& one, const std::string& other, const std::string& screen = "") {
+    return "[[room]]\nname = \"blade\"\nof = [\"" + one + "\", \"" + other + "\"]\n" +
+           (screen.empty() ? "" : "screen = " + screen + "\n");
+}
+
+/// A wiper on a crank that turns by a given range, from 10 to 30 from its pivot.
+std::string turning_wiper(const std::string& range) {
+    return "schema = 1\nmechanism = \"linkage\"\n[dimensions]\narm = 10\n[links]\nframe = { A = [0, 0] }\narm = { A = "
+           "[0, 0], P = [\"arm\", 0], Q = [30, 0] }\n[drive]\nlink = \"arm\"\n[motion]\ncrank_range = " +
+           range + "\n";
+}
+
+TEST(SweptArea, OfAWiperThatTurnsIsThatOfItsSector) {
+    const Json sector = analysed_room(turning_wiper("[20, 140]") + blade_of("P", "Q")).document;
+    EXPECT_NEAR(value_in(sector, "blade.swept-area"), 400 * 120 * one_degree, 1e-10);
+    expect_verified(sector);
+    const Json quarter =
+        analysed_room(turning_wiper("[0, 90]") + blade_of("A", "P", "[[0, 0], [10, 0], [10, 10], [0, 10]]")).document;
+    EXPECT_NEAR(value_in(quarter, "blade.uncovered"), 100 - 25 * std::numbers::pi, 1e-11);
+    expect_verified(quarter);
+    expect_room_slopes(turning_wiper("[20, 140]") + blade_of("P", "Q", "[[-9, 4], [12, 6], [10, 25]]"),
+                       {"blade.swept-area", "blade.uncovered"});
+}
+
+/// The rocker of a crank-rocker comes back over the same places.
+TEST(SweptArea, OfARockerIsCountedOnce) {
+    const AnalysedRoom found = analysed_room(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 4\ncrank = 1.5\ncoupler = 4\nrocker = 4.5\n" +
+        blade_of("D", "C"));
+    double least = 1e9, greatest = -1e9;
+    for (const double in_line : {4 - 1.5, 4 + 1.5}) {  // from A to C where crank and coupler are in line
+        const double angle = std::acos((4 * 4 + 4.5 * 4.5 - in_line * in_line) / (2 * 4 * 4.5));
+        least = std::min(least, angle);
+        greatest = std::max(greatest, angle);
+    }
+    EXPECT_NEAR(value_in(found.document, "blade.swept-area"), 4.5 * 4.5 / 2 * (greatest - least), 1e-11);
+    expect_verified(found.document);
+}
+
+/// A bar of length 2 that is moved along an arc without turning, over its top: slices across are two bars side by side,
+/// or one that is longer.
+TEST(SweptArea, OfABarThatDoesNotTurnIsThatOfItsSlices) {
+    const Json document =
+        analysed_room(
+            "schema = 1\nmechanism = \"linkage\"\n[links]\nframe = { A = [0, 0], D = [6, 0] }\ncrank = { A = [0, 0], B "
+            "= [3, 0] }\nbar = { B = [0, 0], C = [6, 0], P = [2, 1], Q = [4, 1] }\nrocker = { D = [0, 0], C = [3, 0] "
+            "}\n[drive]\nlink = \"crank\"\n[motion]\ncrank_range = [30, 150]\n" +
+            blade_of("P", "Q"))
+            .document;
+    const double apart = std::acos(1.0 / 3), half = std::numbers::pi / 2;
+    const auto cosines = [](double a) { return std::sin(a); };
+    const auto squares = [](double a) { return a / 2 + std::sin(2 * a) / 4; };
+    const double area = 12 * (cosines(apart) - cosines(half / 3)) + 6 * (cosines(half) - cosines(apart)) +
+                        18 * (squares(half) - squares(apart));
+    EXPECT_NEAR(value_in(document, "blade.swept-area"), area, 1e-11);
+    expect_verified(document);
+}
+
+/// Couplers over a turn, whose lines have envelopes with cusps, and over motions that end at limits.
+TEST(SweptArea, IsThatOfItsSlices) {
+    const std::string screen = "[[-1, -2], [5, -1], [6, 4], [1, 3], [-3, 3]]";
+    for (const std::string lengths :
+         {"ground = 4\ncrank = 1.5\ncoupler = 4\nrocker = 4.5\npoint-along = 6\npoint-across = 1\n",
+          "ground = 2\ncrank = 4\ncoupler = 3.5\nrocker = 4.5\npoint-along = 3\npoint-across = -2\n",
+          "ground = 5\ncrank = 4\ncoupler = 2\nrocker = 4\npoint-along = 3\npoint-across = 1\n"})
+        for (const std::string end : {"B", "C"}) {
+            SCOPED_TRACE(lengths + end);
+            const std::string text =
+                "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + lengths + blade_of(end, "P", screen);
+            expect_verified(analysed_room(text).document);
+            // Beyond the limits of one design those of others lie.
+            if (lengths.starts_with("ground = 5")) continue;
+            expect_room_slopes(text, {"blade.swept-area", "blade.uncovered"});
+        }
+}
+
+/// A rocker whose blade is to leave as little of a screen as its frame and its length allow.
+TEST(SweptArea, OfAScreenCanBeMadeGreat) {
+    const ReadProblem read = parse_problem(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 4\ncrank = { min = 0.5, max = 2 }\ncoupler = { "
+        "min = 3, max = 6 }\nrocker = 3\n" +
+            blade_of("D", "C", "[[2, 0.5], [6, 0.5], [6, 3], [2, 3]]") +
+            "[[require]]\nquantity = \"transmission-angle-worst\"\nmin = 30\n[objective]\nminimize = "
+            "\"blade.uncovered\"\n[solver]\nstarts = 4\n",
+        "p.toml");
+    ASSERT_TRUE(read.ok()) << read.messages.front().text;
+    const Result result = solve(read.problem, {});
+    ASSERT_EQ(result.status, Status::solved);
+    EXPECT_TRUE(result.verified());
+}
+
+TEST(SweptArea, IsOfTwoPoints) {
+    for (const auto& [room, message] :
+         {std::pair(std::string("of = [\"B\"]\n[[require]]\nquantity = \"blade.swept-area\"\nmin = 1\n"),
+                    "is of the line between two points"),
+          std::pair(std::string("of = [\"A\", \"B\"]\n[[require]]\nquantity = \"blade.uncovered\"\nmax = 1\n"),
+                    "is of the screen of a room"),
+          std::pair(std::string("of = [\"B\"]\nscreen = [[0, 0], [1, 0], [0, 1]]\n"), "two points"),
+          std::pair(std::string("of = [\"A\", \"B\"]\nscreen = [[0, 0], [1, 0]]\n"), "three corners")}) {
+        const ReadProblem read = parse_problem(
+            "schema = 1\nmechanism = \"linkage\"\n[links]\nframe = { A = [0, 0] }\ncrank = { A = [0, 0], B = [10, 0] "
+            "}\n[drive]\nlink = \"crank\"\n[[room]]\nname = \"blade\"\n" +
+                room,
+            "p.toml");
+        ASSERT_FALSE(read.ok()) << room;
+        EXPECT_NE(read.messages.front().text.find(message), std::string::npos) << read.messages.front().text;
+    }
+}
+
+}  // namespace
+
+}  // namespace mechwright::linkage_scans
