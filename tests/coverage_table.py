@@ -66,14 +66,39 @@ def table(files):
     return text
 
 
+def indentation(text):
+    return len(text) - len(text.lstrip())
+
+
+def is_run(source, counts, line, is_lambda):
+    """Whether the lines of a function are run, though its own count is 0: wherever it is called, it is compiled as a part
+    of its caller. `counts`: of the lines with code, by their numbers."""
+    first = source[line - 1]
+    if "{" in first and first.count("{") <= first.count("}"):
+        # The line of a lambda is also one of the function around it.
+        before = max((number for number in counts if number < line), default=None)
+        return counts.get(line, 0) > (counts[before] if is_lambda and before else 0)
+    for number in range(line + 1, len(source) + 1):
+        text = source[number - 1]
+        if text.strip() and indentation(text) <= indentation(first):
+            return False
+        if counts.get(number, 0) > 0:
+            return True
+    return False
+
+
 def uncalled(file):
     """Functions, by the place where they stand, none of whose instances is called."""
+    source = pathlib.Path(file["file"]).read_text().splitlines()
+    counts = {line["line_number"]: line["count"] for line in code_lines(file)}
     by_line = collections.defaultdict(list)
     for function in file["functions"]:
         by_line[function["lineno"]].append(function)
     for line, instances in sorted(by_line.items()):
-        if all(function["execution_count"] == 0 for function in instances):
-            yield line, min((function["name"] for function in instances), key=len)
+        name = min((function["name"] for function in instances), key=len)
+        if all(function["execution_count"] == 0 for function in instances) and \
+                not is_run(source, counts, line, "{lambda" in name):
+            yield line, name
 
 
 def by_reason(entries):

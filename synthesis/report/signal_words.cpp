@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/report/text/table.h"
@@ -12,6 +13,13 @@ namespace mechwright {
 
 namespace {
 
+struct SignalWord {
+    std::string_view word;
+    std::string_view example;  ///< as a file says it
+    std::string_view meaning;
+};
+
+/// The keys that say what a signal is; what is made of signals; and their derivatives.
 constexpr std::array<SignalWord, 14> kinds{{
     {"angle", "{ angle = \"rocker\", to = \"coupler\", near = 0 }",
      "turn of a link against the frame or another link, continuous along the motion; at its start within half a turn "
@@ -133,10 +141,6 @@ constexpr std::array<SignalWord, 7> of_rooms{{
 }};
 
 }  // namespace
-
-std::span<const SignalWord> kinds_of_signals() { return kinds; }
-std::span<const SignalWord> reductions_of_signals() { return reductions; }
-std::span<const SignalWord> derivatives_of_signals() { return derivatives; }
 
 std::string words_of_signals() {
     return "What can be made of a signal NAME, over the motion or a stretch of it, like\nNAME.least(10, 50):\n" +

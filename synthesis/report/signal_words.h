@@ -2,24 +2,12 @@
 /// \file
 /// What can be a signal of a linkage, and what can be made of one, and of rooms and regions, in words.
 
-#include <span>
 #include <string>
 #include <string_view>
 
 namespace mechwright {
 
-struct SignalWord {
-    std::string_view word;
-    std::string_view example;  ///< as a file says it
-    std::string_view meaning;
-};
-
-/// The keys that say what a signal is; what is made of signals; and their derivatives.
-std::span<const SignalWord> kinds_of_signals();
-std::span<const SignalWord> reductions_of_signals();
-std::span<const SignalWord> derivatives_of_signals();
-
-/// All of them, for people; lines of 80 characters at most.
+/// What can be made of a signal, for people; lines of 80 characters at most.
 std::string words_of_signals();
 
 /// What a quantity of a signal is, such as "swing.speed.greatest(10, 50)", or one of the words, or "signals"; empty

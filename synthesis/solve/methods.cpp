@@ -234,8 +234,6 @@ constexpr std::array<Method, 7> every_method{{
 
 }  // namespace
 
-std::span<const Method> methods() { return every_method; }
-
 const Method* find_method(std::string_view name) {
     const auto at =
         std::find_if(every_method.begin(), every_method.end(), [&](const Method& m) { return m.name == name; });

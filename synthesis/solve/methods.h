@@ -3,7 +3,6 @@
 /// The methods by their names.
 
 #include <chrono>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,9 +17,6 @@ struct Method {
     std::string (*why_not)(const Problem&);  ///< empty where the method can be used
     Found (*run)(const Problem&, const RunOptions&, std::chrono::steady_clock::time_point deadline);
 };
-
-/// All of them, "auto" first.
-std::span<const Method> methods();
 
 /// Null where there is none of this name.
 const Method* find_method(std::string_view name);

@@ -251,6 +251,8 @@ std::vector<Check> checks_of(const Claim& claim, bool infeasible, Stated parts) 
     }
     if (claim.objective && (!infeasible || claim.objective->value))
         checks.push_back(check_objective(*claim.objective, measurements, parts));
+    else if (claim.objective && !objective_again(*claim.objective, measurements))
+        checks.push_back({"the objective has a value", false, "it has none for this design"});
     for (const ClaimedWish& wish : claim.wishes) {
         if (infeasible && !wish.best) continue;
         checks.push_back(check_wish(wish, measurements));

@@ -50,6 +50,13 @@ TEST(ExplainSearch, WhatIsInfeasibleIsNoOptimumWhateverTheSolverSays) {
     expect_has_not(text, "the design");
 }
 
+TEST(ExplainSearch, SearchesAlongAPathBeganNearAnotherEndOrWereScreened) {
+    const std::string text = search_of({shipped_file("path/case-4.toml")});
+    expect_has(text, "from near another end ");
+    EXPECT_TRUE(std::regex_search(text, std::regex("; from ([a-z ]+ [0-9]+, )?screened [0-9]+ "))) << text;
+    expect_has_not(text, "from drawn");
+}
+
 TEST(ExplainSearch, ATimeLimitCutsOffStarts) {
     const TemporaryFolder folder;
     const std::string file = folder.write("long.toml", long_search());
@@ -75,7 +82,8 @@ TEST(ExplainSearch, TimesAreThoseOfTheRun) {
 }
 
 TEST(ExplainSearch, IsTheSameForAnyNumberOfThreads) {
-    for (const char* name : {"path/yu1-compact.toml", "quick-return/uniform-speed-drag-link.toml"}) {
+    for (const char* name :
+         {"path/case-4.toml", "path/yu1-compact.toml", "quick-return/uniform-speed-drag-link.toml"}) {
         const auto with = [&](const char* jobs) {
             return without_times_of(search_of({shipped_file(name), "--jobs", jobs}));
         };

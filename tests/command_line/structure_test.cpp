@@ -50,6 +50,24 @@ TEST(Structure, TellsProgramsTheSame) {
     EXPECT_EQ(as_in_file, 1);
 }
 
+/// Of each segment the angle, and the lift unless it is a dwell.
+TEST(Structure, TellsHowDrivesMove) {
+    const auto drives =
+        nlohmann::json::parse(run({"structure", shipped_linkage("pick-and-place"), "--json"}).out)["drives"];
+    ASSERT_EQ(drives.size(), 2u);
+    EXPECT_FALSE(drives[0].contains("segments"));
+    EXPECT_FALSE(drives[1].contains("ratio"));
+    double turn = 0, height = 0;
+    for (const auto& segment : drives[1]["segments"]) {
+        turn += segment["angle"].get<double>();
+        EXPECT_EQ(segment.contains("lift"), segment["kind"] != "dwell");
+        if (segment["kind"] != "dwell") height += segment["lift"].get<double>() * (segment["kind"] == "rise" ? 1 : -1);
+        EXPECT_TRUE(segment["kind"] != "rise" || segment["lift"] == 30);
+    }
+    EXPECT_NEAR(turn, 360, 1e-11);
+    EXPECT_NEAR(height, 0, 1e-11);
+}
+
 TEST(Structure, ExplainsWhatIsRedundantAndWhatIsNoDyad) {
     const Outcome redundant = run({"structure", shipped_linkage("parallelogram")});
     EXPECT_EQ(redundant.exit_code, 0);
@@ -71,6 +89,13 @@ TEST(Structure, ExplainsWhatIsRedundantAndWhatIsNoDyad) {
     expect_has(larger.out, "one, two, three, plate  ");
     expect_has(larger.out, " assemblies\n");
     expect_has(larger.out, "one+two+three+plate is a larger group");
+    expect_has_not(larger.out, "as in the file");
+    std::ofstream(triad, std::ios::app) << "[assembly]\n\"one+two+three+plate\" = { group = \"one+two+three+plate\", "
+                                           "index = 2 }\n";
+    const auto assemblies = nlohmann::json::parse(run({"structure", triad, "--json"}).out)["assemblies"];
+    ASSERT_EQ(assemblies.size(), 2u);
+    EXPECT_EQ(assemblies[0]["as-in-file"], false);
+    EXPECT_EQ(assemblies[1]["as-in-file"], true);
 }
 
 /// Its longest and shortest links together are longer than the others: the crank turns until the dyad is folded, where

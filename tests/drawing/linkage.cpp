@@ -347,7 +347,7 @@ TEST(LinkageDrawing, HasGearsAsCirclesForCad) {
 /// Whatever is missing in a file: what could be read is drawn, with a name at every point.
 TEST(LinkageSkeleton, DrawsWhatCouldBeRead) {
     int drawn = 0;
-    for (const char* name : {"geared-five-bar", "jansen-leg", "parallelogram", "scotch-yoke"}) {
+    for (const char* name : {"geared-five-bar", "jansen-leg", "parallelogram", "scotch-yoke", "crank-and-rack"}) {
         const std::string text = content_of(shipped_linkage_file(name));
         for (std::size_t from = 0, to = 0; from < text.size(); from = to + 1) {
             to = std::min(text.find('\n', from), text.size() - 1);

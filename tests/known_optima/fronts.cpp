@@ -1,6 +1,7 @@
 // Trade-offs between two objectives: known points, no design better in both than another, each verified by itself.
 
 #include <algorithm>
+#include <functional>
 
 #include "synthesis/verify/verify.h"
 #include "tests/known_optima/solved.h"
@@ -57,6 +58,26 @@ TEST(Fronts, OfErrorAndTransmissionAngleStartAtTheLeastError) {
     EXPECT_NEAR(value_of(s, s.result.front.front(), 0) * 180 / 3.141592653589793, alone.result.best->objective, 1e-8);
     const Solved other = solved(text + "[objective]\nmaximize = \"transmission-angle-worst\"\n");
     EXPECT_NEAR(value_of(s, s.result.front.back(), 1) * 180 / 3.141592653589793, other.result.best->objective, 1e-4);
+}
+
+TEST(Fronts, TellHowManySearchesThereAre) {
+    std::string text = shipped("straightness-against-size.toml", "trade-off");
+    text.replace(text.find("pareto = 10"), 11, "pareto = 3");
+    const ReadProblem read = parse_problem(text, "straightness-against-size.toml");
+    ASSERT_TRUE(read.ok());
+    RunOptions options;
+    options.jobs = 2;
+    // The points, the best design in the other objective, and a choice among those that are as good in that one.
+    constexpr int searches = 3 + 1 + 1;
+    std::vector<int> ended;
+    options.progress = [&](int done, int total, double) {
+        EXPECT_LE(done, total);
+        if (total == searches) ended.push_back(done);
+    };
+    const Result result = solve(read.problem, options);
+    EXPECT_GE(result.front.size(), 2u);
+    ASSERT_GE(ended.size(), 3u);
+    EXPECT_EQ(std::adjacent_find(ended.begin(), ended.end(), std::greater_equal<>()), ended.end());
 }
 
 TEST(Fronts, ThatWereTamperedWithAreNotVerified) {

@@ -198,6 +198,18 @@ TEST_F(WholeCurves, HaveTheBitsOfTheBaselineInEveryInstructionSet) {
             EXPECT_EQ(work.nearest.crank_angle, other.nearest.crank_angle);
             EXPECT_EQ(work.nearest.gradient, other.nearest.gradient);
             EXPECT_EQ(work.nearest.ends.size(), other.nearest.ends.size());
+            // With the point elsewhere on its link, at the crank angles that there are.
+            CurveArguments moved = a;
+            moved[4] += 0.5;
+            ASSERT_EQ(work.curve.count, other.curve.count);
+            const double before = work.curve.x[0];
+            curve->fit->points(InstructionSet::baseline, 0, moved, work.curve);
+            curve->fit->points(set, 0, moved, other.curve);
+            EXPECT_NE(work.curve.x[0], before);
+            for (std::size_t i = 0; i < work.curve.count; ++i) {
+                EXPECT_EQ(work.curve.x[i], other.curve.x[i]);
+                EXPECT_EQ(work.curve.y[i], other.curve.y[i]);
+            }
         }
     }
 }

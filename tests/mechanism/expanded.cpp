@@ -268,6 +268,26 @@ std::string refusal_of(const std::string& text) {
     return said;
 }
 
+/// Over an input range and over a range of use signals are measured where the kind's own quantities are.
+TEST(Expanded, AsksForSignalsOverTheMotionThatThereIs) {
+    const std::string slider_crank =
+        "schema = 1\nmechanism = \"slider-crank\"\n[dimensions]\ncrank = { min = 1, max = 100 }\nrod = { min = 1, max "
+        "= "
+        "100 }\noffset = 0\n";
+    const std::string limit = "[[require]]\nquantity = \"ram-speed-max\"\nmax = 3\n";
+    for (const std::string& motion :
+         {std::string("[function]\nexpression = \"x^1.5\"\nx = [1, 4]\ninput = { start = 210, range = 90 }\n"
+                      "output = { start = 5, range = 9 }\n"),
+          std::string("point-along = { min = 1, max = 100 }\npoint-across = 0\n[path]\npoints = [[1, 2], [3, 4]]\n"
+                      "[motion]\nfrom = \"first-target\"\nto = \"last-target\"\n")}) {
+        const ExpandedProblem expanded = expand_problem(slider_crank + motion + limit, "file.toml");
+        ASSERT_TRUE(expanded.ok()) << motion;
+        EXPECT_NE(expanded.text.find("quantity = \"ram-speed.greatest\"\nmax = 3\n"), std::string::npos)
+            << expanded.text;
+        EXPECT_TRUE(parse_problem(expanded.text, "expanded.toml").ok()) << expanded.text;
+    }
+}
+
 TEST(Expanded, RefusesWithPlaceAndRemedy) {
     const auto expect_said = [](const std::string& said, const std::string& expected) {
         EXPECT_NE(said.find(expected), std::string::npos) << said;

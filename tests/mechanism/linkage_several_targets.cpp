@@ -291,6 +291,20 @@ TEST(SeveralTargets, ASixBarIsFoundByItsPathAndItsPoses) {
     });
     refused([&](Json& json) { json["poses"][0]["timing"] = "prescribed"; });
     refused([&](Json& json) { std::swap(json["poses"][0]["crank_angles"][0], json["poses"][0]["crank_angles"][1]); });
+    // Of another design crank angles and distances are lists of all targets together.
+    Json other{{"design", found["design"]}, {"objective", found["objective"]["value"]}};
+    for (const char* kind : {"path", "poses"})
+        for (const auto& [own, together] : {std::pair{"crank_angles", "path_angles"}, {"distances", "distances"}})
+            for (const Json& number : found[kind][0][own])
+                other[together].push_back(number);
+    Json with_other = found;
+    with_other["alternatives"] = Json::array({other});
+    expect_verified(with_other);
+    for (const std::size_t place : {std::size_t{1}, other["distances"].size() - 1}) {
+        Json changed = with_other;
+        shifted(changed["alternatives"][0]["distances"][place]);
+        EXPECT_TRUE(is_refused(changed)) << place;
+    }
 }
 
 namespace {

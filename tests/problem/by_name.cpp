@@ -83,6 +83,33 @@ TEST(ByName, DimensionsHaveAFewValues) {
     EXPECT_TRUE(problem.dimensions[1].fixed());
 }
 
+/// Of all designs with nearly the best transmission angle the shortest.
+TEST(ByName, WishesComeBeforeTheObjective) {
+    Problem problem = problem_of("four-bar");
+    fix(problem, "ground", 100);
+    design_within(problem, "crank", 5, 60);
+    design_within(problem, "coupler", 20, 300);
+    design_within(problem, "rocker", 20, 300);
+    require_equal(problem, "swing", 60 * degree);
+    minimize(problem, "total-length");
+    const Result shortest = solve(problem, {});
+    wish_greatest(problem, "transmission-angle-worst", 5 * degree);
+    const Result wished = solve(problem, {});
+    ASSERT_EQ(wished.status, Status::solved);
+    EXPECT_TRUE(wished.verified());
+    ASSERT_EQ(wished.best->wished.size(), 1u);
+    const MetWish& met = wished.best->wished.front();
+    EXPECT_NEAR(met.limit, met.best - 5 * degree, 1e-9);
+    EXPECT_NEAR(*value_named(problem, wished.best->design, "transmission-angle-worst"), met.limit, 1e-6);
+    EXPECT_LT(*value_named(problem, shortest.best->design, "transmission-angle-worst"), met.limit - degree);
+    EXPECT_LT(shortest.best->objective, wished.best->objective - 1);
+    wish_least(problem, "link-ratio");
+    ASSERT_EQ(problem.wishes.size(), 2u);
+    EXPECT_TRUE(problem.wishes[0].term.maximize);
+    EXPECT_FALSE(problem.wishes[1].term.maximize);
+    EXPECT_EQ(problem.wishes[1].within, 0);
+}
+
 template <class Call>
 std::string refusal(const Call& call) {
     try {
@@ -110,6 +137,8 @@ TEST(ByName, WhatCannotBeMeantIsRefusedWithWhatWouldBeRight) {
     says(refusal([&] { require_equal(problem, "swng", 1); }), "did you mean 'swing'");
     says(refusal([&] { require_within(problem, "swing", {}, {}); }), "least value");
     says(refusal([&] { minimize(problem, "swing", 0); }), "must be > 0");
+    says(refusal([&] { wish_least(problem, "swng"); }), "did you mean 'swing'");
+    says(refusal([&] { wish_greatest(problem, "swing", -0.1); }), "must be 0 or greater");
     says(refusal([&] { assemble(problem, "open-ish"); }), "no assembly");
     says(refusal([&] { follow_path(problem, {{1, 2}}); }), "two points");
     Problem shaper = problem_of("crank-shaper");

@@ -40,6 +40,39 @@ minimize = "function-max"
 
 // The least deviation of a linkage of limited size alternates as often as one without limits. Its document without the
 // limits claims that no linkage near is better, which a smaller line disproves.
+// A parallelogram turns its input into the same output: of rounding alone there are no extremes to compare.
+TEST(Alternation, ErrorsThatAreRoundingHaveToBeStatedSo) {
+    const Solved s = solved(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 5
+crank = 3
+coupler = 5
+rocker = 3
+assembly = "open"
+[function]
+expression = "x"
+x = [0, 1]
+input = { start = 30, range = 60 }
+output = { start = 30, range = 60 }
+[objective]
+minimize = "function-max"
+)");
+    ASSERT_EQ(s.result.status, Status::solved);
+    auto json = document(s.problem, s.result);
+    const auto of_extremes = [&] {
+        for (const Check& check : verify(json))
+            if (check.name == "extremes of the error are as stated") return check;
+        return Check{"none", false, {}};
+    };
+    EXPECT_TRUE(of_extremes().passed) << of_extremes().detail;
+    EXPECT_EQ(of_extremes().detail, "the error is nothing but rounding");
+    json["function"]["extremes"][0]["error"] = 1e-9;
+    EXPECT_FALSE(of_extremes().passed);
+    json["function"]["extremes"] = "none";
+    EXPECT_FALSE(of_extremes().passed);
+}
+
 TEST(Alternation, ShowsNothingOfADesignThatItsLimitsShaped) {
     const Solved s = solved(R"(schema = 1
 mechanism = "four-bar"

@@ -251,6 +251,62 @@ TEST(Certificates, RangesWithoutAFullTurnAreNotEmpty) {
     EXPECT_TRUE(all_passed(check_proof(bad)));
 }
 
+/// A mechanism whose ranges hold no motion, and why, as verification finds again from the document alone; and a number
+/// with which they hold one.
+struct Motionless {
+    std::string dimensions;
+    const char* why;
+    const char* dimension;
+    double enough;
+};
+
+TEST(Certificates, RangesWithoutAMotionAreFoundAgain) {
+    for (const auto& [dimensions, why, dimension, enough] :
+         {Motionless{
+              "\"crank-shaper\"\n[dimensions]\ncentre-distance = { min = 20, max = 50 }\ncrank = { min = 10, max "
+              "= 15 }\nlever = { min = 200, max = 220 }\nrod = { min = 50, max = 60 }\nram-distance = { min = "
+              "100, max = 110 }\n",
+              "the rod reaches the ram line from the upright lever", "rod", 150},
+          Motionless{"\"whitworth\"\n[dimensions]\ncentre-distance = { min = 10, max = 20 }\ncrank = { min = 40, max = "
+                     "50 }\narm = { min = 100, max = 120 }\nrod = { min = 50, max = 60 }\nslide-angle = 90\n",
+                     "the arm turns past the rod", "rod", 150},
+          Motionless{
+              "\"drag-link\"\n[dimensions]\nground = { min = 10, max = 20 }\ncrank = { min = 40, max = 50 }\n"
+              "coupler = { min = 40, max = 50 }\nfollower = { min = 40, max = 50 }\narm = { min = 100, max = 120 "
+              "}\narm-angle = 0\nrod = { min = 50, max = 60 }\nslide-angle = 90\nslide-offset = 0\n",
+              "the rod reaches the slide line from the pin where it is farthest away", "rod", 150},
+          Motionless{"\"slider-crank\"\n[dimensions]\ncrank = { min = 40, max = 50 }\nrod = { min = 20, max = 30 }\n"
+                     "offset = { min = 0, max = 5 }\n",
+                     "the rod reaches the slide line from the pin where it is farthest away", "rod", 60}}) {
+        const Solved s = solved("schema = 1\nmechanism = " + dimensions + "[objective]\nmaximize = \"time-ratio\"\n");
+        EXPECT_EQ(s.result.status, Status::infeasible) << dimensions;
+        ASSERT_TRUE(s.result.search.complete()) << dimensions;
+        Json json = document(s.problem, s.result);
+        // The design that is shown has no time ratio: it does not move far enough.
+        EXPECT_TRUE(all_passed(verify(json))) << dimensions;
+        const auto checks = check_proof(json);
+        ASSERT_EQ(checks.size(), 1u);
+        EXPECT_TRUE(checks[0].passed) << checks[0].detail;
+        EXPECT_NE(checks[0].detail.find(why), std::string::npos) << checks[0].detail;
+        json["dimensions"][dimension]["max"] = enough;
+        expect_refused(json, dimension);
+    }
+}
+
+/// No stroke is less than 0: that one of 0 cannot be is no proof, however small a length is next to the others.
+TEST(Certificates, ALimitAtZeroExcludesNothingAtZero) {
+    const Solved s = solved(slider_crank(require("stroke", "max", 0) + "[objective]\nminimize = \"link-ratio\"\n"));
+    ASSERT_EQ(s.result.status, Status::infeasible);
+    EXPECT_FALSE(s.result.search.complete());
+    Json json = document(s.problem, s.result);
+    json["search"]["complete"] = true;
+    json["search"]["certificate"] = {
+        {"kind", "limit"}, {"limit", "possible-values"}, {"quantity", "stroke"}, {"value", 0.0}};
+    expect_refused(json, "0");
+    json["requirements"][0]["max"] = -1e-3;
+    EXPECT_TRUE(all_passed(check_proof(json)));
+}
+
 // The stated value lies below the exact limit by less than a coarse look at it would show.
 TEST(Certificates, OfLimitsAreExact) {
     const std::string shaper =

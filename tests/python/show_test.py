@@ -1,11 +1,13 @@
 """draw(), export(), report() and explain() against the program, and results in notebooks."""
 
 import json
+import os
 import tempfile
 import unittest
 import warnings
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+from unittest import mock
 
 import mechwright
 import numpy as np
@@ -160,6 +162,17 @@ class OfResults(unittest.TestCase):
         folder = Folder(self)
         self.result.save(folder.path / "one.json")
         self.assertIn(self.result.problem.title, mechwright.report(folder.path))
+
+    def test_a_page_where_gnuplot_is_missing_lacks_its_plots_and_says_so(self):
+        whole = mechwright.report(self.file)
+        with mock.patch.dict(os.environ, {"PATH": str(Folder(self).path)}):
+            with self.assertWarnsRegex(RuntimeWarning, "no gnuplot: install it .*no plots for browsers without"):
+                page = mechwright.report(self.file)
+            with warnings.catch_warnings(), self.assertRaisesRegex(RuntimeWarning, "no gnuplot"):
+                warnings.simplefilter("error")
+                mechwright.report(self.file)
+        self.assertIn(self.result.problem.title, page)
+        self.assertLess(len(page), len(whole))
 
     def test_what_cannot_be_reported(self):
         with self.assertRaisesRegex(ValueError, "no result"):

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 #include "synthesis/program/assess.h"
@@ -170,6 +171,55 @@ TEST(Summary, ObjectivesOfSeveralTerms) {
     expect_has(sum, "sum: 627.5");
     problem.objective->worst = true;
     expect_has(summary(problem, result, {}), "Objective: the worst of several");
+}
+
+TEST(Summary, ShowsWhatComesBeforeTheObjective) {
+    Problem problem = problem_of(crank_rocker_text);
+    problem.wishes.push_back(
+        {{static_cast<std::size_t>(find_quantity(*problem.mechanism, "total-length")), false, 1}, 20});
+    Result result = result_of(Status::solved, crank_rocker_solution());
+    const std::string never_searched = summary(problem, result, {});
+    expect_readable(never_searched);
+    expect_has(never_searched, "minimize  total-length    314.2");
+    result.best->wished = {{300.5, 320.5}};
+    const std::string text = summary(problem, result, {});
+    expect_readable(text);
+    expect_has(text, "First, in this order");
+    expect_has(text, "314.2  mm  300.5    320.5");
+    expect_has_not(summary(problem_of(crank_rocker_text), result, {}), "First, in this order");
+}
+
+TEST(Summary, SaysWhatIsLeftOfAllowedValues) {
+    const Problem problem = problem_of(crank_rocker_text);
+    Result result = result_of(Status::solved, crank_rocker_solution());
+    const auto expect_says = [&](const DiscreteReport& discrete, const std::string& part) {
+        result.search.discrete = discrete;
+        const std::string text = summary(problem, result, {});
+        expect_readable(text);
+        const std::string unfolded = std::regex_replace(text, std::regex("\\s+"), " ");
+        expect_has(unfolded, "Branch and bound over the allowed values, ");
+        expect_has(unfolded, part);
+    };
+    expect_says({.problems = 1}, "1 problem; no allowed values are left that could be better");
+    expect_says({.problems = 7, .continuous = 41.25},
+                "7 problems: 41.25 could be had with any values of the ranges; no");
+    expect_says({.problems = 7, .gap = 0.5}, "allowed values that were not looked at may be better by 0.5.");
+    expect_says({.problems = 7, .combinations = 24}, "all of their 24 combinations were looked at.");
+    expect_says({.problems = 7, .left_out = 1}, "1 part of them was left out because");
+    expect_says({.problems = 7, .left_out = 2}, "2 parts of them were left out because");
+}
+
+TEST(Summary, SaysHowFarTheRangeOfUseGoesBeyondTheTargets) {
+    const std::string use = "[motion]\nfrom = \"first-target\"\nto = \"last-target\"\n";
+    const auto said = [&](const std::string& margins) {
+        const std::string text =
+            summary(problem_of(path_text + use + margins), result_of(Status::solved, path_solution()), {});
+        expect_readable(text);
+        return std::regex_replace(text, std::regex("\\s+"), " ");
+    };
+    expect_has(said(""), "; from the first target to the last.");
+    expect_has(said("before = 5\n"), "; from 5 deg before the first target to the last.");
+    expect_has(said("after = 2.5\n"), "; from the first target to 2.5 deg after the last.");
 }
 
 TEST(Summary, ColoursOnRequest) {

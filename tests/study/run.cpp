@@ -5,6 +5,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -168,6 +169,29 @@ min = 40
     }
     EXPECT_EQ(statuses, (std::vector<std::string>{"solved", "invalid", "solved", "infeasible", "invalid", "infeasible",
                                                   "not-assembled", "invalid", "not-assembled"}));
+}
+
+TEST(Data, HaveTheQuantitiesOfTheTargetsThatThereAre) {
+    const TemporaryFolder folder;
+    const auto has = [&](const std::string& target, std::string_view quantity) {
+        const std::string file = folder.write(
+            "a.toml",
+            "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 5\ncrank = { min = 1, max = 9 }\n"
+            "coupler = { min = 1, max = 9 }\nrocker = { min = 1, max = 9 }\n" +
+                target + "[study]\n\"dimensions.ground\" = [5, 6]\n");
+        const auto names = prepared(file).columns.quantities;
+        return std::find(names.begin(), names.end(), quantity) != names.end();
+    };
+    const std::string function =
+        "[function]\nexpression = \"x^1.5\"\nx = [1, 4]\ninput = { start = 210, range = 90 }\n"
+        "output = { start = 270, range = 90 }\n[objective]\nminimize = \"function-max\"\n";
+    const std::string none = "[objective]\nmaximize = \"swing\"\n";
+    for (const std::string& target : {function, none}) {
+        EXPECT_EQ(has(target, "function-rms"), target == function);
+        EXPECT_FALSE(has(target, "line-deviation"));
+        EXPECT_FALSE(has(target, "path-rms"));
+        EXPECT_TRUE(has(target, "link-ratio"));
+    }
 }
 
 TEST(Data, AreTheSameForAnyNumberOfThreadsAndAfterAnyNumberOfStops) {

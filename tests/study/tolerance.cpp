@@ -303,6 +303,43 @@ TEST(Allocation, SaysWhichLimitLeavesNoRoom) {
     EXPECT_NE(why.find("time-ratio <= 1.18: the design itself misses it"), std::string::npos) << why;
 }
 
+/// The first targets are met before the crank comes round, the last one after: pieces move over the same range.
+TEST(Tolerances, OfARangeOfUseThatGoesPastAFullTurnAreSmall) {
+    const TemporaryFolder folder;
+    const PreparedStudy study = prepared(folder.write("use.toml", R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 100
+crank = 40
+coupler = 90
+rocker = 80
+point-along = 20
+point-across = 5
+assembly = "open"
+[motion]
+from = "first-target"
+to = "last-target"
+[path]
+points = [[38.94831, 6.88977], [42.62152, 13.41512], [46.46387, 23.01128]]
+[study]
+count = 20
+[study.tolerance]
+lengths = { uniform = 0.001 }
+)"));
+    const TolerancedDesign design = design_of(study);
+    const std::vector<double>& angles = design.nominal.design.path_angles;
+    ASSERT_EQ(angles.size(), 3u);
+    EXPECT_NEAR(angles[2] - angles[0], 25 * std::numbers::pi / 180, 1e-3);
+    const auto index = static_cast<std::size_t>(find_quantity(*design.problem.mechanism, "transmission-angle-max"));
+    const double nominal = quantity_value(design.problem, index, design.nominal.design).value();
+    for (std::uint64_t number = 0; number < 20; ++number) {
+        const Piece piece = sample(design, *study.study, number);
+        for (std::size_t i = 0; i < angles.size(); ++i)
+            EXPECT_NEAR(piece.solution.design.path_angles[i], angles[i], 1e-3) << i;
+        EXPECT_NEAR(quantity_value(piece.problem, index, piece.solution.design).value(), nominal, 1e-4);
+    }
+}
+
 TEST(Tolerances, NeedADesign) {
     const TemporaryFolder folder;
     const PreparedStudy study = prepared(
