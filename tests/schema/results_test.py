@@ -125,6 +125,10 @@ ROOMS = """
 name = "all"
 of = "mechanism"
 direction = 10
+[[room]]
+name = "wiped"
+of = ["C", "P"]
+screen = [[-200, 0], [200, 0], [0, 200]]
 [[region]]
 name = "bay"
 keep = "in"

@@ -34,7 +34,7 @@ Json one_of(const Words& words) {
 
 /// What names quantities of signals, rooms and regions have: a file makes them.
 inline constexpr std::string_view quantity_of_links =
-    "^[A-Za-z][A-Za-z0-9_-]*[.](width|height|area|margin|time-ratio|"
+    "^[A-Za-z][A-Za-z0-9_-]*[.](width|height|area|self-distance|swept-area|uncovered|margin|time-ratio|"
     "((speed|acceleration|jerk)[.])?((least|greatest|range|mean|rms|deviation)([(][^()]*[)])?|at[(][^()]*[)]))"
     "([.]whole)?$";
 

@@ -68,7 +68,7 @@ private:
     double integral_between(double from, double to) const {
         const Stretch stretch{from, to, true, true};
         const Panels panels([&](double s) { return covered_at(stretch.at(s)) * stretch.speed(s); }, 0, 1,
-                            {.within = 1e-11, .noise = 1e-12, .narrowest = 1e-6, .everywhere = true});
+                            {.within = 1e-11, .noise = 1e-12, .narrowest = 1e-9, .everywhere = true});
         return panels.finite() ? panels.integral() : missing;
     }
     /// Slices lie in a direction that nothing in a drawing is likely to have.
@@ -211,7 +211,7 @@ private:
     /// How far the crossing turns back between two inputs: by golden sections where it is beyond both of its ends.
     template <class Function>
     static void add_turn(const Function& x, double from, double to, Interval& interval) {
-        const double step = 1e-3 * (to - from), start = x(from + step) - x(from + 2 * step),
+        const double step = 1e-5 * (to - from), start = x(from + step) - x(from + 2 * step),
                      end = x(to - step) - x(to - 2 * step);
         if (!(start * end > 0)) return;
         const double sign = start < 0 ? 1 : -1;  // it rises at first
