@@ -68,6 +68,21 @@ TEST(SweptArea, OfABarThatDoesNotTurnIsThatOfItsSlices) {
     expect_verified(document);
 }
 
+/// A ladder that slides on two walls: what it sweeps is within an astroid (3/8 pi of the square of its length).
+TEST(SweptArea, OfALadderIsAnAstroid) {
+    const Json document =
+        analysed_room(
+            "schema = 1\nmechanism = \"linkage\"\n[links]\nframe = { O = [0, 0] }\nbar = { A = [0, 0], B = [5, 0] "
+            "}\n[[slot]]\npin = \"A\"\nin = \"frame\"\npoint = \"O\"\ndirection = 0\n[[slot]]\npin = \"B\"\nin = "
+            "\"frame\"\npoint = \"O\"\ndirection = 90\n[drive]\nlink = \"bar\"\n" +
+            blade_of("A", "B", "[[0, 0], [5, 0], [5, 5], [0, 5]]"))
+            .document;
+    const double whole = 25 * 3 * std::numbers::pi / 8;
+    EXPECT_NEAR(value_in(document, "blade.swept-area"), whole, 1e-11);
+    EXPECT_NEAR(value_in(document, "blade.uncovered"), 25 - whole / 4, 1e-11);
+    expect_verified(document);
+}
+
 /// Couplers over a turn, whose lines have envelopes with cusps, and over motions that end at limits.
 TEST(SweptArea, IsThatOfItsSlices) {
     const std::string screen = "[[-1, -2], [5, -1], [6, 4], [1, 3], [-3, 3]]";

@@ -1,8 +1,10 @@
 #include "synthesis/mechanism/linkage/again/swept_again.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -64,12 +66,39 @@ public:
     }
 
 private:
+    /// The integral over a panel, which is halved where a corner hides between its end and the node next to that: the
+    /// polynomial through the nodes then does not lead to the value at the end.
+    template <class Function>
+    static double integral_over(const Function& f, double from, double to, double within) {
+        constexpr double narrowest = 1e-9;
+        Panel panel{from, to};
+        double sum = 0;
+        std::array<double, 2> above{}, below{};
+        for (std::size_t i = 0; i < Panel::nodes; ++i) {
+            const double value = f(panel.at(i));
+            sum += panel.weight(i) * value;
+            const double root = std::sin((2.0 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * Panel::nodes));
+            for (const bool last : {false, true}) {
+                const double weight = (i % 2 == 0 ? root : -root) / (panel.at(i) - (last ? to : from));
+                above[last] += weight * value;
+                below[last] += weight;
+            }
+        }
+        const bool leads =
+            std::abs(above[0] / below[0] - f(from)) <= within && std::abs(above[1] / below[1] - f(to)) <= within;
+        const double middle = 0.5 * (from + to);
+        if (leads || to - from < narrowest) return sum;
+        return integral_over(f, from, middle, within) + integral_over(f, middle, to, within);
+    }
     /// Slices grow like roots from where an end of the line turns back; elsewhere they may have corners.
     double integral_between(double from, double to) const {
         const Stretch stretch{from, to, true, true};
-        const Panels panels([&](double s) { return covered_at(stretch.at(s)) * stretch.speed(s); }, 0, 1,
-                            {.within = 1e-11, .noise = 1e-12, .narrowest = 1e-9, .everywhere = true});
-        return panels.finite() ? panels.integral() : missing;
+        const auto f = [&](double s) { return covered_at(stretch.at(s)) * stretch.speed(s); };
+        const Panels panels(f, 0, 1, {.within = 1e-11, .noise = 1e-12, .narrowest = 1e-9, .everywhere = true});
+        double sum = 0;
+        for (const Panel& panel : panels.all())
+            sum += integral_over(f, panel.from, panel.to, 1e-7 * panels.greatest());
+        return panels.finite() ? sum : missing;
     }
     /// Slices lie in a direction that nothing in a drawing is likely to have.
     static Vector<double> in_slices(const Vector<double>& at) { return turned(at, across()); }
