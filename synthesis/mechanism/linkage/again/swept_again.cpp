@@ -144,6 +144,8 @@ private:
             const auto ends = ends_at(middle, room);
             possible_ = possible_ && ends.has_value();
             if (!possible_) return;
+            // An end that stays where it is has no other height.
+            if (i == 0) heights_.insert(heights_.end(), {ends->first.y.c[0], ends->second.y.c[0]});
             add_monotone({all[i] - middle, all[i + 1] - middle, ends->first, ends->second, 0, 0});
         }
         if (scan_.full_turn()) return;
