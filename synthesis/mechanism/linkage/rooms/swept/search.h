@@ -48,7 +48,8 @@ public:
             auto cuts = cuts_at_crossings(motion, curves, outline_, ends_);
             for (std::size_t i = 0; i < outline_.curves.size(); ++i)
                 add_arcs(motion, curves, i, cuts[i]);
-            if (closes(motion, curves)) return std::move(outline_);
+            const bool lost = outline_.arcs.empty() && enters_screen(motion);
+            if (!lost && closes(motion, curves)) return std::move(outline_);
         }
         return {};
     }
@@ -289,6 +290,15 @@ private:
             if (covers(motion, beside) != (curve.kind == Kind::side)) continue;
             outline_.arcs.push_back({index, cuts[i].at, cuts[i + 1].at, cuts[i].corner, cuts[i + 1].corner, !left});
         }
+    }
+    /// Whether an end of the blade is in the screen anywhere.
+    bool enters_screen(const BladeMotion<K>& motion) const {
+        for (const auto& piece : motion.samples)
+            for (const BladeSample<K>& sample : piece)
+                for (const auto* end : {&sample.blade.first, &sample.blade.second})
+                    if (!screen_.empty() && is_in_polygon(screen_, Vector<double>{end->x.c[0], end->y.c[0]}))
+                        return true;
+        return false;
     }
     /// Whether each arc is followed by one that begins where it ends.
     bool closes(const BladeMotion<K>& motion, SweptCurves<double, K>& curves) {
