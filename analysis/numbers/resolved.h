@@ -33,6 +33,21 @@ struct Stretch {
         if (root_at_to) return to - length() * (1 - s) * (1 - s);
         return s < 0.5 ? from + length() * s : to - length() * (1 - s);
     }
+    /// The share at which x is. That of two roots is the zero of s^2 (3 - 2 s) - p with p the part of the length: a
+    /// third of an angle whose half has the sine sqrt(p).
+    double share_of(double x) const {
+        if (!root_at_from && !root_at_to) return (x - from) / length();
+        if (!(x > from)) return 0;
+        if (!(x < to)) return 1;
+        const double before = (x - from) / length(), after = (to - x) / length();
+        if (!root_at_to) return std::sqrt(before);
+        if (!root_at_from) return 1 - std::sqrt(after);
+        const auto third = [](double part) {
+            const double angle = std::asin(std::sqrt(part)) / 3;
+            return 2 * std::cos(std::numbers::pi / 6 - angle) * std::sin(angle);
+        };
+        return before < 0.5 ? third(before) : 1 - third(after);
+    }
     /// dx/ds.
     double speed(double s) const {
         return length() * (root_at_from ? root_at_to ? 6 * s * (1 - s) : 2 * s : root_at_to ? 2 * (1 - s) : 1);
@@ -56,8 +71,37 @@ struct Panel {
     std::array<double, nodes> value{};
 
     double at(std::size_t node) const { return 0.5 * ((from + to) + (to - from) * abscissas()[node]); }
+    /// What the polynomial through its values leads to at its first end, or its last: of Chebyshev nodes by barycentric
+    /// weights (Berrut and Trefethen, SIAM Review 46 (2004), 501-517).
+    double leads_to(bool last) const {
+        static const std::array<double, nodes> weights = [] {
+            std::array<double, nodes> made{};
+            double sum = 0;
+            for (std::size_t i = 0; i < nodes; ++i) {
+                const double root = std::sin((2 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * nodes));
+                made[i] = (i % 2 == 0 ? root : -root) / (1 + abscissas()[i]);
+                sum += made[i];
+            }
+            for (double& weight : made)
+                weight /= sum;
+            return made;
+        }();
+        double sum = 0;
+        for (std::size_t i = 0; i < nodes; ++i)
+            sum += weights[last ? nodes - 1 - i : i] * value[i];
+        return sum;
+    }
     /// Of a value in the integral over the panel.
     double weight(std::size_t node) const { return 0.5 * (to - from) * weights()[node]; }
+
+    /// The slope at a node of the polynomial through values at all of them, by the way along the panel.
+    template <class T>
+    T slope_at(std::size_t node, const std::array<T, nodes>& values) const {
+        T sum(0);
+        for (std::size_t i = 0; i < nodes; ++i)
+            sum = sum + T(differences()[node][i] * 2 / (to - from)) * values[i];
+        return sum;
+    }
 
     static const std::array<double, nodes>& abscissas() {
         static const std::array<double, nodes> x = [] {
@@ -67,6 +111,24 @@ struct Panel {
             return made;
         }();
         return x;
+    }
+    /// From values at the nodes in [-1, 1] to slopes there (Berrut and Trefethen, SIAM Review 46 (2004), section 9.3).
+    static const std::array<std::array<double, nodes>, nodes>& differences() {
+        static const auto d = [] {
+            const auto weight = [](std::size_t i) {
+                const double root = std::sin((2 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * nodes));
+                return i % 2 == 0 ? root : -root;
+            };
+            std::array<std::array<double, nodes>, nodes> made{};
+            for (std::size_t i = 0; i < nodes; ++i)
+                for (std::size_t j = 0; j < nodes; ++j) {
+                    if (i == j) continue;
+                    made[i][j] = weight(j) / weight(i) / (abscissas()[i] - abscissas()[j]);
+                    made[i][i] -= made[i][j];
+                }
+            return made;
+        }();
+        return d;
     }
     /// Of an integral over [-1, 1].
     static const std::array<double, nodes>& weights() {
@@ -98,6 +160,9 @@ public:
         double narrowest_last = 0;
         std::size_t most = 4096;  ///< panels
         bool everywhere = false;  ///< stop at the first value that is not finite
+        bool continuous = false;  ///< the function jumps nowhere: panels that lead to other values where they meet
+                                  ///< hide a kink between their last nodes and there
+        bool at_ends = false;     ///< it has its values at both ends, too, to which the outer panels lead
     };
 
     /// Of g(s) over [from, to]. Where g is not finite it counts as resolved once its panel is as narrow as a kink's.
@@ -111,16 +176,35 @@ public:
         while (!open.empty() && !(limits.everywhere && !finite_)) {
             const Panel panel = open.back();
             open.pop_back();
-            const double middle = 0.5 * (panel.from + panel.to);
-            const double narrowest = std::max({limits.narrowest, panel.from == from ? limits.narrowest_first : 0,
-                                               panel.to == to ? limits.narrowest_last : 0});
-            if (is_resolved(panel) || panel.to - panel.from < narrowest * (to - from) ||
-                done_.size() + open.size() + 2 > limits.most) {
-                done_.push_back(panel);
-            } else {
-                open.push_back(sampled(g, middle, panel.to));
-                open.push_back(sampled(g, panel.from, middle));
+            const auto is_narrow = [&](const Panel& one) {
+                const double narrowest = std::max({limits.narrowest, one.from == from ? limits.narrowest_first : 0,
+                                                   one.to == to ? limits.narrowest_last : 0});
+                return one.to - one.from < narrowest * (to - from) || done_.size() + open.size() + 2 > limits.most;
+            };
+            const auto halve = [&](const Panel& one) {
+                const double middle = 0.5 * (one.from + one.to);
+                open.push_back(sampled(g, middle, one.to));
+                open.push_back(sampled(g, one.from, middle));
+            };
+            if (!is_narrow(panel) && !(is_resolved(panel) && leads_to_ends(g, panel, from, to))) {
+                halve(panel);
+                continue;
             }
+            if (!done_.empty() && parts_from(done_.back(), panel)) {
+                // Of the two the wider one is halved.
+                const Panel before = done_.back();
+                if (before.to - before.from > panel.to - panel.from && !is_narrow(before)) {
+                    done_.pop_back();
+                    open.push_back(panel);
+                    halve(before);
+                    continue;
+                }
+                if (!is_narrow(panel)) {
+                    halve(panel);
+                    continue;
+                }
+            }
+            done_.push_back(panel);
         }
     }
 
@@ -268,6 +352,22 @@ private:
             if (std::isfinite(panel.value[i])) greatest_ = std::max(greatest_, std::abs(panel.value[i]));
         }
         return panel;
+    }
+
+    /// Whether two neighbours lead to different values where they meet.
+    bool parts_from(const Panel& before, const Panel& after) const {
+        return limits_.continuous && differ(before.leads_to(true), after.leads_to(false));
+    }
+    template <class Function>
+    bool leads_to_ends(const Function& g, const Panel& panel, double from, double to) const {
+        return !limits_.at_ends || (!(panel.from == from && differ(panel.leads_to(false), g(from))) &&
+                                    !(panel.to == to && differ(panel.leads_to(true), g(to))));
+    }
+    /// By so much that the integral over what is beyond the last node, 1/400 of a panel, is more than a resolved panel
+    /// leaves open.
+    bool differ(double one, double other) const {
+        constexpr double at_end = 400;
+        return std::abs(one - other) > at_end * ((limits_.within + limits_.noise) * greatest_ + limits_.floor);
     }
 
     bool is_resolved(const Panel& panel) const {

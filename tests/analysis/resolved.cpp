@@ -80,5 +80,17 @@ TEST(Resolved, IntegralsAreExactToRounding) {
     EXPECT_NEAR(integral_of([](double x) { return std::abs(x - 0.7); }, {0, 1}), 0.29, 1e-14);
 }
 
+/// Between the last node of a panel and its end a kink changes no value at a node, but where its neighbour leads to.
+TEST(Resolved, KinksBesideEndsOfPanelsAreNoneOfAnIntegral) {
+    for (double off = 1e-3; off > 1e-7; off *= 0.3)
+        for (const double kink : {0.5 - off, 0.5 + off, 0.375 + off / 3}) {
+            const Panels panels([&](double x) { return std::abs(x - kink); }, 0, 1,
+                                {.within = 1e-14, .continuous = true});
+            EXPECT_NEAR(panels.integral(), (kink * kink + (1 - kink) * (1 - kink)) / 2, 1e-14) << kink;
+        }
+    const Panels at_ends([](double x) { return std::abs(x - 2e-4); }, 0, 1, {.within = 1e-14, .at_ends = true});
+    EXPECT_NEAR(at_ends.integral(), (2e-4 * 2e-4 + (1 - 2e-4) * (1 - 2e-4)) / 2, 1e-14);
+}
+
 }  // namespace
 }  // namespace mechwright::test

@@ -1,10 +1,14 @@
 // Boxes that linkages need over their motion: against closed forms, all poses of a fine scan and differences; and what
 // is said of rooms and regions that are wrong.
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <span>
 #include <sstream>
 
+#include "analysis/numbers/golden_section.h"
+#include "analysis/numbers/resolved.h"
 #include "synthesis/report/drawing/scene.h"
 #include "tests/long_form.h"
 #include "tests/mechanism/linkage_scans.h"
@@ -191,6 +195,66 @@ std::string text_of_source(const std::string& file) {
 std::string shipped_for_room(const std::string& name) { return text_of_source("problems/linkage/" + name + ".toml"); }
 
 /// What the manual shows, of a linkage that has the links that it names.
+/// A four-bar that moves between limits: the place of its coupler point by the circles about B and D.
+struct OpenFourBar {
+    double ground, crank, coupler, rocker, along, across;
+    std::string side;
+
+    Vector<double> point(double crank_angle) const {
+        const Vector<double> b{crank * std::cos(crank_angle), crank * std::sin(crank_angle)};
+        const Vector<double> way = Vector<double>{ground, 0} - b;
+        const double far = std::hypot(way.x, way.y);
+        const double before = (coupler * coupler - rocker * rocker + far * far) / (2 * far);
+        const double beside = std::sqrt(std::max(0.0, coupler * coupler - before * before));
+        const Vector<double> u = (1 / far) * way;
+        const Vector<double> e = (1 / coupler) * (before * u + (side == "left" ? beside : -beside) * left_of(u));
+        return b + along * e + across * left_of(e);
+    }
+    /// Its motion, whose limits are where coupler and rocker are in line.
+    Stretch motion() const {
+        const double reach = coupler + rocker;
+        const double limit = std::acos((ground * ground + crank * crank - reach * reach) / (2 * ground * crank));
+        return {-limit, limit, true, true};
+    }
+    /// The greatest of a sum over the motion, by golden sections between shares of a fine scan.
+    template <class Of>
+    double greatest(const Of& of) const {
+        constexpr int steps = 4000;
+        const auto at = [&](double share) { return of(point(motion().at(std::clamp(share, 0.0, 1.0)))); };
+        int best = 0;
+        for (int i = 0; i <= steps; ++i)
+            if (at(i / double{steps}) > at(best / double{steps})) best = i;
+        return at(greatest_between(at, (best - 1) / double{steps}, (best + 1) / double{steps}));
+    }
+    std::string problem() const {
+        return fmt::format(
+            "schema = 1\nmechanism = \"linkage\"\n[links]\nframe = {{ A = [0, 0], D = [{}, 0] }}\ncrank = {{ A = [0, "
+            "0], "
+            "B = [{}, 0] }}\ncoupler = {{ B = [0, 0], C = [{}, 0], P = [{}, {}] }}\nrocker = {{ D = [0, 0], C = [{}, "
+            "0] "
+            "}}\n[drive]\nlink = \"crank\"\n[assembly]\nC = {{ side = \"{}\", from = \"B\", to = \"D\" }}\n[[room]]\n"
+            "name = \"path\"\nof = [\"P\"]\n",
+            ground, crank, coupler, along, across, rocker, side);
+    }
+};
+
+/// Next to a limit, nearer than samples are to each other, these paths turn back.
+TEST(LinkageRooms, HaveTheirExtremesBesideLimits) {
+    for (const OpenFourBar& bars :
+         {OpenFourBar{3.6, 2.4, 2.6, 2.5, -1.7, 0.8, "right"}, OpenFourBar{2.5, 5.6, 2.2, 2.5, -1.5, 0.2, "left"},
+          OpenFourBar{2.5, 6, 4.2, 3.9, -1.6, 0.9, "left"}, OpenFourBar{5.7, 2.6, 3.2, 3.9, -2.9, 1, "right"}}) {
+        SCOPED_TRACE(bars.problem());
+        const Json document = analysed_room(bars.problem()).document;
+        const auto side = [&](const Vector<double>& way) {
+            return bars.greatest([&](const Vector<double>& at) { return dot(at, way); }) +
+                   bars.greatest([&](const Vector<double>& at) { return -dot(at, way); });
+        };
+        EXPECT_NEAR(value_in(document, "path.width"), side({1, 0}), 1e-12);
+        EXPECT_NEAR(value_in(document, "path.height"), side({0, 1}), 1e-12);
+        expect_verified(document);
+    }
+}
+
 TEST(LinkageRooms, AreReadAsTheManualSaysThem) {
     const std::string manual = text_of_source("problems/README.md"), fence = "```";
     const std::size_t from = manual.find("[[room]]\nname      = \"envelope\"");

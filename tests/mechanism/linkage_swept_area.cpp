@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "synthesis/solve/solve.h"
 #include "tests/mechanism/kinds_with_rooms.h"
@@ -20,6 +21,12 @@ std::string turning_wiper(const std::string& range) {
     return "schema = 1\nmechanism = \"linkage\"\n[dimensions]\narm = 10\n[links]\nframe = { A = [0, 0] }\narm = { A = "
            "[0, 0], P = [\"arm\", 0], Q = [30, 0] }\n[drive]\nlink = \"arm\"\n[motion]\ncrank_range = " +
            range + "\n";
+}
+
+/// Where no outline closes, a document states no value, and nothing is verified.
+void expect_measured(const Json& document) {
+    EXPECT_TRUE(std::isfinite(value_in(document, "blade.swept-area")));
+    EXPECT_TRUE(std::isfinite(value_in(document, "blade.uncovered")));
 }
 
 TEST(SweptArea, OfAWiperThatTurnsIsThatOfItsSector) {
@@ -94,11 +101,32 @@ TEST(SweptArea, IsThatOfItsSlices) {
             SCOPED_TRACE(lengths + end);
             const std::string text =
                 "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + lengths + blade_of(end, "P", screen);
-            expect_verified(analysed_room(text).document);
+            const Json document = analysed_room(text).document;
+            expect_measured(document);
+            expect_verified(document);
             // Beyond the limits of one design those of others lie.
             if (lengths.starts_with("ground = 5")) continue;
             expect_room_slopes(text, {end == "C" ? "blade.swept-area" : "blade.uncovered"});
         }
+}
+
+/// A line whose one end stays where it is turns back where the other moves along it: all of it is a border there. A
+/// rocker's pin goes over its path again, of which a part is a border for the one pass alone.
+TEST(SweptArea, IsThatOfItsSlicesWhereTheLineTurnsBack) {
+    const std::string screen = "[[-1, -2], [5, -1], [6, 4], [1, 3], [-3, 3]]";
+    const std::string crank_rocker =
+        "ground = 4\ncrank = 1.5\ncoupler = 4\nrocker = 4.5\npoint-along = 6\npoint-across = 1\n";
+    const std::string to_limits = "ground = 5\ncrank = 4\ncoupler = 2\nrocker = 4\npoint-along = 3\npoint-across = 1\n";
+    for (const auto& [lengths, one, other] :
+         {std::tuple(crank_rocker, "A", "P"), std::tuple(crank_rocker, "B", "C"), std::tuple(crank_rocker, "D", "P"),
+          std::tuple(to_limits, "A", "P"), std::tuple(to_limits, "B", "C"), std::tuple(to_limits, "C", "P")}) {
+        SCOPED_TRACE(lengths + one + other);
+        const Json document = analysed_room("schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + lengths +
+                                            blade_of(one, other, screen))
+                                  .document;
+        expect_measured(document);
+        expect_verified(document);
+    }
 }
 
 /// A rocker whose blade is to leave as little of a screen as its frame and its length allow.

@@ -43,39 +43,52 @@ bool ends_in_several_limits(Measured<double, K>& measured, std::size_t signal, c
     return at(travel.from, travel.first) || at(travel.to, travel.last);
 }
 
-/// The limit of a signal at an end of the motion, from the places beside it: smooth in the root of the distance, it is
-/// that of the polynomial through its values at Chebyshev nodes (Berrut and Trefethen, Barycentric Lagrange
-/// interpolation, SIAM Review 46 (2004), 501-517). Far from the end a polynomial follows less well, near it rounding is
-/// greater: of panels that halve, the first with which the next one agrees, or does best. Off by 1e-11 of the size or
-/// so: what is nearer to 0 is 0.
-template <std::size_t K>
-double from_beside(Measured<double, K>& measured, std::size_t signal, const Course& course, bool last) {
+/// The value at 0 of the polynomial through the values of f(s) at the Chebyshev nodes of [0, width] (Berrut and
+/// Trefethen, Barycentric Lagrange interpolation, SIAM Review 46 (2004), 501-517).
+template <class T, class Function>
+T from_nodes(const Function& f, double width) {
+    const Panel panel{0, width};
+    T sum(0);
+    double weights = 0;
+    for (std::size_t k = 0; k < Panel::nodes; ++k) {
+        const double s = panel.at(k);
+        const double root = std::sin((2.0 * static_cast<double>(k) + 1) * std::numbers::pi / (2 * Panel::nodes));
+        const double weight = (k % 2 == 0 ? root : -root) / s;
+        sum = sum + T(weight) * f(s);
+        weights += weight;
+    }
+    return sum / T(weights);
+}
+
+/// The limit of f(s) at 0 from the values beside it, where f is smooth in s and of a size. Far from 0 a polynomial
+/// follows less well, near it rounding is greater: of panels that halve, the first with which the next one agrees, or
+/// does best. Off by 1e-11 of the size or so: what is nearer to 0 is 0.
+template <class Function>
+double limit_from_beside(const Function& f, double size) {
     constexpr int halvings = 6;
-    constexpr double agrees = 1e-12;  // of the linkage's size
-    const Stretch stretch = stretch_of(course, course.travel.from, course.travel.to);
-    const auto by_panel = [&](double width) {
-        const Panel panel{0, width};
-        double sum = 0, weights = 0;
-        for (std::size_t k = 0; k < Panel::nodes; ++k) {
-            const double s = panel.at(k), at = stretch.at(last ? 1 - s : s);
-            const double root = std::sin((2.0 * static_cast<double>(k) + 1) * std::numbers::pi / (2 * Panel::nodes));
-            const double weight = (k % 2 == 0 ? root : -root) / s;
-            sum += weight * measured.value(signal, at, course.turns.near(at)).c[0];
-            weights += weight;
-        }
-        return sum / weights;
-    };
-    double width = 0.5, value = by_panel(width), best = value, apart = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < halvings && !(apart <= agrees * size_of(measured.driven())); ++i) {
-        const double nearer = by_panel(width /= 2);
+    constexpr double agrees = 1e-12, off = 1e-11;  // of the size
+    double width = 0.5, value = from_nodes<double>(f, width), best = value,
+           apart = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < halvings && !(apart <= agrees * size); ++i) {
+        const double nearer = from_nodes<double>(f, width /= 2);
         if (std::abs(nearer - value) < apart) {
             apart = std::abs(nearer - value);
             best = value;
         }
         value = nearer;
     }
-    constexpr double off = 1e-11;
-    return std::abs(best) <= off * size_of(measured.driven()) ? 0 : best;
+    return std::abs(best) <= off * size ? 0 : best;
+}
+
+/// The limit of a signal at an end of the motion, from the places beside it, in the root of the distance.
+template <std::size_t K>
+double from_beside(Measured<double, K>& measured, std::size_t signal, const Course& course, bool last) {
+    const Stretch stretch = stretch_of(course, course.travel.from, course.travel.to);
+    const auto beside = [&](double s) {
+        const double at = stretch.at(last ? 1 - s : s);
+        return measured.value(signal, at, course.turns.near(at)).c[0];
+    };
+    return limit_from_beside(beside, size_of(measured.driven()));
 }
 
 }  // namespace detail

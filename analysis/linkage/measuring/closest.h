@@ -130,6 +130,27 @@ std::vector<SeparationSample> separation_samples(const Function& at_share, const
     return samples;
 }
 
+/// Adds a sample between an end and the sample next to it where it is less than at both of them.
+template <class Function>
+void look_beside(const Function& at_share, std::vector<SeparationSample>& samples, bool last) {
+    constexpr int halvings = 20;
+    const SeparationSample &end = last ? samples.back() : samples.front(),
+                           &next = last ? samples[samples.size() - 2] : samples[1];
+    if (!(end.by.distance <= next.by.distance)) return;
+    const auto beside = [&](double part) {
+        const double share = end.share + part * (next.share - end.share);
+        return SeparationSample{share, at_share(share)};
+    };
+    const auto is_less = [&](const SeparationSample& one) { return one.by.distance < end.by.distance; };
+    if (!is_less(beside(std::ldexp(1.0, -halvings)))) return;
+    for (int i = 1; i <= halvings; ++i) {
+        const SeparationSample one = beside(std::ldexp(1.0, -i));
+        if (!is_less(one)) continue;
+        samples.insert(last ? samples.end() - 1 : samples.begin() + 1, one);
+        return;
+    }
+}
+
 /// Where a parabola through three samples is least.
 inline double lowest_of_parabola(const SeparationSample& a, const SeparationSample& b, const SeparationSample& c) {
     const double before = (b.by.distance - a.by.distance) / (b.share - a.share),
@@ -147,7 +168,9 @@ void add_lowest(const Function& at_share, const MotionPart& part, bool smooth, c
     constexpr int steps = 36;
     constexpr double beside = 1e-7;
     const Stretch& stretch = part.stretch;
-    const std::vector<SeparationSample> samples = separation_samples(at_share, stretch, pins);
+    std::vector<SeparationSample> samples = separation_samples(at_share, stretch, pins);
+    look_beside(at_share, samples, false);
+    look_beside(at_share, samples, true);
     const auto [least, greatest] =
         std::minmax_element(samples.begin(), samples.end(),
                             [](const auto& one, const auto& other) { return one.by.distance < other.by.distance; });

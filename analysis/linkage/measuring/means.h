@@ -49,7 +49,8 @@ T mean_of_part(Measured<T, K>& measured, Measured<double, L>& plain, const Asked
                          .narrowest_first = rough && stretch.root_at_from ? noisy : 0,
                          .narrowest_last = rough && stretch.root_at_to ? noisy : 0,
                          .most = 512,
-                         .everywhere = true});
+                         .everywhere = true,
+                         .continuous = !rough});
     if (!panels.finite()) return T(std::numeric_limits<double>::quiet_NaN());
     if constexpr (std::is_same_v<T, double>) return panels.integral();
     T sum(0);

@@ -10,12 +10,12 @@
 #include <span>
 #include <vector>
 
+#include "analysis/geometry/polygon.h"
 #include "analysis/linkage/measuring/means.h"
 #include "synthesis/mechanism/linkage/rooms/approach.h"
 #include "synthesis/mechanism/linkage/rooms/found_apart.h"
 #include "synthesis/mechanism/linkage/rooms/found_room.h"
 #include "synthesis/mechanism/linkage/rooms/swept/area.h"
-#include "synthesis/mechanism/linkage/rooms/swept/screen.h"
 #include "synthesis/mechanism/linkage/rooms/turned_size.h"
 #include "synthesis/mechanism/linkage/targets/generated.h"
 
@@ -207,7 +207,10 @@ private:
     T swept() {
         const T area = area_within(measured_, plain_, course_, found_.swept, ends_);
         if (over_.measure.kind == Kind::swept_area) return area;
-        return T(area_of(screen_of(over_))) - area;
+        constexpr double rounding = 1e-12;
+        const double whole = area_of(screen_of(over_));
+        const T rest = T(whole) - area;
+        return std::abs(value_of(rest)) <= rounding * whole ? T(0) : rest;
     }
     T shift(const Term& term) { return linkage::shift_of(measured_, term.asked, course_, term.place, ends_); }
     void add_link_ratios(std::vector<T>& out) {

@@ -103,6 +103,14 @@ inline bool is_of_coordinates(Kind kind) {
     return is_of_turned_box(kind) || is_of_swept_area(kind) || kind == Kind::self_distance;
 }
 
+/// The screen of the room that is measured, in the lengths of its model.
+inline std::vector<Vector<double>> screen_of(const Over& over) {
+    std::vector<Vector<double>> corners;
+    for (const Vector<double>& corner : over.model.rooms[over.measure.of_room].screen)
+        corners.push_back((1 / over.model.unit) * corner);
+    return corners;
+}
+
 /// How far all pins of a room are along its width, or its height; of its area all along the one, then along the other.
 /// Of a box that turns, and of a path, the coordinates of each.
 inline std::vector<Signal> signals_of_room(const LinkageRoom& room, Kind kind) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/geometry/convex_pieces.h"
+#include "analysis/geometry/polygon.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
@@ -164,12 +165,11 @@ std::optional<Place> read_pair(LinkageReading& reading, Section& section, std::s
 std::string why_no_polygon(std::vector<Place>& corners) {
     const std::size_t n = corners.size();
     if (n < 3) return "needs three corners or more";
-    double area = 0, size = 0;
+    double size = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const Place side = corners[(i + 1) % n] - corners[i];
         if (side.x == 0 && side.y == 0)
             return fmt::format("has the corner [{}, {}] twice in a row: leave one out", corners[i].x, corners[i].y);
-        area += cross(corners[i] - corners[0], side);
         size = std::max(size, std::hypot(side.x, side.y));
     }
     if (const auto at = crossing_of_sides(corners))
@@ -178,6 +178,7 @@ std::string why_no_polygon(std::vector<Place>& corners) {
             "sides meet nowhere else",
             at->x, at->y);
     constexpr double rounding = 1e-12;
+    const double area = area_of(corners);
     if (!(std::abs(area) > rounding * size * size)) return "has no area: give it corners that are not in one line";
     if (area < 0) std::reverse(corners.begin(), corners.end());
     return {};

@@ -1,7 +1,6 @@
 #include "synthesis/mechanism/linkage/again/swept_again.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/extremes.h"
 #include "analysis/numbers/resolved.h"
 #include "synthesis/mechanism/linkage/again/measured.h"
 
@@ -33,16 +33,12 @@ double value(const InputSeries& f, double by) {
     return sum;
 }
 
-/// Where a function that changes its sign between two places does so.
+/// Where a function does so, if it changes its sign between two places.
 template <class Function>
-double root_between(double low, double high, const Function& f) {
-    const bool up = f(low) < 0;
-    for (int i = 0; i < 100; ++i) {
-        const double middle = 0.5 * (low + high);
-        if (!(middle > low && middle < high)) break;
-        ((f(middle) < 0) == up ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+std::optional<double> root_between(double low, double high, const Function& f) {
+    const double at_low = f(low), at_high = f(high);
+    if ((at_low > 0) == (at_high > 0)) return {};
+    return zero_between<double>(f, low, high, at_low, at_high);
 }
 
 class SweptSlices {
@@ -66,39 +62,20 @@ public:
     }
 
 private:
-    /// The integral over a panel, which is halved where a corner hides between its end and the node next to that: the
-    /// polynomial through the nodes then does not lead to the value at the end.
-    template <class Function>
-    static double integral_over(const Function& f, double from, double to, double within) {
-        constexpr double narrowest = 1e-9;
-        Panel panel{from, to};
-        double sum = 0;
-        std::array<double, 2> above{}, below{};
-        for (std::size_t i = 0; i < Panel::nodes; ++i) {
-            const double value = f(panel.at(i));
-            sum += panel.weight(i) * value;
-            const double root = std::sin((2.0 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * Panel::nodes));
-            for (const bool last : {false, true}) {
-                const double weight = (i % 2 == 0 ? root : -root) / (panel.at(i) - (last ? to : from));
-                above[last] += weight * value;
-                below[last] += weight;
-            }
-        }
-        const bool leads =
-            std::abs(above[0] / below[0] - f(from)) <= within && std::abs(above[1] / below[1] - f(to)) <= within;
-        const double middle = 0.5 * (from + to);
-        if (leads || to - from < narrowest) return sum;
-        return integral_over(f, from, middle, within) + integral_over(f, middle, to, within);
-    }
     /// Slices grow like roots from where an end of the line turns back; elsewhere they may have corners.
     double integral_between(double from, double to) const {
         const Stretch stretch{from, to, true, true};
         const auto f = [&](double s) { return covered_at(stretch.at(s)) * stretch.speed(s); };
-        const Panels panels(f, 0, 1, {.within = 1e-11, .noise = 1e-12, .narrowest = 1e-9, .everywhere = true});
-        double sum = 0;
-        for (const Panel& panel : panels.all())
-            sum += integral_over(f, panel.from, panel.to, 1e-7 * panels.greatest());
-        return panels.finite() ? sum : missing;
+        const double size = heights_.back() - heights_.front();
+        const Panels panels(f, 0, 1,
+                            {.within = 1e-11,
+                             .noise = 1e-12,
+                             .floor = 1e-13 * size * size,
+                             .narrowest = 1e-9,
+                             .everywhere = true,
+                             .continuous = true,
+                             .at_ends = true});
+        return panels.finite() ? panels.integral() : missing;
     }
     /// Slices lie in a direction that nothing in a drawing is likely to have.
     static Vector<double> in_slices(const Vector<double>& at) { return turned(at, across()); }
@@ -157,15 +134,14 @@ private:
     void add_monotone(const SweptCell& cell) {
         for (const Vector<InputSeries>* end : {&cell.first, &cell.second}) {
             const InputSeries slope = slope_of(end->y);
-            const auto f = [&](double by) { return value(slope, by); };
-            if ((f(cell.low) < 0) == (f(cell.high) < 0)) continue;
-            const double at = root_between(cell.low, cell.high, f);
-            heights_.push_back(value(end->y, at));
+            const auto at = root_between(cell.low, cell.high, [&](double by) { return value(slope, by); });
+            if (!at) continue;
+            heights_.push_back(value(end->y, *at));
             // Beside a root the slope is rounding, of either sign.
             const double wide = 1e-9 * (cell.high - cell.low);
-            if (!(at - cell.low > wide && cell.high - at > wide)) continue;
+            if (!(*at - cell.low > wide && cell.high - *at > wide)) continue;
             SweptCell before = cell, after = cell;
-            before.high = after.low = at;
+            before.high = after.low = *at;
             add_monotone(before);
             add_monotone(after);
             return;
@@ -222,14 +198,9 @@ private:
         std::vector<Stop> stops;
         for (const double end : {cell.low, cell.high})
             if (first(end) * second(end) < 0) stops.push_back({end, x(end)});
-        if ((first(cell.low) < 0) != (first(cell.high) < 0)) {
-            const double by = root_between(cell.low, cell.high, first);
-            stops.push_back({by, value(cell.first.x, by)});
-        }
-        if ((second(cell.low) < 0) != (second(cell.high) < 0)) {
-            const double by = root_between(cell.low, cell.high, second);
-            stops.push_back({by, value(cell.second.x, by)});
-        }
+        if (const auto by = root_between(cell.low, cell.high, first)) stops.push_back({*by, value(cell.first.x, *by)});
+        if (const auto by = root_between(cell.low, cell.high, second))
+            stops.push_back({*by, value(cell.second.x, *by)});
         std::sort(stops.begin(), stops.end(), [](const Stop& a, const Stop& b) { return a.by < b.by; });
         for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
             const double from = stops[i].by, to = stops[i + 1].by, middle = 0.5 * (from + to);

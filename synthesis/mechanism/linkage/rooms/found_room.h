@@ -2,6 +2,7 @@
 /// \file
 /// Where boxes and regions are touched along a motion, found for one design.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -31,20 +32,25 @@ void settle(linkage::Measured<double, K>& plain, const Course& course, Term& ter
         return;
     }
     const double start = place.at;
+    // By the share of the motion, in which what goes like the root of the way from a limit is smooth.
+    const Stretch stretch = linkage::detail::stretch_of(course, course.travel.from, course.travel.to);
     if constexpr (K >= 2)
         for (int i = 0; place.stationary && i < most_steps; ++i) {
+            const double share = stretch.share_of(place.at), speed = stretch.speed(share) / plain.rate();
             const auto f = value(term.asked.signal);
-            double step = -f.derivative(1) / f.derivative(2);
+            double step =
+                -f.derivative(1) * speed /
+                (f.derivative(2) * speed * speed + f.derivative(1) * stretch.speed_slope(share) / plain.rate());
             if (term.also) {
                 const auto other = value(term.also->signal);
                 const double apart =
                     (term.factor * f.c[0] + term.constant) - (term.also->factor * other.c[0] + term.also->constant);
-                step = -apart / (term.factor * f.derivative(1) - term.also->factor * other.derivative(1));
+                step = -apart / ((term.factor * f.derivative(1) - term.also->factor * other.derivative(1)) * speed);
             }
-            step *= plain.rate();
-            if (!(std::abs(place.at + step - start) < farthest)) break;
-            place.at += step;
-            if (std::abs(step) < settled * (1 + std::abs(start))) break;
+            const double next = stretch.at(std::clamp(share + step, 0.0, 1.0)), way = next - place.at;
+            if (!(std::abs(next - start) < farthest)) break;
+            place.at = next;
+            if (std::abs(way) < settled * (1 + std::abs(start))) break;
         }
     place.value = value(term.asked.signal).c[0];
 }

@@ -3,23 +3,32 @@
 /// The area within the outline of what a blade sweeps, as a function of the dimensions: Green's theorem, arc by arc,
 /// each of which moves with its corners.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 #include "analysis/numbers/resolved.h"
 #include "synthesis/mechanism/linkage/rooms/swept/curves.h"
 
 namespace mechwright::measuring {
 
-/// The share of a stretch at which an input of it is.
-inline double share_at(const Stretch& stretch, double input) {
-    if (input <= stretch.from) return 0;
-    if (input >= stretch.to) return 1;
-    double low = 0, high = 1;
-    for (double middle = 0.5; middle > low && middle < high; middle = 0.5 * (low + high))
-        (stretch.at(middle) < input ? low : high) = middle;
-    return high;
+/// Twice the area between a panel of an arc and the origin, by places alone: beside a limit slopes are rounding, of
+/// which places have but little.
+template <class T, class Place>
+T twice_area_by_places(const Panel& panel, const Place& place_at) {
+    std::array<T, Panel::nodes> x, y;
+    for (std::size_t i = 0; i < Panel::nodes; ++i) {
+        const Vector<T> place = place_at(panel.at(i));
+        x[i] = place.x;
+        y[i] = place.y;
+    }
+    T sum(0);
+    for (std::size_t i = 0; i < Panel::nodes; ++i)
+        sum = sum + T(panel.weight(i)) * (x[i] * panel.slope_at(i, y) - y[i] * panel.slope_at(i, x));
+    return sum;
 }
 
 /// Twice the area between an arc and the origin, against the clock. `plain` are the same curves in doubles: they say
@@ -34,36 +43,46 @@ T twice_area_of(SweptCurves<T, K>& curves, SweptCurves<double, K>& plain, const 
         const Vector<T> along = end - start;
         return cross(Vector<T>(start + T(T(arc.from) + first) * along), Vector<T>(start + T(T(arc.to) + last) * along));
     }
-    // By the share of the whole piece, in which what grows like the root of the way from a limit is smooth.
+    // By the share of the whole piece, in which what grows like the root of the way from a limit is smooth. Beside a
+    // limit slopes are rounding of the input, and places have but little of it.
     const Stretch& stretch = outline.pieces[curve.piece].stretch;
-    const double from = share_at(stretch, arc.from), to = share_at(stretch, arc.to);
+    double from = stretch.share_of(arc.from), to = stretch.share_of(arc.to);
+    constexpr double beside = 0x1p-6;
+    std::vector<Panel> by_places;
+    if (stretch.root_at_from && from == 0) {
+        by_places.push_back({0, std::min(beside, 0.5 * to)});
+        from = by_places.back().to;
+    }
+    if (stretch.root_at_to && to == 1) {
+        by_places.push_back({std::max(1 - beside, 0.5 * (from + 1)), 1});
+        to = by_places.back().from;
+    }
     const double rate = plain.rate();
     const auto f = [&](double s) {
         const auto at = plain.at(curve, stretch.at(s));
         return (at.x.c[0] * at.y.c[1] - at.y.c[0] * at.x.c[1]) * stretch.speed(s) / rate;
     };
-    // So close to a limit that the rounding of the input is much of the way from it, a slope that grows there is noise.
-    constexpr double noisy = 0x1p-7;
     const bool rough = stretch.root_at_from || stretch.root_at_to;
-    const Panels panels(f, from, to,
-                        {.first = 1,
-                         .within = rough ? 1e-11 : 1e-13,
-                         .narrowest_first = stretch.root_at_from && from < noisy ? noisy : 0,
-                         .narrowest_last = stretch.root_at_to && to > 1 - noisy ? noisy : 0,
-                         .most = 256,
-                         .everywhere = true});
-    if constexpr (std::is_same_v<T, double>) return panels.finite() ? panels.integral() : NAN;
-    const T longer = T(1) + (last - first) * T(rate / (arc.to - arc.from));
+    const Panels panels(f, from, to, {.within = rough ? 1e-12 : 1e-13, .most = 256, .everywhere = true});
+    if (!panels.finite()) return T(NAN);
+    const auto place_at = [&](double s, std::size_t derivative) {
+        const double input = stretch.at(s), share = (input - arc.from) / (arc.to - arc.from);
+        return curves.moved(curves.at(curve, input), derivative, T(1 - share) * first + T(share) * last);
+    };
     T sum(0);
-    for (const Panel& panel : panels.all())
-        for (std::size_t i = 0; i < Panel::nodes; ++i) {
-            const double s = panel.at(i), input = stretch.at(s), share = (input - arc.from) / (arc.to - arc.from);
-            const T shift = T(1 - share) * first + T(share) * last;
-            const auto at = curves.at(curve, input);
-            sum = sum + T(panel.weight(i) * stretch.speed(s) / rate) *
-                            cross(curves.moved(at, 0, shift), curves.moved(at, 1, shift));
-        }
-    return sum * longer;
+    if constexpr (std::is_same_v<T, double>) {
+        sum = panels.integral();
+    } else {
+        for (const Panel& panel : panels.all())
+            for (std::size_t i = 0; i < Panel::nodes; ++i) {
+                const double s = panel.at(i);
+                sum = sum + T(panel.weight(i) * stretch.speed(s) / rate) * cross(place_at(s, 0), place_at(s, 1));
+            }
+        sum = sum * (T(1) + (last - first) * T(rate / (arc.to - arc.from)));
+    }
+    for (const Panel& panel : by_places)
+        sum = sum + twice_area_by_places<T>(panel, [&](double s) { return place_at(s, 0); });
+    return sum;
 }
 
 template <class T, std::size_t K>

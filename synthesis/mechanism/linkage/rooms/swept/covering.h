@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "analysis/numbers/extremes.h"
 #include "synthesis/mechanism/linkage/rooms/swept/motion_samples.h"
 
 namespace mechwright::measuring {
@@ -24,7 +25,7 @@ struct BesideCurve {
 template <std::size_t K>
 class PassesOver {
 public:
-    PassesOver(const BladeMotion<K>& motion, const BesideCurve& beside) : motion_(motion), beside_(beside) {
+    PassesOver(BladeMotion<K>& motion, const BesideCurve& beside) : motion_(motion), beside_(beside) {
         const SweptCurve& curve = beside.curve;
         own_ = curve.kind != SweptCurve::Kind::side;
         if (!own_) return;
@@ -39,7 +40,7 @@ public:
     }
 
     /// Whether places on both sides of the curve are swept, or this curve lies on another that stands for both.
-    bool any() const {
+    bool any() {
         for (std::size_t piece = 0; piece < motion_.pieces.size(); ++piece) {
             const auto& all = motion_.samples[piece];
             const bool own = own_ && motion_.pieces[piece].stroke == motion_.pieces[beside_.curve.piece].stroke;
@@ -48,9 +49,17 @@ public:
                 const double divisor = own ? own_zero(sample.input) : 1;
                 if (std::abs(divisor) < 1e-9) continue;  // on its own pass
                 const double off = off_of(sample.blade) / divisor;
-                if (before != 0 && off != 0 && (off < 0) != (before < 0) &&
-                    is_pass(piece, input + (sample.input - input) * (before / (before - off)), input, sample.input))
-                    return true;
+                if (before != 0 && off != 0 && (off < 0) != (before < 0)) {
+                    const double near = input + (sample.input - input) * (before / (before - off));
+                    const auto over_own = [&](double x) {
+                        return off_of(motion_.exactly(piece, x)) / (own ? own_zero(x) : 1);
+                    };
+                    const Pose pass =
+                        motion_.is_beside_limit(piece, 0.5 * (input + sample.input))
+                            ? exactly_at(piece, zero_between<double>(over_own, input, sample.input, before, off))
+                            : from_series(piece, near, input, sample.input);
+                    if (is_pass(pass)) return true;
+                }
                 before = off;
                 input = sample.input;
             }
@@ -74,13 +83,14 @@ private:
         // A single zero would change the sign of what comes back after a period: that of twice the way does not.
         return twice_ ? root * root : root;
     }
-    /// A pass between two inputs, near one: with the place within the blade, or at its end and the other side swept.
-    bool is_pass(std::size_t piece, double near, double low, double high) const {
-        constexpr double same = 1e-9;  // of the size
-        const Stretch& stretch = motion_.pieces[piece].stretch;
-        const bool smooth =
-            !(stretch.root_at_from && low == stretch.from) && !(stretch.root_at_to && high == stretch.to);
-        for (int i = 0; smooth && i < 4; ++i) {
+    struct Pose {
+        double input;
+        Blade<double, K> blade;
+    };
+    Pose exactly_at(std::size_t piece, double input) { return {input, motion_.exactly(piece, input)}; }
+    /// Of a pass between two inputs, near one, by the sample next to it.
+    Pose from_series(std::size_t piece, double near, double low, double high) const {
+        for (int i = 0; i < 4; ++i) {
             const auto blade = motion_.about(piece, near);
             const auto along = blade.along();
             const Series<double, K> off = along.x * (Series<double, K>(beside_.place.y) - blade.first.y) -
@@ -89,7 +99,12 @@ private:
             if (!(next >= low && next <= high)) break;
             near = next;
         }
-        const auto blade = motion_.about(piece, near);
+        return {near, motion_.about(piece, near)};
+    }
+    /// Whether the place is within the blade, or at its end and the other side swept.
+    bool is_pass(const Pose& pose) const {
+        constexpr double same = 1e-9;  // of the size
+        const Blade<double, K>& blade = pose.blade;
         const Vector<double> first{blade.first.x.c[0], blade.first.y.c[0]},
             along{blade.along().x.c[0], blade.along().y.c[0]};
         const double length = std::hypot(along.x, along.y), within = same * motion_.size;
@@ -103,18 +118,18 @@ private:
         // goes back.
         const auto& end = at_first ? blade.first : blade.second;
         if (dot(Vector<double>{end.x.c[1], end.y.c[1]}, beside_.way) < 0) return !beside_.left;
-        return std::tuple(at_first ? SweptCurve::Kind::first_path : SweptCurve::Kind::second_path, near) <
+        return std::tuple(at_first ? SweptCurve::Kind::first_path : SweptCurve::Kind::second_path, pose.input) <
                std::tuple(beside_.curve.kind, own_input_);
     }
 
-    const BladeMotion<K>& motion_;
+    BladeMotion<K>& motion_;
     const BesideCurve& beside_;
     bool own_ = false, twice_ = false;
     double own_input_ = 0;
 };
 
 template <std::size_t K>
-bool covers(const BladeMotion<K>& motion, const BesideCurve& beside) {
+bool covers(BladeMotion<K>& motion, const BesideCurve& beside) {
     return PassesOver<K>(motion, beside).any();
 }
 

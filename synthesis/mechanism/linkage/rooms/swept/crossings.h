@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/extremes.h"
 #include "synthesis/mechanism/linkage/rooms/swept/motion_samples.h"
 
 namespace mechwright::measuring {
@@ -27,8 +28,7 @@ class CrossingSearch {
 public:
     using Ends = std::vector<std::array<std::size_t, 2>>;
 
-    CrossingSearch(const BladeMotion<K>& motion, SweptCurves<double, K>& curves, SweptOutline& outline,
-                   const Ends& ends)
+    CrossingSearch(BladeMotion<K>& motion, SweptCurves<double, K>& curves, SweptOutline& outline, const Ends& ends)
         : motion_(motion), curves_(curves), outline_(outline), ends_(ends), cuts_(outline.curves.size()) {
         for (std::size_t i = 0; i < outline.curves.size(); ++i)
             add_chords(i);
@@ -40,6 +40,9 @@ public:
             for (std::size_t j = i + 1; j < chords_.size() && chords_[j].low.x <= chords_[i].high.x; ++j)
                 if (chords_[j].low.y <= chords_[i].high.y && chords_[i].low.y <= chords_[j].high.y)
                     look(chords_[i], chords_[j]);
+        const std::size_t known = outline_.corners.size();
+        for (std::size_t i = 0; i < known; ++i)
+            cut_where_passed_again(i);
         return std::move(cuts_);
     }
 
@@ -56,38 +59,45 @@ private:
     };
     using Place = std::pair<Vector<double>, Vector<double>>;
 
-    /// A place and its slope by the input, or the share.
-    Place place(const SweptCurve& curve, double at, bool exactly) {
+    /// Curves are gone along by shares: of a straight one itself, else of its piece, in which they are smooth at
+    /// limits.
+    double input_of(const SweptCurve& curve, double share) const {
+        return curve.is_straight() ? share : outline_.pieces[curve.piece].stretch.at(share);
+    }
+    double share_of(const SweptCurve& curve, double input) const {
+        return curve.is_straight() ? input : outline_.pieces[curve.piece].stretch.share_of(input);
+    }
+    /// A place and its slope by the share.
+    Place place(const SweptCurve& curve, double share, bool exactly) {
         const bool straight = curve.is_straight();
-        const auto series = straight || exactly ? curves_.at(curve, at) : motion_.about(curve.piece, at).on(curve.kind);
-        const double rate = straight ? 1 : motion_.rate();
-        return {{series.x.c[0], series.y.c[0]}, {series.x.c[1] / rate, series.y.c[1] / rate}};
+        const double at = input_of(curve, share);
+        exactly = exactly || straight || motion_.is_beside_limit(curve.piece, at);
+        const auto series = exactly ? curves_.at(curve, at) : motion_.about(curve.piece, at).on(curve.kind);
+        const double speed = straight ? 1 : outline_.pieces[curve.piece].stretch.speed(share) / motion_.rate();
+        return {{series.x.c[0], series.y.c[0]}, {series.x.c[1] * speed, series.y.c[1] * speed}};
     }
     void add_chords(std::size_t index) {
         constexpr double bulge = 0.05, beside = 1e-7;  // of a chord's length; of the curve
         const SweptCurve& curve = outline_.curves[index];
-        std::size_t count = 1;
-        Stretch stretch{curve.from, curve.to};
-        if (!curve.is_straight()) {
-            const Stretch& whole = outline_.pieces[curve.piece].stretch;
-            stretch.root_at_from = whole.root_at_from && curve.from == whole.from;
-            stretch.root_at_to = whole.root_at_to && curve.to == whole.to;
-            const auto share = (curve.to - curve.from) / whole.length();
-            count = 6 + static_cast<std::size_t>(share * static_cast<double>(motion_.samples[curve.piece].size()));
-        }
+        const double from = share_of(curve, curve.from), to = share_of(curve, curve.to);
+        const std::size_t count =
+            curve.is_straight()
+                ? 1
+                : 6 + static_cast<std::size_t>((to - from) * static_cast<double>(motion_.samples[curve.piece].size()));
         Vector<double> before{};
-        double input = curve.from;
+        double share = from;
         for (std::size_t i = 0; i <= count; ++i) {
             // The envelope is 0 / 0 where a blade rests.
-            const double share = std::clamp(static_cast<double>(i) / static_cast<double>(count), beside, 1 - beside);
-            const double next = curve.is_straight() ? (i == 0 ? curve.from : curve.to) : stretch.at(share);
+            const double part = std::clamp(static_cast<double>(i) / static_cast<double>(count),
+                                           curve.is_straight() ? 0 : beside, curve.is_straight() ? 1 : 1 - beside);
+            const double next = from + (to - from) * part;
             const Vector<double> at = place(curve, next, false).first;
             if (i > 0) {
                 const double more = bulge * std::hypot(at.x - before.x, at.y - before.y);
                 chords_.push_back({index,
                                    i - 1,
                                    count,
-                                   input,
+                                   share,
                                    next,
                                    before,
                                    at,
@@ -95,7 +105,7 @@ private:
                                    {std::max(at.x, before.x) + more, std::max(at.y, before.y) + more}});
             }
             before = at;
-            input = next;
+            share = next;
         }
     }
 
@@ -121,8 +131,10 @@ private:
     }
     void look_from(const Chord& a, const Chord& b, double s, double t) {
         constexpr int most_steps = 12;
-        constexpr double small = 1e-15, beyond = 0.2, parallel = 1e-6, same = 1e-7;
+        constexpr double small = 1e-15, beyond = 0.2, parallel = 1e-6;
         const SweptCurve &one = outline_.curves[a.curve], &other = outline_.curves[b.curve];
+        const std::array one_from_to{share_of(one, one.from), share_of(one, one.to)},
+            other_from_to{share_of(other, other.from), share_of(other, other.to)};
         const double wide_a = a.to - a.from, wide_b = b.to - b.from;
         const auto is_in = [](double x, double from, double to, double more) {
             return x >= from - more && x <= to + more;
@@ -137,8 +149,8 @@ private:
             const double by_one = cross(apart, v) / determinant, by_other = cross(apart, u) / determinant;
             s = std::clamp(s + by_one, a.from - wide_a, a.to + wide_a);
             t = std::clamp(t + by_other, b.from - wide_b, b.to + wide_b);
-            s = std::clamp(s, one.from, one.to);
-            t = std::clamp(t, other.from, other.to);
+            s = std::clamp(s, one_from_to[0], one_from_to[1]);
+            t = std::clamp(t, other_from_to[0], other_from_to[1]);
             const double accuracy = exactly ? small : 1e-9;
             const bool settled =
                 std::abs(by_one) <= accuracy * (1 + std::abs(s)) && std::abs(by_other) <= accuracy * (1 + std::abs(t));
@@ -147,23 +159,20 @@ private:
             exactly = exactly || settled;
         }
         if (!exactly || !is_in(s, a.from, a.to, beyond * wide_a) || !is_in(t, b.from, b.to, beyond * wide_b)) return;
-        const auto at_end = [](const SweptCurve& curve, double at) {
-            return std::min(at - curve.from, curve.to - at) <= same * (curve.to - curve.from);
+        const auto at_end = [](const std::array<double, 2>& from_to, double at) {
+            return std::min(at - from_to[0], from_to[1] - at) <= same * (from_to[1] - from_to[0]);
         };
-        const bool one_ends = at_end(one, s), other_ends = at_end(other, t);
+        const bool one_ends = at_end(one_from_to, s), other_ends = at_end(other_from_to, t);
         if (one_ends && other_ends) return;
-        const auto is_known = [&](std::size_t curve, double at) {
-            return std::any_of(cuts_[curve].begin(), cuts_[curve].end(), [&](const SweptCut& cut) {
-                return std::abs(cut.at - at) <= same * (outline_.curves[curve].to - outline_.curves[curve].from);
-            });
-        };
+        const bool cuts_one = !one_ends && !is_known(a.curve, s), cuts_other = !other_ends && !is_known(b.curve, t);
+        s = input_of(one, s);
+        t = input_of(other, t);
         SweptCorner corner{.kind = SweptCorner::Kind::crossing};
         corner.one = a.curve;
         corner.other = b.curve;
         corner.at_one = s;
         corner.at_other = t;
         const std::size_t index = outline_.corners.size();
-        const bool cuts_one = !one_ends && !is_known(a.curve, s), cuts_other = !other_ends && !is_known(b.curve, t);
         if (!cuts_one && !cuts_other) return;
         // What crosses itself has two places there: a corner for each.
         outline_.corners.push_back(corner);
@@ -175,8 +184,57 @@ private:
         }
         if (cuts_other) cuts_[b.curve].push_back({t, outline_.corners.size() - 1});
     }
+    bool is_known(std::size_t index, double share) const {
+        const SweptCurve& curve = outline_.curves[index];
+        const double wide = share_of(curve, curve.to) - share_of(curve, curve.from);
+        return std::any_of(cuts_[index].begin(), cuts_[index].end(), [&](const SweptCut& cut) {
+            return std::abs(share_of(curve, cut.at) - share) <= same * wide;
+        });
+    }
 
-    const BladeMotion<K>& motion_;
+    /// A path that goes over itself again, as that of a rocker's pin, is cut where it folds on another pass: what of it
+    /// is a border changes there, and no curve crosses it.
+    void cut_where_passed_again(std::size_t corner) {
+        using At = SweptCorner::Kind;
+        constexpr double off = 1e-9;  // of the size
+        const SweptCorner::Kind kind = outline_.corners[corner].kind;
+        if (kind != At::first_folds && kind != At::second_folds) return;
+        const auto path = kind == At::first_folds ? SweptCurve::Kind::first_path : SweptCurve::Kind::second_path;
+        const double at = outline_.corners[corner].place.at;
+        const auto end_of = [&](const Blade<double, K>& blade) {
+            return path == SweptCurve::Kind::first_path ? blade.first : blade.second;
+        };
+        const auto fold = end_of(motion_.exactly(outline_.corners[corner].piece, at));
+        // How far the path has to go to come next to the fold, times its speed.
+        const auto beyond = [&](const Blade<double, K>& blade) {
+            const auto end = end_of(blade);
+            return (end.x.c[0] - fold.x.c[0]) * end.x.c[1] + (end.y.c[0] - fold.y.c[0]) * end.y.c[1];
+        };
+        for (std::size_t i = 0; i < outline_.curves.size(); ++i) {
+            const SweptCurve& curve = outline_.curves[i];
+            if (curve.kind != path || ends_[i][0] == corner || ends_[i][1] == corner) continue;
+            motion_.for_steps(curve.piece, curve.from, curve.to, [&](const auto& before, const auto& after) {
+                const double from = beyond(before.blade), to = beyond(after.blade);
+                if (!(from < 0 && to > 0)) return;
+                const double input =
+                    zero_between<double>([&](double x) { return beyond(motion_.exactly(curve.piece, x)); },
+                                         before.input, after.input, from, to);
+                const auto end = end_of(motion_.exactly(curve.piece, input));
+                if (!(std::hypot(end.x.c[0] - fold.x.c[0], end.y.c[0] - fold.y.c[0]) <= off * motion_.size)) return;
+                if (is_known(i, share_of(curve, input))) return;
+                SweptCorner pass{.kind = At::passed_again};
+                pass.place.at = input;
+                pass.piece = curve.piece;
+                pass.of = corner;
+                outline_.corners.push_back(pass);
+                cuts_[i].push_back({input, outline_.corners.size() - 1});
+            });
+        }
+    }
+
+    static constexpr double same = 1e-7;  ///< of a curve: places are one
+
+    BladeMotion<K>& motion_;
     SweptCurves<double, K>& curves_;
     SweptOutline& outline_;
     const Ends& ends_;
@@ -185,7 +243,7 @@ private:
 };
 
 template <std::size_t K>
-std::vector<std::vector<SweptCut>> cuts_at_crossings(const BladeMotion<K>& motion, SweptCurves<double, K>& curves,
+std::vector<std::vector<SweptCut>> cuts_at_crossings(BladeMotion<K>& motion, SweptCurves<double, K>& curves,
                                                      SweptOutline& outline,
                                                      const std::vector<std::array<std::size_t, 2>>& ends) {
     return CrossingSearch<K>(motion, curves, outline, ends).cuts();

@@ -91,8 +91,9 @@ public:
     T shift(std::size_t corner, std::size_t curve) {
         const SweptCorner& c = outline_.corners[corner];
         if (c.kind == SweptCorner::Kind::crossing) return shift_of_crossing(c, curve);
+        if (c.kind == SweptCorner::Kind::passed_again) return shift_of_pass(c, outline_.curves[curve]);
         if (outline_.curves[curve].is_straight()) return c.kind == SweptCorner::Kind::foot ? shift_of_foot(c) : T(0);
-        return shift_of_input(c.kind == SweptCorner::Kind::foot ? outline_.corners[c.of_stroke] : c);
+        return shift_of_input(c.kind == SweptCorner::Kind::foot ? outline_.corners[c.of] : c);
     }
 
     static Vector<T> moved(const Place& place, std::size_t derivative, const T& shift) {
@@ -120,16 +121,37 @@ private:
             way = way + T(number_as<double>(value_of(f->derivative(2)))) * *f;
         return zero_of(way, 1);
     }
-    /// The foot at a rest is that of the accelerations, at a limit that beside it: the curves touch there.
+    /// The foot at a rest is that of the accelerations, at a limit what feet beside it tend to.
     T shift_of_foot(const SweptCorner& foot) {
-        const SweptCorner& corner = outline_.corners[foot.of_stroke];
-        if (corner.place.limit.exists()) return T(0);
+        const SweptCorner& corner = outline_.corners[foot.of];
         const T shift = shift_of_input(corner);
+        if (corner.place.limit.is_singular()) {
+            constexpr double width = 0x1p-4;
+            const SweptPiece& piece = outline_.pieces[corner.piece];
+            const bool last = corner.place.at == piece.stretch.to;
+            const auto beside = [&](double s) {
+                const double input = piece.stretch.at(last ? 1 - s : s);
+                return linkage::detail::after_shift(blade_at(measured_, course_, input, piece.within).foot(), 0, shift);
+            };
+            return linkage::detail::change_of(linkage::detail::from_nodes<T>(beside, width));
+        }
         const Blade<T, K> blade = blade_of(corner);
         const std::size_t order = corner.kind == SweptCorner::Kind::rest ? 2 : 1;
         const Vector<T> along = moved(blade.along(), 0, shift);
         const T a = cross(moved(blade.first, order, shift), along), b = cross(moved(blade.second, order, shift), along);
         return linkage::detail::change_of(T(a / (a - b)));
+    }
+    /// By how much the time changes at which a path passes a corner of itself again: Newton's method along it.
+    T shift_of_pass(const SweptCorner& pass, const SweptCurve& curve) {
+        const SweptCorner& corner = outline_.corners[pass.of];
+        const Vector<T> there = moved(blade_of(corner).on(curve.kind), 0, shift_of_input(corner));
+        const Place path = at(curve, pass.place.at);
+        T shift(0);
+        for (int i = 0; i < 2; ++i) {
+            const Vector<T> way = moved(path, 1, shift), apart = there - moved(path, 0, shift);
+            shift = linkage::detail::change_of(T(shift + dot(apart, way) / dot(way, way)));
+        }
+        return shift;
     }
     /// Newton's method on both curves, whose second step makes second derivatives right.
     T shift_of_crossing(const SweptCorner& corner, std::size_t curve) {

@@ -49,7 +49,6 @@ public:
     std::vector<SweptPiece> pieces{};
     std::vector<std::vector<BladeSample<K>>> samples{};  ///< of each piece, from end to end
     bool closed = false;                                 ///< the only stroke comes back to where it begins
-    bool rests_at_ends = false;                          ///< strokes of a whole motion are from rest to rest
     bool possible = true;
     double size = 0;   ///< how far places are from each other
     double speed = 0;  ///< the greatest
@@ -68,6 +67,33 @@ public:
         return {on(nearest.blade.first), on(nearest.blade.second)};
     }
     double rate() const { return measured_.rate(); }
+    /// Whether an input is between a limit of a piece and the sample next to it, where series are of no use.
+    bool is_beside_limit(std::size_t piece, double input) const {
+        const Stretch& stretch = pieces[piece].stretch;
+        const auto& all = samples[piece];
+        return (stretch.root_at_from && input < all[1].input) ||
+               (stretch.root_at_to && input > all[all.size() - 2].input);
+    }
+    /// Calls look(before, after) for neighbouring samples between two inputs of a piece. Its ends are samples there,
+    /// but what is beside them where the blade rests or becomes infinitely fast.
+    template <class Look>
+    void for_steps(std::size_t piece, double from, double to, const Look& look) {
+        constexpr double beside = 0x1p-17;
+        const Stretch& stretch = pieces[piece].stretch;
+        const auto& all = samples[piece];
+        const bool beside_first = stretch.root_at_from || is_rest(all.front().blade),
+                   beside_last = stretch.root_at_to || is_rest(all.back().blade);
+        const double first = beside_first ? std::max(from, stretch.at(beside)) : from,
+                     last = beside_last ? std::min(to, stretch.at(1 - beside)) : to;
+        BladeSample<K> before{first, exactly(piece, first)};
+        for (const BladeSample<K>& sample : all) {
+            if (sample.input <= first) continue;
+            if (sample.input >= last) break;
+            look(before, sample);
+            before = sample;
+        }
+        look(before, BladeSample<K>{last, exactly(piece, last)});
+    }
     bool is_rest(const Pose& blade) const { return speed_of(blade) <= resting * speed; }
 
 private:
@@ -166,7 +192,6 @@ private:
                                whole.stretch.root_at_to && ends[i + 1] == whole.stretch.to},
                               whole.within,
                               i});
-        rests_at_ends = closed;
         closed = false;
         sample_all();
         drop_repeated();

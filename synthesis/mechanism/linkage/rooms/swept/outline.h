@@ -33,16 +33,17 @@ struct SweptCorner {
         rest,         ///< of the blade, by which a stroke ends
         first_folds,  ///< the first point moves along the blade
         second_folds,
-        foot,  ///< of the instantaneous centre, on the blade where a stroke ends
+        foot,          ///< of the instantaneous centre, on the blade where a stroke ends
+        passed_again,  ///< another pass of the same path over a corner of it
         crossing
     };
     Kind kind = Kind::given;
     linkage::Extreme place{};  ///< of all but crossings and feet
     std::size_t piece = 0;
     std::size_t one = 0, other = 0;    ///< the curves that cross,
-    double at_one = 0, at_other = 0;   ///< and where
+    double at_one = 0, at_other = 0;   ///< and where; of a foot its share of the blade
     std::array<double, 4> at_limit{};  ///< coordinates of the blade's ends, where the place is a limit
-    std::size_t of_stroke = 0;         ///< of a foot: the corner at which the stroke ends
+    std::size_t of = 0;                ///< of a foot the corner at which the stroke ends, of a pass that passed again
 };
 
 /// A part of a curve between two of its corners. What is swept lies to the left of it, or where `backward` is said to

@@ -12,11 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/geometry/polygon.h"
+#include "analysis/numbers/extremes.h"
 #include "synthesis/mechanism/linkage/measured_over.h"
 #include "synthesis/mechanism/linkage/rooms/swept/covering.h"
 #include "synthesis/mechanism/linkage/rooms/swept/crossings.h"
 #include "synthesis/mechanism/linkage/rooms/swept/motion_samples.h"
-#include "synthesis/mechanism/linkage/rooms/swept/screen.h"
 
 namespace mechwright::measuring {
 
@@ -93,34 +94,38 @@ private:
     std::pair<std::size_t, std::size_t> add_end(BladeMotion<K>& motion, std::size_t piece, bool last) {
         const Stretch& stretch = motion.pieces[piece].stretch;
         const auto& sample = last ? motion.samples[piece].back() : motion.samples[piece].front();
-        const bool limit = last ? stretch.root_at_to : stretch.root_at_from;
         SweptCorner end{.kind = SweptCorner::Kind::end};
-        end.place = {sample.input, 0, false,
-                     limit ? (last ? course_.travel.last : course_.travel.first) : linkage::Limit{},
-                     motion.pieces[piece].within};
+        // By the input itself ends of the motion are known, which move with limits, stops or what is given.
+        const linkage::Travel& travel = course_.travel;
+        const double input = last ? stretch.to : stretch.from;
+        const bool of_motion = input == (last ? travel.to : travel.from);
+        const linkage::Limit limit = !of_motion ? linkage::Limit{} : last ? travel.last : travel.first;
+        end.place = {input, 0, false, limit, motion.pieces[piece].within};
         end.piece = piece;
-        if (limit)
+        if (limit.exists())
             end.at_limit = {sample.blade.first.x.c[0], sample.blade.first.y.c[0], sample.blade.second.x.c[0],
                             sample.blade.second.y.c[0]};
-        else if (motion.is_rest(sample.blade))
-            end.kind = SweptCorner::Kind::rest;
+        if (!limit.is_singular() && motion.is_rest(sample.blade)) end.kind = SweptCorner::Kind::rest;
         const std::size_t at = corner(end);
-        const auto [a, b] = leaves(motion, piece, last);
         SweptCurve blade{.kind = Kind::blade, .from = 0, .to = 1, .piece = piece, .place = at};
-        // An end that a limit leaves slow, as the pin of a crank, is its foot there, to rounding.
-        constexpr double at_end = 1e-5;
+        const auto [a, b] = leaves(motion, piece, last);
+        constexpr double at_end = 1e-9;
         const double share = a / (a - b);
-        if (fixed_[0] || fixed_[1] || !(share > at_end && share < 1 - at_end))
+        const bool within = share > at_end && share < 1 - at_end;
+        if (fixed_[0] || fixed_[1] || !(share > -at_end && share < 1 + at_end))
             return add(blade, at, at), std::pair(at, at);
         SweptCorner foot{.kind = SweptCorner::Kind::foot};
         foot.piece = piece;
-        foot.of_stroke = at;
+        foot.of = at;
+        foot.at_one = within ? share : std::round(share);
         const std::size_t middle = corner(foot);
-        blade.to = share;
-        add(blade, at, middle);
-        blade.from = share;
-        blade.to = 1;
-        add(blade, middle, at);
+        blade.to = within ? share : 1;
+        add(blade, at, within ? middle : at);
+        if (within) {
+            blade.from = share;
+            blade.to = 1;
+            add(blade, middle, at);
+        }
         return {at, middle};
     }
     /// How both ends leave the blade's line into the motion, to the right; of a rest by their accelerations. Of a
@@ -132,12 +137,17 @@ private:
             const Pose& blade = (last ? motion.samples[piece].back() : motion.samples[piece].front()).blade;
             return leaves_by(blade, motion.is_rest(blade) ? 2 : 1, last);
         }
-        const auto foot = [&](double s) {
-            const auto [a, b] = leaves_by(motion.exactly(piece, stretch.at(last ? 1 - s : s)), 1, last);
-            return std::pair(a / (a - b), a < b ? -1.0 : 1.0);
+        const auto both = [&](double s) {
+            return leaves_by(motion.exactly(piece, stretch.at(last ? 1 - s : s)), 1, last);
         };
-        const auto [near, sense] = foot(beside);
-        const double share = 2 * near - foot(2 * beside).first;
+        const double share = linkage::detail::limit_from_beside(
+            [&](double s) {
+                const auto [a, b] = both(s);
+                return a / (a - b);
+            },
+            1);
+        const auto [a, b] = both(beside);
+        const double sense = a < b ? -1 : 1;
         return {sense * share, sense * (share - 1)};
     }
     static std::pair<double, double> leaves_by(const Pose& blade, std::size_t order, bool last) {
@@ -153,24 +163,16 @@ private:
         std::size_t corner;
         bool of_first;
     };
-    /// Zeros of a function of the pose along a piece.
+    /// Zeros of a function of the pose between two inputs of a piece.
     template <class Function>
     std::vector<double> zeros(BladeMotion<K>& motion, std::size_t piece, double from, double to, const Function& f) {
-        const auto& all = motion.samples[piece];
         std::vector<double> found;
-        const std::size_t skipped = motion.closed && motion.pieces.size() == 1 ? 0 : 1;
-        for (std::size_t i = skipped; i + 1 + skipped < all.size(); ++i) {
-            double low = all[i].input, high = all[i + 1].input;
-            if (low < from || high > to) continue;
-            const bool up = f(all[i].blade) < 0;
-            if (up == (f(all[i + 1].blade) < 0)) continue;
-            for (int k = 0; k < 100 && high - low > 1e-15 * (1 + std::abs(high)); ++k) {
-                const double middle = 0.5 * (low + high);
-                if (!(middle > low && middle < high)) break;
-                ((f(motion.exactly(piece, middle)) < 0) == up ? low : high) = middle;
-            }
-            found.push_back(0.5 * (low + high));
-        }
+        motion.for_steps(piece, from, to, [&](const BladeSample<K>& before, const BladeSample<K>& after) {
+            const double low = f(before.blade), high = f(after.blade);
+            if ((low > 0) == (high > 0)) return;
+            found.push_back(zero_between<double>([&](double x) { return f(motion.exactly(piece, x)); }, before.input,
+                                                 after.input, low, high));
+        });
         return found;
     }
     void add_between_folds(BladeMotion<K>& motion, std::size_t piece, const std::array<std::size_t, 2>& at_end,
@@ -192,7 +194,12 @@ private:
             add_path(of_first ? Kind::first_path : Kind::second_path, piece, own, at_end);
             folds.insert(folds.end(), own.begin(), own.end());
         }
-        if (fixed_[0] || fixed_[1]) return;
+        if (fixed_[0] || fixed_[1]) {  // The whole blade turns back.
+            for (const Fold& fold : folds)
+                add({.kind = Kind::blade, .from = 0, .to = 1, .piece = piece, .place = fold.corner}, fold.corner,
+                    fold.corner);
+            return;
+        }
         std::sort(folds.begin(), folds.end(), [](const Fold& a, const Fold& b) { return a.input < b.input; });
         add_envelopes(motion, piece, folds, foot);
     }
@@ -267,10 +274,10 @@ private:
             const auto [a, b] = leaves(motion, curve.piece, end.place.at == motion.pieces[curve.piece].stretch.to);
             return a + at * (b - a) < 0;
         }
-        // It turns back without turning: all lies on the side to which it is accelerated.
+        // It turns back: what is beside a place lies on the side to which that is accelerated.
         const Pose blade = motion.exactly(curve.piece, end.place.at);
-        const Vector<double> along{blade.along().x.c[0], blade.along().y.c[0]};
-        return cross(along, Vector<double>{blade.first.x.c[2], blade.first.y.c[2]}) > 0;
+        const auto [a, b] = leaves_by(blade, 2, false);
+        return a + at * (b - a) < 0;
     }
 
     void add_arcs(BladeMotion<K>& motion, SweptCurves<double, K>& curves, std::size_t index,
@@ -300,9 +307,29 @@ private:
                         return true;
         return false;
     }
+    /// Where an arc begins or ends: at the end of a stroke by the blade there, of whose ends series at a limit know
+    /// nothing. The envelope is 0 / 0 where a blade turns back.
+    Vector<double> place_at(BladeMotion<K>& motion, SweptCurves<double, K>& curves, const SweptArc& arc, bool last) {
+        constexpr double beside = 1e-7;
+        const SweptCurve& curve = outline_.curves[arc.curve];
+        const SweptCorner& corner = outline_.corners[last ? arc.last : arc.first];
+        const bool foot = corner.kind == SweptCorner::Kind::foot;
+        const SweptCorner& end = foot ? outline_.corners[corner.of] : corner;
+        if (!curve.is_straight() && (end.kind == SweptCorner::Kind::end || end.kind == SweptCorner::Kind::rest)) {
+            const auto& samples = motion.samples[end.piece];
+            const bool at_last = end.place.at == motion.pieces[end.piece].stretch.to;
+            const Pose& blade = (at_last ? samples.back() : samples.front()).blade;
+            const double share = foot ? corner.at_one : curve.kind == Kind::second_path ? 1 : 0;
+            const auto place = blade.first + Series<double, K>(share) * blade.along();
+            return {place.x.c[0], place.y.c[0]};
+        }
+        const double inside = curve.kind == Kind::envelope ? beside * (arc.to - arc.from) : 0;
+        const auto place = curves.at(curve, last ? arc.to - inside : arc.from + inside);
+        return {place.x.c[0], place.y.c[0]};
+    }
     /// Whether each arc is followed by one that begins where it ends.
-    bool closes(const BladeMotion<K>& motion, SweptCurves<double, K>& curves) {
-        constexpr double near = 1e-6, beside = 1e-7;
+    bool closes(BladeMotion<K>& motion, SweptCurves<double, K>& curves) {
+        constexpr double near = 1e-6;
         struct End {
             Vector<double> at;
             bool used = false;
@@ -310,13 +337,10 @@ private:
         std::vector<End> starts;
         std::vector<Vector<double>> ends;
         for (const SweptArc& arc : outline_.arcs) {
-            const auto at = [&](double share) {
-                const auto place = curves.at(outline_.curves[arc.curve], arc.from + (arc.to - arc.from) * share);
-                return Vector<double>{place.x.c[0], place.y.c[0]};
-            };
-            const double inside = outline_.curves[arc.curve].kind == Kind::envelope ? beside : 0;
-            starts.push_back({at(arc.backward ? 1 - inside : inside)});
-            ends.push_back(at(arc.backward ? inside : 1 - inside));
+            const Vector<double> first = place_at(motion, curves, arc, false),
+                                 last = place_at(motion, curves, arc, true);
+            starts.push_back({arc.backward ? last : first});
+            ends.push_back(arc.backward ? first : last);
         }
         for (const Vector<double>& end : ends) {
             const auto next = std::find_if(starts.begin(), starts.end(), [&](const End& start) {
