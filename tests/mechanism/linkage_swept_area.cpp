@@ -37,6 +37,10 @@ TEST(SweptArea, OfAWiperThatTurnsIsThatOfItsSector) {
         analysed_room(turning_wiper("[0, 90]") + blade_of("A", "P", "[[0, 0], [10, 0], [10, 10], [0, 10]]")).document;
     EXPECT_NEAR(value_in(quarter, "blade.uncovered"), 100 - 25 * std::numbers::pi, 1e-11);
     expect_verified(quarter);
+    const Json all =
+        analysed_room(turning_wiper("[0, 360]") + blade_of("A", "Q", "[[-3, -5], [5, -9], [2, 8]]")).document;
+    EXPECT_EQ(value_in(all, "blade.uncovered"), 0);
+    expect_verified(all);
     expect_room_slopes(turning_wiper("[20, 140]") + blade_of("P", "Q", "[[-9, 4], [12, 6], [10, 25]]"),
                        {"blade.swept-area", "blade.uncovered"});
 }
@@ -117,9 +121,12 @@ TEST(SweptArea, IsThatOfItsSlicesWhereTheLineTurnsBack) {
     const std::string crank_rocker =
         "ground = 4\ncrank = 1.5\ncoupler = 4\nrocker = 4.5\npoint-along = 6\npoint-across = 1\n";
     const std::string to_limits = "ground = 5\ncrank = 4\ncoupler = 2\nrocker = 4\npoint-along = 3\npoint-across = 1\n";
+    // A short stroke goes over places of a longer one, beside whose rest it is.
+    const std::string to_and_fro = "ground = 1.058\ncrank = 4.69\ncoupler = 1.952\nrocker = 5.737\n";
     for (const auto& [lengths, one, other] :
          {std::tuple(crank_rocker, "A", "P"), std::tuple(crank_rocker, "B", "C"), std::tuple(crank_rocker, "D", "P"),
-          std::tuple(to_limits, "A", "P"), std::tuple(to_limits, "B", "C"), std::tuple(to_limits, "C", "P")}) {
+          std::tuple(to_limits, "A", "P"), std::tuple(to_limits, "B", "C"), std::tuple(to_limits, "C", "P"),
+          std::tuple(to_and_fro, "D", "C")}) {
         SCOPED_TRACE(lengths + one + other);
         const Json document = analysed_room("schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + lengths +
                                             blade_of(one, other, screen))

@@ -289,7 +289,10 @@ Digits50 uncovered(const Scan& scan, const LinkageRoom& room) {
         const Vector<double>&a = room.screen[i], &b = room.screen[(i + 1) % room.screen.size()];
         twice += Digits50(a.x) * Digits50(b.y) - Digits50(a.y) * Digits50(b.x);
     }
-    return twice / 2 - swept_area(scan, room, room.screen);
+    // What is less than the rounding of the slices is nothing.
+    constexpr double rounding = 1e-12;
+    const Digits50 whole = twice / 2, rest = whole - swept_area(scan, room, room.screen);
+    return abs(rest) <= rounding * whole ? Digits50(0) : rest;
 }
 
 }  // namespace mechwright::again

@@ -208,8 +208,14 @@ private:
             });
             double input = nearest->input;
             double least = apart(nearest->blade, pose);
-            for (int step = 0; step < 8 && least > same * size; ++step) {
-                const Pose there = about(other, input);
+            // From where it rests, or becomes infinitely fast, no step leads on.
+            if (nearest == all.begin()) input = 0.5 * (input + all[1].input);
+            if (nearest == all.end() - 1) input = 0.5 * (input + (nearest - 1)->input);
+            const auto pose_at = [&](double x) {
+                return is_beside_limit(other, x) ? exactly(other, x) : about(other, x);
+            };
+            for (int step = 0; step < 24 && least > same * size; ++step) {
+                const Pose there = pose_at(input);
                 double slope = 0, bend = 0;
                 const auto add = [&](const Series<double, K>& a, const Series<double, K>& b) {
                     slope += (a.c[0] - b.c[0]) * a.c[1];
@@ -219,8 +225,10 @@ private:
                 add(there.first.y, pose.first.y);
                 add(there.second.x, pose.second.x);
                 add(there.second.y, pose.second.y);
-                input = std::clamp(input - slope / bend * measured_.rate(), all.front().input, all.back().input);
-                least = std::min(least, apart(about(other, input), pose));
+                // No farther than half of the way to an end.
+                const double next = input - slope / bend * measured_.rate();
+                input = std::clamp(next, 0.5 * (input + all.front().input), 0.5 * (input + all.back().input));
+                least = std::min(least, apart(pose_at(input), pose));
             }
             if (!(least <= same * size)) return false;
         }
