@@ -1,0 +1,134 @@
+// Tasks of engineers amid what is in the way: the best design of each is found by two methods.
+
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+#include "tests/known_optima/solved.h"
+
+namespace mechwright {
+
+namespace {
+
+using testing::shipped;
+using testing::Solved;
+using testing::solved;
+
+struct ObstacleTask {
+    const char* folder;
+    const char* file;
+    double optimum;
+    std::vector<std::pair<const char*, double>> near;  ///< a design near the best one
+
+    friend std::ostream& operator<<(std::ostream& out, const ObstacleTask& task) { return out << task.file; }
+};
+
+const std::vector<ObstacleTask> obstacle_tasks{
+    {"linkage",
+     "garage-door.toml",
+     20.131971502,
+     {{"a-x", 60},
+      {"a-y", 1446},
+      {"d-x", 200},
+      {"d-y", 1544},
+      {"arm", 811},
+      {"strut", 746},
+      {"pins", 200},
+      {"along", -644},
+      {"across", -56}}},
+    {"linkage",
+     "walking-leg-clearance.toml",
+     66.316384714,
+     {{"rod", 37.3},
+      {"lower", 57.9},
+      {"upper", 80},
+      {"leg", 60},
+      {"f-along", -73.2},
+      {"f-across", -100},
+      {"l-x", -39.8},
+      {"l-y", -47.1},
+      {"u-x", -93.7},
+      {"u-y", 78.8},
+      {"k-x", 32.5},
+      {"k-y", -40.7},
+      {"origin-y", 165.5}}},
+    {"path",
+     "pick-and-place-between-walls.toml",
+     66.571940574,
+     {{"ground", 300},
+      {"crank", 83},
+      {"coupler", 215},
+      {"rocker", 176},
+      {"point-along", -45.5},
+      {"point-across", 69.5},
+      {"origin-x", 128},
+      {"origin-y", 92.3},
+      {"tilt", 95.4}}},
+    {"four-bar", "pumping-unit.toml", 1.053481585, {{"ground", 5.4}, {"crank", 0.7}, {"coupler", 5.3}}},
+    {"function",
+     "steering-turning-circle.toml",
+     0.403624949,
+     {{"crank", 140}, {"coupler", 1118}, {"input-start", 257}}},
+};
+
+class Obstacles : public ::testing::TestWithParam<ObstacleTask> {};
+
+TEST_P(Obstacles, LeaveTheBestDesignThatTwoMethodsFind) {
+    const ObstacleTask& task = GetParam();
+    for (const char* method : {"slsqp", "ipopt"}) {
+        SCOPED_TRACE(method);
+        ReadProblem read = parse_problem(shipped(task.file, task.folder), task.file);
+        ASSERT_TRUE(read.messages.empty());
+        for (const auto& [name, value] : task.near)
+            read.problem.dimensions[static_cast<std::size_t>(find_dimension(*read.problem.mechanism, name))].start =
+                value;
+        read.problem.solver.method = method;
+        read.problem.solver.starts = 1;
+        read.problem.solver.time_limit = 600;
+        const Result result = solve(read.problem, {});
+        ASSERT_EQ(result.status, Status::solved);
+        EXPECT_TRUE(result.verified());
+        EXPECT_NEAR(result.best->objective, task.optimum, 1e-7 * task.optimum);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Obstacles, ::testing::ValuesIn(obstacle_tasks), [](const auto& info) {
+    std::string name;
+    for (const char c : std::string_view(info.param.file).substr(0, std::string_view(info.param.file).find('.')))
+        if (c != '-') name += c;
+    return name;
+});
+
+/// The blade sweeps a part of a ring that lies on the screen, so that the widest swing leaves least: that of the
+/// built-in kind, with pivots as far from each other and a lever as long.
+TEST(Obstacles, AScreenIsWipedByTheWidestSwing) {
+    const Solved wiper = solved(shipped("wiper-on-screen.toml", "linkage"), "slsqp", 1);
+    ASSERT_EQ(wiper.result.status, Status::solved);
+    EXPECT_TRUE(wiper.result.verified());
+    const Solved swing = solved(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground  = { min = 80, max = 310.48349392520047 }
+crank   = { min = 20, max = 80 }
+coupler = { min = 80, max = 400 }
+rocker  = 60
+[[require]]
+quantity = "transmission-angle-worst"
+min = 40
+[objective]
+maximize = "swing"
+[solver]
+starts = 8
+)",
+                                "ipopt");
+    ASSERT_EQ(swing.result.status, Status::solved);
+    const double ring = (550.0 * 550 - 170.0 * 170) / 2, screen = 500 * (1120.0 + 880) / 2;
+    EXPECT_NEAR(wiper.result.best->objective, screen - ring * swing.value("swing") * std::numbers::pi / 180,
+                1e-7 * screen);
+}
+
+}  // namespace
+
+}  // namespace mechwright
