@@ -157,6 +157,7 @@ TEST(SweptArea, IsOfTwoPoints) {
                     "is of the line between two points"),
           std::pair(std::string("of = [\"A\", \"B\"]\n[[require]]\nquantity = \"blade.uncovered\"\nmax = 1\n"),
                     "is of the screen of a room"),
+          std::pair(std::string("of = [\"A\", \"B\"]\nscren = [[0, 0], [1, 0], [0, 1]]\n"), "did you mean 'screen'"),
           std::pair(std::string("of = [\"B\"]\nscreen = [[0, 0], [1, 0], [0, 1]]\n"), "two points"),
           std::pair(std::string("of = [\"A\", \"B\"]\nscreen = [[0, 0], [1, 0]]\n"), "three corners")}) {
         const ReadProblem read = parse_problem(

@@ -348,7 +348,7 @@ void read_room(LinkageReading& reading, Section& section) {
     std::sort(room.pins.begin(), room.pins.end());
     room.pins.erase(std::unique(room.pins.begin(), room.pins.end()), room.pins.end());
     read_direction(reading, section, room);
-    if (has(section, "screen")) {
+    if (find(section, "screen") != nullptr) {
         room.screen = read_corners(reading, section, "screen");
         if (!has_blade(reading.made.structure, room) || room.turn != LinkageRoom::Turn::given)
             add_error(reading.messages, place_of(section, "screen"),
