@@ -71,24 +71,21 @@ struct Panel {
     std::array<double, nodes> value{};
 
     double at(std::size_t node) const { return 0.5 * ((from + to) + (to - from) * abscissas()[node]); }
-    /// What the polynomial through its values leads to at its first end, or its last: of Chebyshev nodes by barycentric
-    /// weights (Berrut and Trefethen, SIAM Review 46 (2004), 501-517).
-    double leads_to(bool last) const {
+    /// What the polynomial through values at the nodes leads to at the first end of a panel, or the last.
+    template <class T>
+    static T at_end(const std::array<T, nodes>& values, bool last) {
         static const std::array<double, nodes> weights = [] {
             std::array<double, nodes> made{};
             double sum = 0;
-            for (std::size_t i = 0; i < nodes; ++i) {
-                const double root = std::sin((2 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * nodes));
-                made[i] = (i % 2 == 0 ? root : -root) / (1 + abscissas()[i]);
-                sum += made[i];
-            }
+            for (std::size_t i = 0; i < nodes; ++i)
+                sum += made[i] = barycentric(i) / (1 + abscissas()[i]);
             for (double& weight : made)
                 weight /= sum;
             return made;
         }();
-        double sum = 0;
+        T sum(0);
         for (std::size_t i = 0; i < nodes; ++i)
-            sum += weights[last ? nodes - 1 - i : i] * value[i];
+            sum = sum + T(weights[last ? nodes - 1 - i : i]) * values[i];
         return sum;
     }
     /// Of a value in the integral over the panel.
@@ -112,18 +109,20 @@ struct Panel {
         }();
         return x;
     }
-    /// From values at the nodes in [-1, 1] to slopes there (Berrut and Trefethen, SIAM Review 46 (2004), section 9.3).
+    /// The weight of a node in the barycentric formula (Berrut and Trefethen, Barycentric Lagrange interpolation, SIAM
+    /// Review 46 (2004), 501-517, equation 5.4).
+    static double barycentric(std::size_t node) {
+        const double root = std::sin((2 * static_cast<double>(node) + 1) * std::numbers::pi / (2 * nodes));
+        return node % 2 == 0 ? root : -root;
+    }
+    /// From values at the nodes in [-1, 1] to slopes there (the same, section 9.3).
     static const std::array<std::array<double, nodes>, nodes>& differences() {
         static const auto d = [] {
-            const auto weight = [](std::size_t i) {
-                const double root = std::sin((2 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * nodes));
-                return i % 2 == 0 ? root : -root;
-            };
             std::array<std::array<double, nodes>, nodes> made{};
             for (std::size_t i = 0; i < nodes; ++i)
                 for (std::size_t j = 0; j < nodes; ++j) {
                     if (i == j) continue;
-                    made[i][j] = weight(j) / weight(i) / (abscissas()[i] - abscissas()[j]);
+                    made[i][j] = barycentric(j) / barycentric(i) / (abscissas()[i] - abscissas()[j]);
                     made[i][i] -= made[i][j];
                 }
             return made;
@@ -356,12 +355,12 @@ private:
 
     /// Whether two neighbours lead to different values where they meet.
     bool parts_from(const Panel& before, const Panel& after) const {
-        return limits_.continuous && differ(before.leads_to(true), after.leads_to(false));
+        return limits_.continuous && differ(Panel::at_end(before.value, true), Panel::at_end(after.value, false));
     }
     template <class Function>
     bool leads_to_ends(const Function& g, const Panel& panel, double from, double to) const {
-        return !limits_.at_ends || (!(panel.from == from && differ(panel.leads_to(false), g(from))) &&
-                                    !(panel.to == to && differ(panel.leads_to(true), g(to))));
+        return !limits_.at_ends || (!(panel.from == from && differ(Panel::at_end(panel.value, false), g(from))) &&
+                                    !(panel.to == to && differ(Panel::at_end(panel.value, true), g(to))));
     }
     /// By so much that the integral over what is beyond the last node, 1/400 of a panel, is more than a resolved panel
     /// leaves open.

@@ -69,6 +69,15 @@ TEST(Resolved, SteepPlacesAreSampledFinely) {
     }
 }
 
+TEST(Resolved, SharesOfAStretchAreThoseOfItsPlaces) {
+    for (const bool first : {false, true})
+        for (const bool last : {false, true}) {
+            const Stretch stretch{-1.5, 2.5, first, last};
+            for (const double share : {0.0, 1e-6, 1e-3, 0.2, 0.5, 0.7, 0.999, 1.0})
+                EXPECT_NEAR(stretch.share_of(stretch.at(share)), share, 1e-9) << first << last;
+        }
+}
+
 TEST(Resolved, IntegralsAreExactToRounding) {
     EXPECT_NEAR(integral_of([](double x) { return std::exp(x); }, {0, 3}), std::exp(3) - 1, 2e-14);
     EXPECT_NEAR(integral_of([](double x) { return 1 / (1 + 1e4 * x * x); }, {-1, 2}),

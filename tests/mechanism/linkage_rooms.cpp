@@ -241,8 +241,7 @@ struct OpenFourBar {
 /// Next to a limit, nearer than samples are to each other, these paths turn back.
 TEST(LinkageRooms, HaveTheirExtremesBesideLimits) {
     for (const OpenFourBar& bars :
-         {OpenFourBar{3.6, 2.4, 2.6, 2.5, -1.7, 0.8, "right"}, OpenFourBar{2.5, 5.6, 2.2, 2.5, -1.5, 0.2, "left"},
-          OpenFourBar{2.5, 6, 4.2, 3.9, -1.6, 0.9, "left"}, OpenFourBar{5.7, 2.6, 3.2, 3.9, -2.9, 1, "right"}}) {
+         {OpenFourBar{3.6, 2.4, 2.6, 2.5, -1.7, 0.8, "right"}, OpenFourBar{2.5, 5.6, 2.2, 2.5, -1.5, 0.2, "left"}}) {
         SCOPED_TRACE(bars.problem());
         const Json document = analysed_room(bars.problem()).document;
         const auto side = [&](const Vector<double>& way) {

@@ -2,10 +2,10 @@
 /// \file
 /// Signals at an end of a linkage's motion where dyads are at their limits.
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 
 #include "analysis/linkage/measuring/corners.h"
 #include "analysis/linkage/measuring/measured.h"
@@ -43,21 +43,14 @@ bool ends_in_several_limits(Measured<double, K>& measured, std::size_t signal, c
     return at(travel.from, travel.first) || at(travel.to, travel.last);
 }
 
-/// The value at 0 of the polynomial through the values of f(s) at the Chebyshev nodes of [0, width] (Berrut and
-/// Trefethen, Barycentric Lagrange interpolation, SIAM Review 46 (2004), 501-517).
+/// The value at 0 of the polynomial through the values of f(s) at the Chebyshev nodes of [0, width].
 template <class T, class Function>
 T from_nodes(const Function& f, double width) {
     const Panel panel{0, width};
-    T sum(0);
-    double weights = 0;
-    for (std::size_t k = 0; k < Panel::nodes; ++k) {
-        const double s = panel.at(k);
-        const double root = std::sin((2.0 * static_cast<double>(k) + 1) * std::numbers::pi / (2 * Panel::nodes));
-        const double weight = (k % 2 == 0 ? root : -root) / s;
-        sum = sum + T(weight) * f(s);
-        weights += weight;
-    }
-    return sum / T(weights);
+    std::array<T, Panel::nodes> values;
+    for (std::size_t k = 0; k < Panel::nodes; ++k)
+        values[k] = f(panel.at(k));
+    return Panel::at_end(values, false);
 }
 
 /// The limit of f(s) at 0 from the values beside it, where f is smooth in s and of a size. Far from 0 a polynomial

@@ -31,6 +31,48 @@ T twice_area_by_places(const Panel& panel, const Place& place_at) {
     return sum;
 }
 
+/// By how much times along an arc are moved so that its ends are where they move with the dimensions. A piece moves
+/// with the limits at its ends, as places of a share do not become infinitely fast; along it shares are moved in
+/// proportion.
+template <class T>
+class ShiftAlong {
+public:
+    template <class Curves>
+    ShiftAlong(Curves& curves, std::size_t piece, const Stretch& stretch, double rate,
+               const std::array<double, 2>& shares, const std::array<T, 2>& shifts)
+        : stretch_(stretch),
+          rate_(rate),
+          from_(shares[0]),
+          of_piece_{curves.shift_of_limit(piece, false), curves.shift_of_limit(piece, true)} {
+        std::array<T, 2> of_share{T(0), T(0)};
+        for (const std::size_t end : {0u, 1u})
+            if (stretch.speed(shares[end]) > 0)
+                of_share[end] = (shifts[end] - with_piece(shares[end])) / T(stretch.speed(shares[end]) / rate);
+        first_ = of_share[0];
+        growth_ = (of_share[1] - of_share[0]) / T(shares[1] - shares[0]);
+    }
+
+    T at(double s) const { return with_piece(s) + T(stretch_.speed(s) / rate_) * of_share(s); }
+    /// By the share.
+    T slope(double s) const {
+        const double speed = stretch_.speed(s) / rate_;
+        return T(stretch_.speed(s) / stretch_.length()) * (of_piece_[1] - of_piece_[0]) +
+               T(stretch_.speed_slope(s) / rate_) * of_share(s) + T(speed) * growth_;
+    }
+
+private:
+    T with_piece(double s) const {
+        const double part = (stretch_.at(s) - stretch_.from) / stretch_.length();
+        return T(1 - part) * of_piece_[0] + T(part) * of_piece_[1];
+    }
+    T of_share(double s) const { return first_ + T(s - from_) * growth_; }
+
+    const Stretch& stretch_;
+    double rate_, from_;
+    std::array<T, 2> of_piece_;
+    T first_{}, growth_{};
+};
+
 /// Twice the area between an arc and the origin, against the clock. `plain` are the same curves in doubles: they say
 /// how many panels an arc needs.
 template <class T, std::size_t K>
@@ -65,9 +107,10 @@ T twice_area_of(SweptCurves<T, K>& curves, SweptCurves<double, K>& plain, const 
     const bool rough = stretch.root_at_from || stretch.root_at_to;
     const Panels panels(f, from, to, {.within = rough ? 1e-12 : 1e-13, .most = 256, .everywhere = true});
     if (!panels.finite()) return T(NAN);
+    const ShiftAlong<T> shift(curves, curve.piece, stretch, rate,
+                              {stretch.share_of(arc.from), stretch.share_of(arc.to)}, {first, last});
     const auto place_at = [&](double s, std::size_t derivative) {
-        const double input = stretch.at(s), share = (input - arc.from) / (arc.to - arc.from);
-        return curves.moved(curves.at(curve, input), derivative, T(1 - share) * first + T(share) * last);
+        return curves.moved(curves.at(curve, stretch.at(s)), derivative, shift.at(s));
     };
     T sum(0);
     if constexpr (std::is_same_v<T, double>) {
@@ -76,9 +119,9 @@ T twice_area_of(SweptCurves<T, K>& curves, SweptCurves<double, K>& plain, const 
         for (const Panel& panel : panels.all())
             for (std::size_t i = 0; i < Panel::nodes; ++i) {
                 const double s = panel.at(i);
-                sum = sum + T(panel.weight(i) * stretch.speed(s) / rate) * cross(place_at(s, 0), place_at(s, 1));
+                sum = sum + T(panel.weight(i)) * (T(stretch.speed(s) / rate) + shift.slope(s)) *
+                                cross(place_at(s, 0), place_at(s, 1));
             }
-        sum = sum * (T(1) + (last - first) * T(rate / (arc.to - arc.from)));
     }
     for (const Panel& panel : by_places)
         sum = sum + twice_area_by_places<T>(panel, [&](double s) { return place_at(s, 0); });

@@ -95,6 +95,14 @@ public:
         if (outline_.curves[curve].is_straight()) return c.kind == SweptCorner::Kind::foot ? shift_of_foot(c) : T(0);
         return shift_of_input(c.kind == SweptCorner::Kind::foot ? outline_.corners[c.of] : c);
     }
+    /// The same of an end of a piece that is a limit at which places become infinitely fast; else 0.
+    T shift_of_limit(std::size_t piece, bool last) {
+        const SweptPiece& of = outline_.pieces[piece];
+        if (!(last ? of.stretch.root_at_to : of.stretch.root_at_from)) return T(0);
+        const linkage::Extreme end{last ? of.stretch.to : of.stretch.from, 0, false,
+                                   last ? course_.travel.last : course_.travel.first, of.within};
+        return linkage::shift_of(measured_, {0, 0}, course_, end, ends_);
+    }
 
     static Vector<T> moved(const Place& place, std::size_t derivative, const T& shift) {
         return {linkage::detail::after_shift(place.x, derivative, shift),
