@@ -2,6 +2,8 @@
 /// \file
 /// Vectors of the plane.
 
+#include "analysis/numbers/scalar.h"
+
 namespace mechwright {
 
 template <class T>
@@ -36,6 +38,13 @@ constexpr Vector<T> left_of(const Vector<T>& a) {
 template <class T>
 constexpr Vector<T> turned(const Vector<T>& a, const Vector<T>& b) {
     return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+
+/// The unit vector at an angle from the x axis.
+template <class T>
+Vector<T> unit_at(const T& angle) {
+    const auto [sine, cosine] = sine_and_cosine(angle);
+    return {cosine, sine};
 }
 
 }  // namespace mechwright

@@ -122,15 +122,21 @@ Dual<T, N> sqrt(const Dual<T, N>& a) {
 // sin(a)' = cos(a) a'
 template <class T, std::size_t N>
 Dual<T, N> sin(const Dual<T, N>& a) {
-    using std::cos, std::sin;
-    return Dual<T, N>::chain(a, sin(a.value), cos(a.value));
+    const auto [sine, cosine] = sine_and_cosine(a.value);
+    return Dual<T, N>::chain(a, sine, cosine);
 }
 
 // cos(a)' = -sin(a) a'
 template <class T, std::size_t N>
 Dual<T, N> cos(const Dual<T, N>& a) {
-    using std::cos, std::sin;
-    return Dual<T, N>::chain(a, cos(a.value), -sin(a.value));
+    const auto [sine, cosine] = sine_and_cosine(a.value);
+    return Dual<T, N>::chain(a, cosine, -sine);
+}
+
+template <class T, std::size_t N>
+SineAndCosine<Dual<T, N>> sine_and_cosine(const Dual<T, N>& a) {
+    const auto [sine, cosine] = sine_and_cosine(a.value);
+    return {Dual<T, N>::chain(a, sine, cosine), Dual<T, N>::chain(a, cosine, -sine)};
 }
 
 // |a|' = sign(a) a'

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analysis/numbers/extremes.h"
+#include "analysis/numbers/function_reference.h"
 
 namespace mechwright {
 
@@ -164,8 +165,10 @@ public:
         bool at_ends = false;     ///< it has its values at both ends, too, to which the outer panels lead
     };
 
+    using Function = FunctionReference<double(double)>;
+    using Found = FunctionReference<void(double)>;
+
     /// Of g(s) over [from, to]. Where g is not finite it counts as resolved once its panel is as narrow as a kink's.
-    template <class Function>
     Panels(const Function& g, double from, double to, const Limits& limits) : limits_(limits) {
         std::vector<Panel> open;
         const double step = (to - from) / static_cast<double>(limits.first);
@@ -217,15 +220,11 @@ public:
 
     /// The zeros of g, the function whose panels these are, between the first panel and the last: reported to found(s)
     /// in increasing order.
-    template <class Function, class Found>
-    void zeros(const Function& g, const Found& found) const {
-        zeros_in(Grid(*this, g), g, found);
-    }
+    void zeros(const Function& g, const Found& found) const { zeros_in(Grid(*this, g), g, found); }
 
     /// The same where the slope of g is known too: three zeros between neighbouring samples, or spread over two such
     /// intervals, are found as well.
-    template <class Function, class Slope, class Found>
-    void zeros(const Function& g, const Slope& slope, const Found& found) const {
+    void zeros(const Function& g, const Function& slope, const Found& found) const {
         const Grid grid(*this, g);
         std::vector<double> single;
         zeros_in(grid, g, [&](double s) { single.push_back(s); });
@@ -281,7 +280,6 @@ private:
     struct Grid {
         std::vector<double> at, value;
 
-        template <class Function>
         Grid(const Panels& panels, const Function& g) {
             at.reserve(panels.done_.size() * Panel::nodes + 2);
             value.reserve(at.capacity());
@@ -297,7 +295,6 @@ private:
         }
     };
 
-    template <class Function, class Found>
     static void zeros_in(const Grid& grid, const Function& g, const Found& found) {
         std::size_t next = 0;
         // Points of the grid are asked for in order, each once.
@@ -307,8 +304,7 @@ private:
 
     /// The zeros of g between two samples, as its slope parts them: that may vanish once there, or twice, then next to
     /// one of the places in `look`.
-    template <class Function, class Slope, class Found>
-    static void zeros_between_turns(const Function& g, const Slope& slope, double left, double right, double g_left,
+    static void zeros_between_turns(const Function& g, const Function& slope, double left, double right, double g_left,
                                     double g_right, const std::array<double, 4>& look, const Found& found) {
         std::array<double, 4> at{left};
         std::size_t count = 1;
@@ -342,7 +338,6 @@ private:
         }
     }
 
-    template <class Function>
     Panel sampled(const Function& g, double from, double to) {
         Panel panel{from, to};
         for (std::size_t i = 0; i < Panel::nodes; ++i) {
@@ -357,7 +352,6 @@ private:
     bool parts_from(const Panel& before, const Panel& after) const {
         return limits_.continuous && differ(Panel::at_end(before.value, true), Panel::at_end(after.value, false));
     }
-    template <class Function>
     bool leads_to_ends(const Function& g, const Panel& panel, double from, double to) const {
         return !limits_.at_ends || (!(panel.from == from && differ(Panel::at_end(panel.value, false), g(from))) &&
                                     !(panel.to == to && differ(Panel::at_end(panel.value, true), g(to))));

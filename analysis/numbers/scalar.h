@@ -44,6 +44,18 @@ T pi() {
     }
 }
 
+template <class T>
+struct SineAndCosine {
+    T sine, cosine;
+};
+
+/// Both of one angle, which together take hardly longer than one of them.
+template <class T>
+SineAndCosine<T> sine_and_cosine(const T& angle) {
+    using std::cos, std::sin;
+    return {sin(angle), cos(angle)};
+}
+
 /// Whether both hold.
 constexpr bool both(bool a, bool b) { return a && b; }
 

@@ -187,17 +187,21 @@ SecondDual<T, N> sqrt(const SecondDual<T, N>& a) {
 // f' = cos, f'' = -sin
 template <class T, std::size_t N>
 SecondDual<T, N> sin(const SecondDual<T, N>& a) {
-    using std::cos, std::sin;
-    const T s = sin(a.value);
-    return SecondDual<T, N>::chain(a, s, cos(a.value), -s);
+    const auto [sine, cosine] = sine_and_cosine(a.value);
+    return SecondDual<T, N>::chain(a, sine, cosine, -sine);
 }
 
 // f' = -sin, f'' = -cos
 template <class T, std::size_t N>
 SecondDual<T, N> cos(const SecondDual<T, N>& a) {
-    using std::cos, std::sin;
-    const T c = cos(a.value);
-    return SecondDual<T, N>::chain(a, c, -sin(a.value), -c);
+    const auto [sine, cosine] = sine_and_cosine(a.value);
+    return SecondDual<T, N>::chain(a, cosine, -sine, -cosine);
+}
+
+template <class T, std::size_t N>
+SineAndCosine<SecondDual<T, N>> sine_and_cosine(const SecondDual<T, N>& a) {
+    const auto [sine, cosine] = sine_and_cosine(a.value);
+    return {SecondDual<T, N>::chain(a, sine, cosine, -sine), SecondDual<T, N>::chain(a, cosine, -sine, -cosine)};
 }
 
 // f' = sign(a), f'' = 0

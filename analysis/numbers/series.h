@@ -144,29 +144,27 @@ Series<T, K> root_of(const Series<T, K>& square, const T& value) {
     return r;
 }
 
-/// Sine and cosine together: s' = c a', c' = -s a'.
-template <class T, std::size_t K>
-struct SineAndCosine {
-    Series<T, K> sine, cosine;
-
-    explicit SineAndCosine(const Series<T, K>& a) {
-        using std::cos, std::sin;
-        sine.c[0] = sin(a.c[0]);
-        cosine.c[0] = cos(a.c[0]);
-        for (std::size_t k = 1; k <= K; ++k) {
-            T s(0), c(0);
-            for (std::size_t j = 1; j <= k; ++j) {
-                const T slope = T(static_cast<double>(j)) * a.c[j];
-                s += slope * cosine.c[k - j];
-                c -= slope * sine.c[k - j];
-            }
-            sine.c[k] = s / T(static_cast<double>(k));
-            cosine.c[k] = c / T(static_cast<double>(k));
-        }
-    }
-};
-
 }  // namespace detail
+
+// s' = c a', c' = -s a'.
+template <class T, std::size_t K>
+SineAndCosine<Series<T, K>> sine_and_cosine(const Series<T, K>& a) {
+    Series<T, K> sine, cosine;
+    const SineAndCosine<T> value = sine_and_cosine(a.c[0]);
+    sine.c[0] = value.sine;
+    cosine.c[0] = value.cosine;
+    for (std::size_t k = 1; k <= K; ++k) {
+        T s(0), c(0);
+        for (std::size_t j = 1; j <= k; ++j) {
+            const T slope = T(static_cast<double>(j)) * a.c[j];
+            s += slope * cosine.c[k - j];
+            c -= slope * sine.c[k - j];
+        }
+        sine.c[k] = s / T(static_cast<double>(k));
+        cosine.c[k] = c / T(static_cast<double>(k));
+    }
+    return {sine, cosine};
+}
 
 // r r = a.
 template <class T, std::size_t K>
@@ -197,12 +195,12 @@ Series<T, K> hypot(const Series<T, K>& a, const Series<T, K>& b) {
 
 template <class T, std::size_t K>
 Series<T, K> sin(const Series<T, K>& a) {
-    return detail::SineAndCosine<T, K>(a).sine;
+    return sine_and_cosine(a).sine;
 }
 
 template <class T, std::size_t K>
 Series<T, K> cos(const Series<T, K>& a) {
-    return detail::SineAndCosine<T, K>(a).cosine;
+    return sine_and_cosine(a).cosine;
 }
 
 template <class T, std::size_t K>

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/geometry/vector.h"
+#include "analysis/numbers/scalar.h"
 
 namespace mechwright {
 
@@ -19,6 +20,14 @@ namespace mechwright {
 using Digits50 =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;
+
+/// By one function of MPFR.
+template <>
+inline SineAndCosine<Digits50> sine_and_cosine(const Digits50& angle) {
+    SineAndCosine<Digits50> both;
+    mpfr_sin_cos(both.sine.backend().data(), both.cosine.backend().data(), angle.backend().data(), MPFR_RNDN);
+    return both;
+}
 
 enum class Unit { none, length, area, curvature, angle, force, torque, rate };
 

@@ -4,7 +4,7 @@ namespace mechwright {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double half_turn = std::numbers::pi;
 
 /// Samples on both sides of a place, ever closer to it.
 void add_cluster(double place, double widest, const Sweep& sweep, std::vector<double>& samples) {
@@ -19,7 +19,7 @@ void add_cluster(double place, double widest, const Sweep& sweep, std::vector<do
 
 std::vector<double> sample_angles(const Sweep& sweep, const std::vector<double>& fast) {
     const double span = sweep.to - sweep.from;
-    const int steps = std::max(32, static_cast<int>(std::ceil(span * 360 / pi)));
+    const int steps = std::max(32, static_cast<int>(std::ceil(span * 360 / half_turn)));
     std::vector<double> samples;
     samples.reserve(static_cast<std::size_t>(steps) + 1);
     for (int i = 0; i < steps; ++i)
@@ -29,8 +29,8 @@ std::vector<double> sample_angles(const Sweep& sweep, const std::vector<double>&
     const double widest = span / steps;
     add_cluster(sweep.from, widest, sweep, samples);
     add_cluster(sweep.to, widest, sweep, samples);
-    for (double k = std::ceil(sweep.from / pi); k * pi <= sweep.to; ++k)
-        add_cluster(k * pi, widest, sweep, samples);
+    for (double k = std::ceil(sweep.from / half_turn); k * half_turn <= sweep.to; ++k)
+        add_cluster(k * half_turn, widest, sweep, samples);
     for (const double place : fast)
         add_cluster(place, widest, sweep, samples);
     std::sort(samples.begin(), samples.end());

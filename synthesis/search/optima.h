@@ -36,8 +36,8 @@ bool same_design(const Problem& problem, const Design& a, const Design& b, doubl
 bool same_optimum(const Problem& problem, const Design& a, const Design& b);
 
 /// Distinct optima in order of preference; equal ones keep the order in which they are given. Fills in the report how
-/// many there are, how often the best was hit and, from `report.starts`, the estimated chance that a better one was
-/// missed.
+/// many there are, how often the best was hit and, from `report.starts` and the different objectives, the estimated
+/// chance that a better one was missed.
 std::vector<Solution> distinct_optima(const Problem& problem, std::vector<const Solution*> all, SearchReport& report);
 
 }  // namespace mechwright

@@ -52,7 +52,7 @@ TEST(New, EveryTaskIsSolvedAndVerifiedWithItsPresets) {
         // The longest searches begin at fewer places.
         const std::string text = content_of(file);
         if (!in_long_form() && text.find("[solver]") == std::string::npos)
-            folder.write("problem.toml", text + "\n[solver]\nstarts = 3\n");
+            folder.write("problem.toml", text + "\n[solver]\nstarts = 1\n");
         const Outcome solved = run({"solve", "--quiet", "--json", file});
         EXPECT_EQ(solved.exit_code, 0) << name << solved.err;
         const auto result = parsed(solved.out);

@@ -2,6 +2,7 @@
 
 #include "synthesis/report/drawing/scene.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -258,6 +259,27 @@ TEST(Svg, HasAScaleAndTheNamesOfLinks) {
     // A small one has no room for names.
     picture.width = 320;
     EXPECT_EQ(svg_picture(design, picture).find(">crank 34<"), std::string::npos);
+}
+
+/// Also those of borders on the right of a small drawing.
+TEST(Svg, HasTheNamesOfRegionsInThePicture) {
+    for (const int direction : {0, 90, 180, 270}) {
+        const FinishedDesign design =
+            given(four_bar_text("open") + fmt::format("[[region]]\nname = \"wall-beside-the-machine\"\nkeep = \"in\"\n"
+                                                      "of = [\"coupler\"]\nhalf-plane = {{ through = [70, 40], "
+                                                      "direction = {} }}\n",
+                                                      direction));
+        SvgPicture picture;
+        picture.width = 320;
+        const std::string svg = svg_picture(design, picture);
+        std::smatch name;
+        ASSERT_TRUE(std::regex_search(
+            svg, name, std::regex(R"re(data-x="([0-9.]+)"[^>]* x="(-?[0-9.]+)" y="-7">wall-beside-the-machine<)re")))
+            << direction;
+        const double begins = std::stod(name[1]) + std::stod(name[2]);
+        EXPECT_GE(begins, 0) << direction;
+        EXPECT_LE(begins + 0.6 * 13 * 23, 320) << direction;
+    }
 }
 
 TEST(Svg, EscapesMarkup) {

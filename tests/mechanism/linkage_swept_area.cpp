@@ -148,6 +148,8 @@ TEST(SweptArea, IsThatOfItsSlicesWhereTheLineTurnsBack) {
          {std::tuple(crank_rocker, "A", "P"), std::tuple(crank_rocker, "B", "C"), std::tuple(crank_rocker, "D", "P"),
           std::tuple(to_limits, "A", "P"), std::tuple(to_limits, "B", "C"), std::tuple(to_limits, "C", "P"),
           std::tuple(to_and_fro, "D", "C")}) {
+        // Of each kind of end one pair.
+        if (!in_long_form() && (lengths == to_limits ? one[0] != 'C' : one[0] == 'A')) continue;
         SCOPED_TRACE(lengths + one + other);
         const Json document = analysed_room("schema = 1\nmechanism = \"four-bar\"\n[dimensions]\n" + lengths +
                                             blade_of(one, other, screen))

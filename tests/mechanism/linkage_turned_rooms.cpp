@@ -196,8 +196,8 @@ TEST(TurnedRooms, AreExactNextToSingularEnds) {
 
 /// Two more in the long form.
 TEST(TurnedRooms, AreOfDrivesOfAllSorts) {
-    std::vector<const char*> files{"pick-and-place", "tipping-cylinder", "platform-swing"};
-    if (in_long_form()) files.insert(files.end(), {"scissors-ram", "jansen-leg"});
+    std::vector<const char*> files{"pick-and-place", "tipping-cylinder"};
+    if (in_long_form()) files.insert(files.end(), {"platform-swing", "scissors-ram", "jansen-leg"});
     for (const char* file : files) {
         SCOPED_TRACE(file);
         std::ifstream in(MECHWRIGHT_SOURCE_DIR "/problems/linkage/" + std::string(file) + ".toml");

@@ -209,7 +209,7 @@ public:
             if (part == 1) pose.links[link].origin.y = unknowns[i];
             if (part != 2) continue;
             pose.turns[link] = unknowns[i];
-            pose.links[link].along = detail::unit_at(unknowns[i]);
+            pose.links[link].along = unit_at(unknowns[i]);
         }
     }
     /// What a step of 1 is for an unknown: a radian, or the size.

@@ -30,7 +30,7 @@ Part<T> equation_part(const Structure& s, const LoopEquation& e, std::span<const
             part.own = place(e.joint, e.links[0]);
             part.moved = place(e.joint, e.links[1]);
             break;
-        case Kind::slide_turn: part.moved = detail::unit_at(numbers[s.slides[e.joint].angle]); break;
+        case Kind::slide_turn: part.moved = unit_at(numbers[s.slides[e.joint].angle]); break;
         case Kind::slide_line: return detail::line_part(s, true, e.joint, numbers);
         case Kind::slot:
             part = detail::line_part(s, false, e.joint, numbers);

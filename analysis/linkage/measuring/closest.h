@@ -37,7 +37,7 @@ struct ClosestPlace {
 class PlacedPins {
 public:
     PlacedPins(const Driven<double>& driven, const Placing<double>& placing, const Course& course)
-        : course_(course), driven_(driven), placing_(placing), tilt_(detail::unit_at(placing.tilt)) {
+        : course_(course), driven_(driven), placing_(placing), tilt_(unit_at(placing.tilt)) {
         driven_.shortfall = 1e-13 * size_of(driven);
     }
 

@@ -188,7 +188,7 @@ class SignalValues {
 public:
     /// The signals must outlive this. `lines` of slides are taken from the structure and its numbers.
     SignalValues(const Structure& s, std::span<const Signal> all, std::span<const T> numbers, const Placing<T>& placing)
-        : signals(all), placing_(placing), tilt_(detail::unit_at(placing.tilt)), whole_turns(all.size(), 0.0) {
+        : signals(all), placing_(placing), tilt_(unit_at(placing.tilt)), whole_turns(all.size(), 0.0) {
         for (const Slide& slide : s.slides)
             slides_.push_back(
                 {slide.link, slide.line.on, direction_of(slide.line, numbers), place_of(slide.line.through, numbers)});
@@ -203,7 +203,7 @@ public:
             case Kind::angle: return angle(signal, pose, near);
             case Kind::x: return coordinates(s, pose).x;
             case Kind::y: return coordinates(s, pose).y;
-            case Kind::along: return dot(coordinates(s, pose), detail::unit_at(T(s.number)));
+            case Kind::along: return dot(coordinates(s, pose), unit_at(T(s.number)));
             case Kind::radius:
             case Kind::from_place: return size(vector(signal, pose));
             case Kind::distance: return placing_.scale * size(vector(signal, pose));

@@ -52,12 +52,6 @@ Pose<T> empty_pose(const Structure& s, const Order& order) {
 namespace detail {
 
 template <class T>
-Vector<T> unit_at(const T& angle) {
-    using std::cos, std::sin;
-    return {cos(angle), sin(angle)};
-}
-
-template <class T>
 Vector<T> conjugate(const Vector<T>& a) {
     return {a.x, -a.y};
 }

@@ -125,17 +125,14 @@ struct Structure {
 /// A place in the frame of its link.
 template <class T>
 Vector<T> place_of(const Coordinates& at, std::span<const T> numbers) {
-    using std::cos, std::sin;
     const T &a = numbers[at.first], &b = numbers[at.second];
-    if (!at.polar) return {a, b};
-    return {a * cos(b), a * sin(b)};
+    return at.polar ? a * unit_at(b) : Vector<T>{a, b};
 }
 
 /// The direction of a line in the frame of its link, a unit vector; (0, 0) where its two places coincide.
 template <class T>
 Vector<T> direction_of(const Line& line, std::span<const T> numbers) {
-    using std::cos, std::sin;
-    if (line.by_angle) return {cos(numbers[line.angle]), sin(numbers[line.angle])};
+    if (line.by_angle) return unit_at(numbers[line.angle]);
     const Vector<T> along = place_of(line.towards, numbers) - place_of(line.through, numbers);
     const T length = hypotenuse(along.x, along.y);
     return length > T(0) ? (T(1) / length) * along : along;

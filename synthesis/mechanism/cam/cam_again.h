@@ -86,9 +86,7 @@ struct Here {
 /// A vector of the fixed plane as the cam sees it after turning by a small angle.
 template <class R>
 Vector<R> seen_by_cam(const Vector<R>& v, int sense, const R& cam_angle) {
-    using std::cos, std::sin;
-    const R angle = -sense * cam_angle;
-    return turned(v, Vector<R>{cos(angle), sin(angle)});
+    return turned(v, unit_at(R(-sense * cam_angle)));
 }
 
 /// Centre of the roller and direction of its rise, in the fixed plane.
@@ -180,8 +178,7 @@ CamHere<R> cam_here(const Follower<R>& f, const Here<R>& here) {
         const R slope = p.first / a.first;
         const R radius = p.value + (p.second - slope * a.second) / (a.first * a.first);
         const Face<R> now = face(f, here.lift(R(0)));
-        using std::cos, std::sin;
-        const Vector<R> normal{R(cos(now.direction)), R(sin(now.direction))};
+        const Vector<R> normal = unit_at(now.direction);
         const R along = Layout<Follower>::oscillating ? R(now.foot + slope) : R(-slope);
         R angle(0);
         if constexpr (Layout<Follower>::oscillating) angle = atan2(f.face_offset, along);

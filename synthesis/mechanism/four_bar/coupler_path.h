@@ -49,13 +49,11 @@ struct CouplerPose {
     template <class T>
     static PoseMissAndMargin<T> miss(std::size_t assembly, const std::array<T, reads + 1>& x,
                                      const Vector<double>& target, const Vector<double>& facing) {
-        using std::cos, std::sin;
         const FourBar<T> links{x[0], x[1], x[2], x[3]};
         const auto p = pose(links, x[10], assembly_of(assembly));
         const Vector<T> local = position(links, CouplerPoint<T>{x[4], x[5]}, p);
         const Placement<T> placement{{x[6], x[7]}, x[8]};
-        const T turn = x[8] + x[9];
-        const Vector<T> faces = turned(p.coupler, Vector<T>{cos(turn), sin(turn)});
+        const Vector<T> faces = turned(p.coupler, unit_at(T(x[8] + x[9])));
         return {{mechwright::miss(local, placement, Vector<T>{T(target.x), T(target.y)}),
                  std::min(value_of(p.margins.stretch), value_of(p.margins.fold))},
                 Vector<T>{T(facing.x), T(facing.y)} - faces};

@@ -28,11 +28,11 @@ struct RockerAngle {
     static constexpr bool wraps = true;
     template <class T>
     static T error(const std::array<T, reads>& x, std::size_t assembly, const T& share, const T& part) {
-        using std::atan2, std::cos, std::sin;
+        using std::atan2;
         const auto p = pose(FourBar<T>{x[0], x[1], x[2], x[3]}, T(x[4] + x[5] * share),
                             assembly == 0 ? Assembly::open : Assembly::crossed);
         const T asked = x[6] + x[7] * part;
-        const Vector<T> direction{cos(asked), sin(asked)};
+        const Vector<T> direction = unit_at(asked);
         return atan2(cross(direction, p.rocker), dot(direction, p.rocker));
     }
 };
@@ -109,14 +109,14 @@ struct RockerAngleAgain {
 
     template <class T>
     T error(const T& input, const T& asked) const {
-        using std::atan2, std::cos, std::sin;
+        using std::atan2;
         again::Pose<T> p;
         if constexpr (std::is_same_v<T, double>)
             p = again::pose(rough, input);
         else
             p = again::pose(fine, input);
         if (!p.assembled()) return std::numeric_limits<T>::quiet_NaN();
-        const Vector<T> direction{cos(asked), sin(asked)};
+        const Vector<T> direction = unit_at(asked);
         return atan2(cross(direction, p.rocker), dot(direction, p.rocker));
     }
 };

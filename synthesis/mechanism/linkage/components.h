@@ -21,6 +21,28 @@
 
 namespace mechwright::measuring {
 
+/// Which of the greatest terms and which of the least make a difference.
+struct Difference {
+    std::size_t high, low;
+    double value;
+};
+
+/// All of them, the greatest first.
+inline std::vector<Difference> differences_of(const Found& found) {
+    std::vector<Difference> all;
+    for (std::size_t i = 0; i < found.plus.size(); ++i)
+        for (std::size_t j = 0; j < found.minus.size(); ++j)
+            all.push_back({i, j, found.plus[i].value() - found.minus[j].value()});
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Difference& a, const Difference& b) { return a.value > b.value; });
+    return all;
+}
+
+template <class T>
+void put_greatest_first(std::vector<T>& all) {
+    std::stable_sort(all.begin(), all.end(), [](const T& a, const T& b) { return value_of(a) > value_of(b); });
+}
+
 /// The components, the worst first, as many as there are, as functions of the dimensions.
 template <class T, std::size_t K>
 class Components {
@@ -41,7 +63,7 @@ public:
         if (over.is_of_function()) measured_.ask(wanted(seeded, over.motion.function->series));
         // Several points may be farthest in one pose.
         const Kind kind = over.measure.kind;
-        if (is_of_room(kind) || is_of_coordinates(kind) || kind == Kind::region_margin) measured_.keep_poses();
+        if (is_of_parts(kind)) measured_.keep_poses();
         arguments_ = seeded;
     }
 
@@ -59,19 +81,22 @@ public:
             case Kind::deviation: add_differences(kind == Kind::range ? 1 : 0.5, out); break;
             case Kind::room_width:
             case Kind::room_height: add_differences(1, out); break;
-            case Kind::room_area: add_areas(out); break;
+            case Kind::room_area:
+                if constexpr (K == order_of_places) add_areas(out);
+                break;
             case Kind::turned_width:
             case Kind::turned_area:
-                out.push_back(least_size(measured_, course_, found_.box, kind == Kind::turned_area, ends_));
+                if constexpr (K == order_of_slopes)
+                    out.push_back(least_size(measured_, course_, found_.box, kind == Kind::turned_area, ends_));
                 break;
             case Kind::self_distance:
-                if constexpr (K >= 2)
+                if constexpr (K == order_of_places)
                     for (const Approach& approach : found_.approaches)
                         out.push_back(distance_of(measured_, course_, approach, ends_));
                 break;
             case Kind::swept_area:
             case Kind::uncovered:
-                if constexpr (K >= 4) out.push_back(swept());
+                if constexpr (K == order_of_slopes) out.push_back(swept());
                 break;
             case Kind::time_ratio: add_time_ratios(out); break;
             case Kind::extent: out.push_back(extent()); break;
@@ -83,18 +108,12 @@ public:
                 out.push_back(sum);
                 break;
             }
-            case Kind::link_ratio: add_link_ratios(out); break;
+            case Kind::link_ratio:
+                if constexpr (K == order_of_places) add_link_ratios(out);
+                break;
             case Kind::full_turn_margin:
             case Kind::assembly_margin:
-                for (const linkage::MarginPlace& place : found_.margins)
-                    out.push_back(over_.model.scale.at(seeded_) * linkage::margin_at(measured_, place,
-                                                                                     course_.turns.near(place.place.at),
-                                                                                     course_.travel, ends_));
-                // Where no dyad closes by lengths nothing comes apart.
-                if (out.empty()) {
-                    const double size = size_of(plain_.driven());
-                    out.push_back(T(size > 0 ? size : 1));
-                }
+                if constexpr (K == order_of_places) add_margins(out);
                 break;
             default:
                 for (const Term& term : found_.plus)
@@ -155,23 +174,25 @@ private:
         return linkage::mean_of(measured_, plain_, over_.measure.asked, course_, stretch_[0], stretch_[1], squared,
                                 ends_);
     }
+    void add_margins(std::vector<T>& out) {
+        for (const linkage::MarginPlace& place : found_.margins)
+            out.push_back(over_.model.scale.at(seeded_) * linkage::margin_at(measured_, place,
+                                                                             course_.turns.near(place.place.at),
+                                                                             course_.travel, ends_));
+        // Where no dyad closes by lengths nothing comes apart.
+        if (out.empty()) {
+            const double size = size_of(plain_.driven());
+            out.push_back(T(size > 0 ? size : 1));
+        }
+    }
     void add_differences(double factor, std::vector<T>& out) {
-        struct Pair {
-            std::size_t high, low;
-            double value;
-        };
-        std::vector<Pair> pairs;
         std::vector<T> high, low;
         for (const Term& term : found_.plus)
             high.push_back(value(term));
         for (const Term& term : found_.minus)
             low.push_back(value(term));
-        for (std::size_t i = 0; i < high.size(); ++i)
-            for (std::size_t j = 0; j < low.size(); ++j)
-                pairs.push_back({i, j, found_.plus[i].value() - found_.minus[j].value()});
-        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.value > b.value; });
-        for (const Pair& pair : pairs)
-            out.push_back(T(factor) * (high[pair.high] - low[pair.low]));
+        for (const Difference& one : differences_of(found_))
+            out.push_back(T(factor) * (high[one.high] - low[one.low]));
     }
     /// A product of two differences, each of which is a candidate for a side of the box. The greatest is that of the
     /// sides: no other difference is as great without its sign.
@@ -192,7 +213,7 @@ private:
         for (const T& width : widths)
             for (const T& height : heights)
                 out.push_back(width * height);
-        std::stable_sort(out.begin(), out.end(), [](const T& a, const T& b) { return value_of(a) > value_of(b); });
+        put_greatest_first(out);
     }
     void add_time_ratios(std::vector<T>& out) {
         const Term &high = found_.plus.front(), &low = found_.minus.front();
@@ -215,13 +236,13 @@ private:
     T shift(const Term& term) { return linkage::shift_of(measured_, term.asked, course_, term.place, ends_); }
     void add_link_ratios(std::vector<T>& out) {
         std::vector<T> lengths = link_lengths(over_.model, seeded_);
-        std::stable_sort(lengths.begin(), lengths.end(), [](const T& a, const T& b) { return a > b; });
+        put_greatest_first(lengths);
         const std::size_t n = lengths.size(), few = std::min(most_of_range, n);
         for (std::size_t i = 0; i < few; ++i)
             for (std::size_t j = 0; j < few; ++j)
                 if (i != n - 1 - j) out.push_back(lengths[i] / lengths[n - 1 - j]);
         if (n == 1) out.push_back(T(1));
-        std::stable_sort(out.begin(), out.end(), [](const T& a, const T& b) { return a > b; });
+        put_greatest_first(out);
     }
 
     const Over& over_;

@@ -62,6 +62,67 @@ std::optional<FoundApart> closest_apart(const Over& over, std::span<const double
     return found.found.possible ? std::optional(std::move(found)) : std::nullopt;
 }
 
+/// Where the components of a quantity of rooms or regions are, by the order of series that these go by; of regions that
+/// parts keep out of, of these places where they come closest.
+template <std::size_t K>
+Found found_of_parts(const Over& over, linkage::Measured<double, K>& plain, const Course& course,
+                     std::span<const double> dimensions, Found apart) {
+    const Kind kind = over.measure.kind;
+    Found found;
+    found.possible = false;
+    if constexpr (K == order_of_slopes) {
+        if (is_of_turned_box(kind)) {
+            found.box =
+                TurnedBoxSearch<K>(over, over.model.rooms[over.measure.of_room], plain, course, dimensions).found();
+            found.possible = found.box.possible;
+        } else {
+            plain.keep_poses();
+            auto outline = swept_outline(over, plain, course);
+            found.possible = outline.has_value();
+            if (outline) found.swept = std::move(*outline);
+        }
+    } else if constexpr (K == order_of_places) {
+        if (is_of_room(kind)) return found_of_room(over, plain, course, dimensions);
+        if (kind == Kind::self_distance) {
+            plain.keep_poses();
+            ApproachSearch<K> search(over, over.model.rooms[over.measure.of_room], plain, course, dimensions);
+            found.approaches = search.found(most_extremes);
+            found.possible = search.closes && !found.approaches.empty();
+        } else if (keeps_out(over)) {
+            found = std::move(apart);
+            settle_some(plain, course, found.plus, most_extremes, keep_least);
+            found.possible = std::isfinite(found.plus.front().value());
+        } else {
+            return found_of_points(over, plain, course, dimensions);
+        }
+    }
+    return found;
+}
+
+/// The margins of a quantity that is the least of them, and the course that they are along. False: it has no value.
+template <std::size_t K>
+bool find_margins(const Over& over, std::span<const double> dimensions, linkage::Measured<double, K>& plain,
+                  Course& course, Found& found) {
+    const Kind kind = over.measure.kind;
+    const linkage::Driven<double> driven = over.driven(dimensions);
+    const linkage::Travel all = kind == Kind::full_turn_margin && !over.model.driven_by_slide()
+                                    ? linkage::Travel{0, over.period(), true}
+                                    : course.travel;
+    if (kind == Kind::assembly_margin && !over.stays(dimensions, all)) return false;
+    found.margins = linkage::margin_places(plain, driven, all);
+    std::erase_if(found.margins, [&](const linkage::MarginPlace& place) {
+        return kind == Kind::full_turn_margin ? !linkage::is_length(over.model.order, place.margin.margin)
+                                              : is_given_stop_of_master(over.model, place.margin);
+    });
+    std::stable_sort(found.margins.begin(), found.margins.end(),
+                     [](const auto& a, const auto& b) { return is_less(a.place.value, b.place.value); });
+    if (found.margins.size() > most_extremes) found.margins.resize(most_extremes);
+    if (found.margins.empty() && (kind == Kind::full_turn_margin || linkage::closes_by_lengths(over.model.order)))
+        return false;
+    if (needs_turns(over, over.measure.signals)) course = linkage::course_along(driven, all);
+    return true;
+}
+
 /// Values, gradients and Hessians of the components, as far as they are asked for. False: there are none.
 template <std::size_t K>
 bool measure_by_series(const Over& over, std::span<const double> arguments, const Measurement& out) {
@@ -69,12 +130,13 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
     const Kind kind = over.measure.kind;
     std::vector<Signal> own = own_signals(over.model, over.measure);
     Found apart;
-    if (keeps_out(over)) {
-        auto closest = closest_apart<K>(over, arguments);
-        if (!closest) return false;
-        own = std::move(closest->signals);
-        apart = std::move(closest->found);
-    }
+    if constexpr (K == order_of_places)
+        if (keeps_out(over)) {
+            auto closest = closest_apart<K>(over, arguments);
+            if (!closest) return false;
+            own = std::move(closest->signals);
+            apart = std::move(closest->found);
+        }
     const std::span<const Signal> signals =
         over.measure.signals.empty() ? std::span<const Signal>(own) : std::span<const Signal>(over.measure.signals);
     auto plain = measured<double, K>(over, arguments, signals);
@@ -85,24 +147,9 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
     Course course{over.travel()};
     Found found;
     std::array<double, 2> stretch{course.travel.from, course.travel.to};
-    if (of_margins) {
-        const linkage::Driven<double> driven = over.driven(dimensions);
-        const linkage::Travel all = kind == Kind::full_turn_margin && !over.model.driven_by_slide()
-                                        ? linkage::Travel{0, over.period(), true}
-                                        : course.travel;
-        if (kind == Kind::assembly_margin && !over.stays(dimensions, all)) return false;
-        found.margins = linkage::margin_places(plain, driven, all);
-        std::erase_if(found.margins, [&](const linkage::MarginPlace& place) {
-            return kind == Kind::full_turn_margin ? !linkage::is_length(over.model.order, place.margin.margin)
-                                                  : is_given_stop_of_master(over.model, place.margin);
-        });
-        std::stable_sort(found.margins.begin(), found.margins.end(),
-                         [](const auto& a, const auto& b) { return is_less(a.place.value, b.place.value); });
-        if (found.margins.size() > most_extremes) found.margins.resize(most_extremes);
-        if (found.margins.empty() && (kind == Kind::full_turn_margin || linkage::closes_by_lengths(over.model.order)))
-            return false;
-        if (needs_turns(over, signals)) course = linkage::course_along(driven, all);
-    } else if (!of_lengths) {
+    if constexpr (K == order_of_places)
+        if (of_margins && !find_margins(over, dimensions, plain, course, found)) return false;
+    if (!of_margins && !of_lengths) {
         if (!closes_at_samples(over, dimensions)) return false;
         course = course_of(over, dimensions, plain, signals);
         if (needs_turns(over, signals)) {
@@ -112,34 +159,12 @@ bool measure_by_series(const Over& over, std::span<const double> arguments, cons
         if (over.is_of_function()) {
             found = found_of_error(over, plain, course, arguments);
         } else if (kind == Kind::transmission_angle_worst || kind == Kind::joint_distance_least) {
-            plain.keep_poses();
-            found = found_of_all(over, plain, course);
-        } else if (is_of_room(kind)) {
-            found = found_of_room(over, plain, course, dimensions);
-        } else if (is_of_turned_box(kind)) {
-            found.box =
-                TurnedBoxSearch<K>(over, over.model.rooms[over.measure.of_room], plain, course, dimensions).found();
-            found.possible = found.box.possible;
-        } else if (kind == Kind::self_distance) {
-            if constexpr (K >= 2) {
+            if constexpr (K == order_of_places) {
                 plain.keep_poses();
-                ApproachSearch<K> search(over, over.model.rooms[over.measure.of_room], plain, course, dimensions);
-                found.approaches = search.found(most_extremes);
-                found.possible = search.closes && !found.approaches.empty();
+                found = found_of_all(over, plain, course);
             }
-        } else if (is_of_swept_area(kind)) {
-            if constexpr (K >= 4) {
-                plain.keep_poses();
-                auto outline = swept_outline(over, plain, course);
-                found.possible = outline.has_value();
-                if (outline) found.swept = std::move(*outline);
-            }
-        } else if (keeps_out(over)) {
-            found = std::move(apart);
-            settle_some(plain, course, found.plus, most_extremes, keep_least);
-            found.possible = std::isfinite(found.plus.front().value());
-        } else if (kind == Kind::region_margin) {
-            found = found_of_points(over, plain, course, dimensions);
+        } else if (is_of_parts(kind)) {
+            found = found_of_parts(over, plain, course, dimensions, std::move(apart));
         } else {
             const auto asked = kind == Kind::at ? std::optional(std::array{over.measure.input, over.measure.input})
                                                 : over.measure.stretch;

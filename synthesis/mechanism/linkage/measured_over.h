@@ -103,6 +103,15 @@ inline bool is_of_coordinates(Kind kind) {
     return is_of_turned_box(kind) || is_of_swept_area(kind) || kind == Kind::self_distance;
 }
 
+/// Whether it is of a room or a region.
+inline bool is_of_parts(Kind kind) {
+    return is_of_room(kind) || is_of_coordinates(kind) || kind == Kind::region_margin;
+}
+
+/// The orders of the time series that quantities without signals of a file are measured by: most go by places that are
+/// stationary, the width of a box that turns and the envelope of a line by slopes of such places.
+inline constexpr std::size_t order_of_places = 2, order_of_slopes = 4;
+
 /// The screen of the room that is measured, in the lengths of its model.
 inline std::vector<Vector<double>> screen_of(const Over& over) {
     std::vector<Vector<double>> corners;
@@ -185,7 +194,6 @@ inline std::vector<Signal> own_signals(const LinkageModel& model, const LinkageM
 /// follows, so that y is the distance from it; or axes about the centre of an arc.
 template <class T>
 linkage::Placing<T> placing_of(const Over& over, std::span<const T> dimensions, std::span<const T> shape) {
-    using std::cos, std::sin;
     const LinkageModel& m = over.model;
     linkage::Placing<T> placing{{m.placement[0].at(dimensions), m.placement[1].at(dimensions)},
                                 m.placement[2].at(dimensions),
@@ -196,7 +204,7 @@ linkage::Placing<T> placing_of(const Over& over, std::span<const T> dimensions, 
     }
     if (shape.size() == ArcShape::parameters) placing.origin = placing.origin - Vector<T>{shape[0], shape[1]};
     if (shape.size() != LineShape::parameters) return placing;
-    placing.origin = turned(placing.origin, Vector<T>{cos(shape[0]), -sin(shape[0])});
+    placing.origin = turned(placing.origin, unit_at(T(-shape[0])));
     placing.origin.y = placing.origin.y - shape[1];
     placing.tilt = placing.tilt - shape[0];
     return placing;

@@ -61,8 +61,7 @@ void measure(const Over& over, std::span<const double> arguments, const Measurem
     const Kind kind = over.measure.kind;
     const bool full_turn = over.motion.full_turn;
     std::size_t order = over.measure.signals.empty() ? 2 : linkage::order_for(over.measure.signals, over.measure.asked);
-    // The slope of a width goes by the slope of places that are stationary; an envelope goes by velocities.
-    if (is_of_turned_box(kind) || is_of_swept_area(kind)) order = 4;
+    if (is_of_parts(kind)) order = is_of_turned_box(kind) || is_of_swept_area(kind) ? order_of_slopes : order_of_places;
     // A time ratio needs one derivative more for its second ones; what is given where it is, needs none.
     if (kind == Kind::time_ratio) ++order;
     // What divides is looked at for zeros, at its extremes.

@@ -94,12 +94,15 @@ std::string pivot(const Vector<double>& at) {
         px(at.x), px(at.y));
 }
 
+constexpr double beside_place = 7, name_size = 13;
+
 /// A name beside a place, upright in a group that is turned.
-std::string name_element(const Label& label, const Vector<double>& at, const Vector<double>& turn) {
+std::string name_element(const Label& label, const Vector<double>& at, const Vector<double>& turn,
+                         double beside = beside_place) {
     return fmt::format(
         "<text class=\"name\" data-x=\"{0}\" data-y=\"{1}\" transform=\"matrix({2:.6g} {3:.6g} {4:.6g} {2:.6g} {0} "
-        "{1})\" x=\"7\" y=\"-7\">{5}</text>",
-        px(at.x), px(at.y), turn.x, turn.y, -turn.y, escaped(label.text));
+        "{1})\" x=\"{5}\" y=\"-7\">{6}</text>",
+        px(at.x), px(at.y), turn.x, turn.y, -turn.y, px(beside), escaped(label.text));
 }
 
 /// One body in its own frame, in pixels.
@@ -172,8 +175,12 @@ std::string svg_fixed(const Scene& scene, const SvgView& view) {
         text += path_element(outline, path_data(outline, view.scale, pixels));
     for (const Vector<double>& at : scene.pivots)
         text += pivot(view.pixels(at));
-    for (const Label& label : scene.ground.labels)
-        text += name_element(label, view.pixels(label.at), {1, 0});
+    for (const Label& label : scene.ground.labels) {
+        const Vector<double> at = view.pixels(label.at);
+        // Names at the right border begin further to the left, so that they are whole.
+        const double room = view.width - at.x - text_box(label.text, "", name_size).width;
+        text += name_element(label, at, {1, 0}, std::min(beside_place, room));
+    }
     return text;
 }
 
@@ -329,7 +336,7 @@ std::string link_names(const Scene& scene, const SvgView& view, std::span<const 
     for (std::size_t b = 0; b < places.size(); ++b)
         add(scene.bodies[b].outlines, places[b], 1);
     const auto keep_clear = [&](const Label& label, const BodyPlace& place) {
-        TextBox box = text_box(label.text, "", 13);
+        TextBox box = text_box(label.text, "", name_size);
         box.middle =
             view.pixels(in_drawing(place, label.at)) + Vector<double>{7 + 0.5 * box.width, -4 - 0.5 * box.height};
         labels.placed.push_back(std::move(box));

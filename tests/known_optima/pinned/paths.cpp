@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tests/known_optima/solved.h"
+#include "tests/long_form.h"
 
 namespace mechwright {
 
@@ -40,7 +41,8 @@ TEST(Pinned, CaseTwoIsFoundByIpoptToo) {
 TEST(Pinned, CaseOneWithTheBestTransmissionIsFoundFromEverySeed) {
     for (const std::uint64_t seed : {1, 5}) {
         if (seed == 5 && !in_long_form()) break;
-        const std::string few = shipped("case-1-transmission.toml", "path") + "\n[solver]\nstarts = 8\n";
+        const std::string few = shipped("case-1-transmission.toml", "path") +
+                                (in_long_form() ? "\n[solver]\nstarts = 8\n" : "\n[solver]\nstarts = 4\n");
         const Solved s = solved(few, "auto", seed);
         EXPECT_EQ(s.result.status, Status::solved);
         EXPECT_NEAR(s.result.best->objective, 67.903602671, 1e-8) << "seed " << seed;
@@ -59,7 +61,7 @@ class CaseOneWithTheBestTransmission : public ::testing::TestWithParam<PathLimit
 TEST_P(CaseOneWithTheBestTransmission, IsFoundUnderTheLimit) {
     std::string text = shipped("case-1-transmission.toml", "path");
     text.replace(text.find("0.001"), 5, GetParam().text);
-    const Solved s = solved(text + "\n[solver]\nstarts = 8\n");
+    const Solved s = solved(text + (in_long_form() ? "\n[solver]\nstarts = 8\n" : "\n[solver]\nstarts = 4\n"));
     EXPECT_EQ(s.result.status, Status::solved);
     EXPECT_NEAR(s.result.best->objective, GetParam().best, 1e-8);
 }

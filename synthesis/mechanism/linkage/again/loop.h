@@ -25,10 +25,7 @@ struct LoopPose {
     std::vector<T> turns;
 
     /// The direction of a link's x axis.
-    Vector<T> along(std::size_t link) const {
-        using std::cos, std::sin;
-        return {cos(turns[link]), sin(turns[link])};
-    }
+    Vector<T> along(std::size_t link) const { return unit_at(turns[link]); }
     Vector<T> at(std::size_t link, const Vector<T>& own) const { return origins[link] + turned(own, along(link)); }
 };
 

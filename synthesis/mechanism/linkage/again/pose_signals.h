@@ -27,7 +27,7 @@ struct Standing {
 
     Standing(const LinkageModel& model, std::span<const T> dimensions, std::vector<double> turns)
         : origin{model.placement[0].at(dimensions), model.placement[1].at(dimensions)},
-          tilt(linkage::detail::unit_at(model.placement[2].at(dimensions))),
+          tilt(unit_at(model.placement[2].at(dimensions))),
           scale(model.scale.at(dimensions)),
           start_turns(std::move(turns)) {}
 };
@@ -76,13 +76,12 @@ struct PoseSignals {
     }
     /// A signal that is no speed, no acceleration, no curvature, no sum and no ratio of others.
     T value(const linkage::Signal& s) const {
-        using std::cos, std::sin;
         using Kind = linkage::Signal::Kind;
         switch (s.kind) {
             case Kind::angle: return pose.turns[s.of] - pose.turns[s.to] + T(2) * pi<T>() * T(whole_turns_of(s));
             case Kind::x: return coordinates(s).x;
             case Kind::y: return coordinates(s).y;
-            case Kind::along: return dot(coordinates(s), Vector<T>{cos(T(s.number)), sin(T(s.number))});
+            case Kind::along: return dot(coordinates(s), unit_at(T(s.number)));
             case Kind::distance: return distance(s.of, s.to);
             case Kind::from_line: {
                 const Vector<T> start = loop.pin(s.to, pose), line = loop.pin(s.end, pose) - start;
@@ -100,10 +99,9 @@ struct PoseSignals {
 
 private:
     Vector<T> coordinates(const linkage::Signal& s) const {
-        using std::cos, std::sin;
         if (s.on == linkage::none) return in_drawing(s.of);
         const T back = -pose.turns[s.on];
-        return standing.scale * turned(loop.pin(s.of, pose) - pose.origins[s.on], Vector<T>{cos(back), sin(back)});
+        return standing.scale * turned(loop.pin(s.of, pose) - pose.origins[s.on], unit_at(back));
     }
     std::pair<Vector<T>, Vector<T>> two_lines(const linkage::Group& group) const {
         const std::size_t margin = linkage::margin_of(model.order, group);

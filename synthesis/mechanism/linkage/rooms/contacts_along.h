@@ -31,8 +31,7 @@ public:
     };
 
     Far of(const Contact& contact, const T& direction) {
-        using std::cos, std::sin;
-        const T c = cos(direction), s = sin(direction);
+        const auto [s, c] = sine_and_cosine(direction);
         const Extreme& place = contact.place;
         if (!place.stationary) {
             const auto coordinate = [&](std::size_t signal, double at_limit) {
@@ -54,8 +53,7 @@ public:
 
     /// The same as series of the time at the place of a contact: out and across.
     auto series(const Contact& contact, const T& direction) {
-        using std::cos, std::sin;
-        const T c = cos(direction), s = sin(direction);
+        const auto [s, c] = sine_and_cosine(direction);
         const Extreme& place = contact.place;
         const linkage::WithinPiece in_piece(measured_, place.within);
         const auto near = course_.turns.near(place.at);

@@ -41,7 +41,6 @@ public:
     /// Dimensions, where a body is guided the angle from the link to it, and the crank angle of the master.
     NeededGuidance(const LinkageModel& model, const Form& form, std::span<const T> arguments, bool of_body)
         : model_(model), needed_(model.guided[form.guided].needed), arguments_(arguments), of_body_(of_body) {
-        using std::cos, std::sin;
         const linkage::Needed& needed = needed_;
         row_ = row_room_.of(needed.size);
         const std::span<const T> dimensions = this->dimensions();
@@ -54,13 +53,11 @@ public:
             linkage::set_input<T>(needed, i, linkage::input_by(law_of(model, i), arguments.back()), row_);
         }
         closed_ = closed_ && linkage::place_needed<T>(needed, row_, any);
-        const T tilt = model.placement[2].at(dimensions);
-        across_ = {cos(tilt), sin(tilt)};
+        across_ = unit_at(model.placement[2].at(dimensions));
         scale_ = model.scale.at(dimensions);
         at_ = turned(vector(needed.point), across_);
         if (!of_body) return;
-        const T& body = arguments[arguments.size() - 2];
-        turn_ = {cos(body), sin(body)};
+        turn_ = unit_at(arguments[arguments.size() - 2]);
         facing_ = turned(turned(vector(needed.along), across_), turn_);
     }
 
