@@ -45,31 +45,6 @@ enum class Law {
 
 namespace detail {
 
-template <class T>
-struct Underlying {
-    using type = T;
-};
-template <class T, std::size_t N>
-struct Underlying<Dual<T, N>> {
-    using type = T;
-};
-template <class T, std::size_t N>
-struct Underlying<SecondDual<T, N>> {
-    using type = T;
-};
-template <class T, std::size_t K>
-struct Underlying<Series<T, K>> {
-    using type = typename Underlying<T>::type;
-};
-
-}  // namespace detail
-
-/// The plain type beneath a number: that of its constants.
-template <class T>
-using Constant = typename detail::Underlying<T>::type;
-
-namespace detail {
-
 /// A stretch of a law whose acceleration is sign * sin(w t), sign * cos(w t) or sign, t counted from its start.
 struct Arc {
     enum class Shape { constant, sine, cosine };

@@ -26,7 +26,8 @@ struct Placement {
 /// A vector of the mechanism's frame, turned into the drawing.
 template <class T>
 Vector<T> tilted(const Vector<T>& local, const T& tilt) {
-    return turned(local, unit_at(tilt));
+    using std::cos, std::sin;
+    return turned(local, {cos(tilt), sin(tilt)});
 }
 
 /// A position of the mechanism's frame in the drawing.

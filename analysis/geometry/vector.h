@@ -2,7 +2,7 @@
 /// \file
 /// Vectors of the plane.
 
-#include "analysis/numbers/scalar.h"
+#include <type_traits>
 
 namespace mechwright {
 
@@ -40,11 +40,10 @@ constexpr Vector<T> turned(const Vector<T>& a, const Vector<T>& b) {
     return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
 
-/// The unit vector at an angle from the x axis.
-template <class T>
-Vector<T> unit_at(const T& angle) {
-    const auto [sine, cosine] = sine_and_cosine(angle);
-    return {cosine, sine};
+/// The same where a knows no derivatives that b has.
+template <class Number, class T>
+requires(!std::is_same_v<Number, T>) constexpr Vector<T> turned(const Vector<Number>& a, const Vector<T>& b) {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
 
 }  // namespace mechwright

@@ -15,6 +15,24 @@ constexpr const T& value_of(const T& x) {
     return x;
 }
 
+namespace detail {
+
+template <class T>
+struct Underlying {
+    using type = T;
+};
+template <class T>
+requires requires { typename T::Value; }
+struct Underlying<T> {
+    using type = typename Underlying<typename T::Value>::type;
+};
+
+}  // namespace detail
+
+/// The plain type beneath a number: that of its constants.
+template <class T>
+using Constant = typename detail::Underlying<T>::type;
+
 /// A number in another type; where derivatives have no place in it, they are left out.
 template <class To, class From>
 constexpr To number_as(const From& x) {

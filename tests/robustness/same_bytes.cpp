@@ -56,9 +56,11 @@ std::string document_of_file(const std::vector<std::string>& file, const std::st
     return without_seconds(outcome.out);
 }
 
-/// All but the longest search, which is left to the long form.
-std::vector<std::string> but_for_the_longest(std::vector<std::string> names) {
-    if (!in_long_form()) std::erase(names, "path/case-1");
+/// All but the longest searches, which are left to the long form.
+std::vector<std::string> but_for(std::vector<std::string> names, const std::vector<std::string>& longest) {
+    if (in_long_form()) return names;
+    for (const std::string& name : longest)
+        std::erase(names, name);
     return names;
 }
 
@@ -96,7 +98,8 @@ TEST_P(WithThreads, OfAnyNumber) {
     EXPECT_EQ(document_of(GetParam(), "3"), one);
 }
 
-INSTANTIATE_TEST_SUITE_P(SameBytes, WithThreads, ::testing::ValuesIn(but_for_the_longest(of_each_family)), test_name);
+INSTANTIATE_TEST_SUITE_P(SameBytes, WithThreads, ::testing::ValuesIn(but_for(of_each_family, {"path/case-1"})),
+                         test_name);
 
 /// A heart, which no coupler curve is: searches of it begin where rows beside the path have no value.
 TEST(SameBytes, OfACurveThatNoLinkageMakes) {
@@ -134,8 +137,7 @@ class WithInstructions : public ::testing::TestWithParam<std::string> {};
 
 /// Except in the long form, long searches by the widest set alone.
 TEST_P(WithInstructions, AreThoseOfTheBaseline) {
-    const bool by_every_set =
-        in_long_form() || (GetParam() != "path/yu1-compact" && GetParam() != "trade-off/case-4-margin");
+    const bool by_every_set = in_long_form() || GetParam() != "path/yu1-compact";
     const std::string baseline = document_of(GetParam(), "2", "baseline");
     for (const auto& [name, set] :
          {std::pair("avx2", InstructionSet::avx2), std::pair("avx512", InstructionSet::avx512)})
@@ -145,7 +147,8 @@ TEST_P(WithInstructions, AreThoseOfTheBaseline) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(SameBytes, WithInstructions, ::testing::ValuesIn(but_for_the_longest(in_lanes)), test_name);
+INSTANTIATE_TEST_SUITE_P(SameBytes, WithInstructions,
+                         ::testing::ValuesIn(but_for(in_lanes, {"path/case-1", "trade-off/case-4-margin"})), test_name);
 
 /// All points of a study, run with a number of threads and up to an instruction set.
 std::string points_of_study(const std::string& jobs, const std::string& set) {

@@ -139,9 +139,9 @@ T composed(const MotionSeries<T>& series, const T& x, bool slope) {
 
 /// The lift or its derivative by the master's angle, by the formula of the piece in which `within` lies.
 template <class T>
-T motion_at(const DriveMotion<cam::Constant<T>>& motion, const T& master, const cam::Constant<T>& within, bool slope) {
+T motion_at(const DriveMotion<Constant<T>>& motion, const T& master, const Constant<T>& within, bool slope) {
     const auto at = piece_at(motion, within);
-    if constexpr (std::is_same_v<T, cam::Constant<T>>) {
+    if constexpr (std::is_same_v<T, Constant<T>>) {
         const cam::Segment<T>& segment = motion.segments[at.segment];
         const cam::Lift<T> lift = cam::lift_at(segment, at.piece, T((master - at.from) / segment.angle), at.lift);
         return slope ? lift.v : lift.s;

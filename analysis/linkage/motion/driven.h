@@ -35,8 +35,8 @@ inline constexpr double by_itself = std::numeric_limits<double>::quiet_NaN();
 /// The input of a drive for one of the master, or its derivative by that: of a motion by the formula of the piece in
 /// which an input `within` lies.
 template <class T>
-T input_by(const DriveLawIn<cam::Constant<T>>& law, const T& master, double within = by_itself, bool slope = false) {
-    using R = cam::Constant<T>;
+T input_by(const DriveLawIn<Constant<T>>& law, const T& master, double within = by_itself, bool slope = false) {
+    using R = Constant<T>;
     if (law.motion) {
         const T lift = detail::motion_at(*law.motion, master,
                                          std::isnan(within) ? number_as<R>(value_of(master)) : R(within), slope);
@@ -47,7 +47,7 @@ T input_by(const DriveLawIn<cam::Constant<T>>& law, const T& master, double with
 
 /// The inputs of all drives for one of the master.
 template <class T>
-void set_inputs(std::span<const DriveLawIn<cam::Constant<T>>> laws, const T& master, std::span<T> inputs,
+void set_inputs(std::span<const DriveLawIn<Constant<T>>> laws, const T& master, std::span<T> inputs,
                 double within = by_itself) {
     for (std::size_t i = 0; i < laws.size(); ++i)
         inputs[i] = input_by(laws[i], master, within);
@@ -58,7 +58,7 @@ class Driven {
 public:
     const Order& order;
     std::vector<Sized<T>> sizes;
-    std::vector<DriveLawIn<cam::Constant<T>>> laws;
+    std::vector<DriveLawIn<Constant<T>>> laws;
     /// One for each choice: 1 or -1, and 0 where a dyad is to be placed exactly at its limit.
     std::vector<std::int8_t> sides;
     double shortfall = 0;       ///< as of Input
@@ -69,7 +69,7 @@ public:
     /// The order must outlive this, and larger groups need their ways (GroupSolver::way); drives without a law have the
     /// master's input.
     Driven(const Structure& s, const Order& steps, std::span<const T> numbers, std::span<const std::int8_t> on_sides,
-           std::span<const DriveLawIn<cam::Constant<T>>> drive_laws = {})
+           std::span<const DriveLawIn<Constant<T>>> drive_laws = {})
         : order(steps),
           sizes(sizes_of(s, steps, numbers)),
           laws(drive_laws.begin(), drive_laws.end()),

@@ -13,6 +13,7 @@
 
 #include "analysis/geometry/vector.h"
 #include "analysis/numbers/scalar.h"
+#include "analysis/numbers/unit_vector.h"
 
 namespace mechwright::linkage {
 

@@ -139,7 +139,7 @@ inline constexpr bool plain_doubles<bench::Counted> = true;
 
 // The constants of a law are known to the compiler.
 template <>
-struct cam::detail::Underlying<bench::Counted> {
+struct detail::Underlying<bench::Counted> {
     using type = double;
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/numbers/unit_vector.h"
 #include "synthesis/mechanism/cam/layout.h"
 
 namespace mechwright::cam::again {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/four_bar.h"
+#include "analysis/numbers/unit_vector.h"
 #include "synthesis/mechanism/guided_point.h"
 
 namespace mechwright::four_bar {

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "analysis/four_bar.h"
+#include "analysis/numbers/unit_vector.h"
 #include "synthesis/mechanism/four_bar/formulas.h"
 #include "synthesis/mechanism/four_bar/linkage_again.h"
 #include "synthesis/target/function/formulas.h"

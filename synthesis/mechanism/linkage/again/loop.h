@@ -26,7 +26,10 @@ struct LoopPose {
 
     /// The direction of a link's x axis.
     Vector<T> along(std::size_t link) const { return unit_at(turns[link]); }
-    Vector<T> at(std::size_t link, const Vector<T>& own) const { return origins[link] + turned(own, along(link)); }
+    template <class Number>
+    Vector<T> at(std::size_t link, const Vector<Number>& own) const {
+        return origins[link] + turned(own, along(link));
+    }
 };
 
 /// A pose with more digits, or fewer.
@@ -52,7 +55,10 @@ struct DirectedPose {
             directions.push_back(pose.along(i));
     }
     const Vector<T>& along(std::size_t link) const { return directions[link]; }
-    Vector<T> at(std::size_t link, const Vector<T>& own) const { return origins[link] + turned(own, along(link)); }
+    template <class Number>
+    Vector<T> at(std::size_t link, const Vector<Number>& own) const {
+        return origins[link] + turned(own, along(link));
+    }
     /// After a step (Loop) that has been taken from the pose: directions turn by their small angles, whose sines and
     /// cosines have few terms.
     void turn_on(const std::vector<T>& step) {
@@ -112,11 +118,13 @@ int solve_linear(std::vector<T>& a, std::vector<T>& b) {
 
 }  // namespace loop_detail
 
-/// A linkage by its joints' equations.
+/// A linkage by its joints' equations. Where poses are series, its numbers are not.
 template <class T>
 class Loop {
 public:
-    Loop(const linkage::Structure& structure, std::vector<T> numbers)
+    using Number = Constant<T>;
+
+    Loop(const linkage::Structure& structure, std::vector<Number> numbers)
         : s_(structure), numbers_(std::move(numbers)), rounded_(rounded(structure, numbers_)) {
         for (std::size_t i = 0; i < s_.links; ++i)
             for (const linkage::Pin& pin : s_.pins)
@@ -126,7 +134,7 @@ public:
     }
 
     /// The greatest distance by which it is described; 1 where there is none.
-    T size() const { return size_ > T(0) ? size_ : T(1); }
+    Number size() const { return size_ > Number(0) ? size_ : Number(1); }
 
     /// Moves a pose to the one next to it at these inputs of the drives. Returns the sign of the equations' determinant
     /// there, which changes from one assembly of a dyad to the other and nowhere along a branch; 0 where Newton's
@@ -248,7 +256,7 @@ public:
         return missed;
     }
     /// A point of a link by its place there.
-    Vector<T> place(const linkage::Coordinates& at) const { return linkage::place_of<T>(at, numbers_); }
+    Vector<Number> place(const linkage::Coordinates& at) const { return linkage::place_of<Number>(at, numbers_); }
     template <class Pose>
     Vector<T> pin(std::size_t index, const Pose& pose) const {
         const linkage::Point& point = s_.pins[index].points[0];
@@ -262,13 +270,12 @@ public:
     }
     template <class Pose>
     Vector<T> direction(const linkage::Line& line, const Pose& pose) const {
-        return turned(linkage::direction_of<T>(line, numbers_), pose.along(line.on));
+        return turned(linkage::direction_of<Number>(line, numbers_), pose.along(line.on));
     }
-    const std::vector<T>& numbers() const { return numbers_; }
 
 private:
-    void grow(const Vector<T>& at) {
-        const T length = hypotenuse(at.x, at.y);
+    void grow(const Vector<Number>& at) {
+        const Number length = hypotenuse(at.x, at.y);
         if (length > size_) size_ = length;
     }
     T farthest(const LoopPose<T>& pose) const {
@@ -316,15 +323,15 @@ private:
 
     static T settled_within() { return std::numeric_limits<T>::epsilon() * 64; }
 
-    /// The same linkage in doubles; nothing where it is in doubles itself.
+    /// The same linkage in doubles; nothing where it is in doubles itself, or in series, which are of one pose.
     struct Nothing {};
-    using Rounded = std::conditional_t<plain_doubles<T>, Nothing, Loop<double>>;
-    static Rounded rounded(const linkage::Structure& structure, const std::vector<T>& numbers) {
-        if constexpr (plain_doubles<T>) {
-            return {};
-        } else {
+    static constexpr bool is_rounded = !plain_doubles<T> && std::is_same_v<Number, T>;
+    using Rounded = std::conditional_t<is_rounded, Loop<double>, Nothing>;
+    static Rounded rounded(const linkage::Structure& structure, const std::vector<Number>& numbers) {
+        if constexpr (is_rounded)
             return Rounded(structure, in_doubles(numbers));
-        }
+        else
+            return {};
     }
     static std::vector<double> in_doubles(std::span<const T> numbers) {
         std::vector<double> plain;
@@ -371,9 +378,9 @@ private:
     }
 
     const linkage::Structure& s_;
-    std::vector<T> numbers_;
+    std::vector<Number> numbers_;
     Rounded rounded_;
-    T size_{0};
+    Number size_{0};
 };
 
 }  // namespace mechwright

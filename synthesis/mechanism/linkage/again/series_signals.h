@@ -26,7 +26,7 @@ public:
           laws_(laws_in<double>(model.drives)),
           inputs_(laws_.size()),
           plain_(model.structure, numbers_of(model, dimensions)),
-          loop_(model.structure, series(numbers_of(model, dimensions))),
+          loop_(model.structure, numbers_of(model, dimensions)),
           standing_(model, std::span<const InputSeries>(series(dimensions)), std::move(start_turns)) {
         if (model.drives.front().speed) rate_ = *model.drives.front().speed * std::numbers::pi / 30;
     }
