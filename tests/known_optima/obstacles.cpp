@@ -1,11 +1,14 @@
 // Tasks of engineers amid what is in the way: the best design of each is found by two methods.
 
+#include <algorithm>
+#include <cmath>
 #include <ostream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "tests/degree.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -58,6 +61,12 @@ const std::vector<ObstacleTask> obstacle_tasks{
       {"origin-x", 128},
       {"origin-y", 92.3},
       {"tilt", 95.4}}},
+    {"linkage",
+     "film-claw.toml",
+     0.049202425,
+     {{"ground", 10.8}, {"lead", -140.5}, {"crank", 2.42}, {"coupler", 11.7}, {"rocker", 9}},
+     {},
+     true},
     {"four-bar", "pumping-unit.toml", 1.053481585, {{"ground", 5.4}, {"crank", 0.7}, {"coupler", 5.3}}, {}, true},
     {"function",
      "steering-turning-circle.toml",
@@ -99,6 +108,36 @@ INSTANTIATE_TEST_SUITE_P(Of, Obstacles, ::testing::ValuesIn(obstacle_tasks), [](
         if (c != '-') name += c;
     return name;
 });
+
+/// The claw draws the film on by a frame, in the holes and out of them, by a scan of the law of cosines.
+TEST(Obstacles, TheClawIsStraightOverTheStrokeAndBesideItAfterwards) {
+    const Solved s = solved(shipped("film-claw.toml", "linkage"), "slsqp", 1, 2, 1);
+    ASSERT_EQ(s.result.status, Status::solved);
+    const double ground = s.dimension("ground"), lead = s.dimension("lead"), crank = s.dimension("crank"),
+                 coupler = s.dimension("coupler"), rocker = s.dimension("rocker");
+    const auto range = [&](bool down, double degrees) {
+        constexpr int steps = 100000;
+        double least = 1e300, greatest = -1e300;
+        for (int i = 0; i <= steps; ++i) {
+            const double angle = degrees * degree * i / steps;
+            const double x = ground * std::cos(lead) - crank * std::cos(angle),
+                         y = ground * std::sin(lead) - crank * std::sin(angle), d = std::hypot(x, y);
+            const double turn = std::atan2(y, x) +
+                                std::acos((d * d + coupler * coupler - rocker * rocker) / (2 * d * coupler)) +
+                                s.dimension("turn");
+            const double along = s.dimension("along"), across = s.dimension("across"),
+                         drawn = angle + s.dimension("turn");
+            const double at = down ? crank * std::sin(drawn) + along * std::sin(turn) + across * std::cos(turn)
+                                   : crank * std::cos(drawn) + along * std::cos(turn) - across * std::sin(turn);
+            least = std::min(least, at);
+            greatest = std::max(greatest, at);
+        }
+        return greatest - least;
+    };
+    EXPECT_NEAR(range(true, 150), 7.605, 1e-7);
+    EXPECT_NEAR(range(false, 150) / 2, s.result.best->objective, 1e-8);
+    EXPECT_NEAR(range(false, 360), 2.5, 1e-7);
+}
 
 /// The blade sweeps a part of a ring that lies on the screen, so that the widest swing leaves least: that of the
 /// built-in kind, with pivots as far from each other and a lever as long.
