@@ -74,7 +74,8 @@ std::string value_words(const Key& key) {
         case Shape::pairs: return "[[x, y], ...]";
         case Shape::poses: return "[[x, y, angle], ...]";
         case Shape::range: return "number or { min, max }";
-        case Shape::tied_range: return "number, { min, max } or sum of dimensions";
+        case Shape::tied_range:
+        case Shape::range_or_sum: return "number, { min, max } or sum of dimensions";
         case Shape::ranges: return "list of numbers or { min, max }";
         case Shape::expression: return "number or sum of dimensions";
         case Shape::place: return "point, [x, y] or { length, angle }";

@@ -47,6 +47,11 @@ Json shape_of(const Key& key) {
             tied["anyOf"].push_back({{"type", "string"}});
             return tied;
         }
+        case Shape::range_or_sum: {
+            Json schema = range_of(key.limits);
+            schema["anyOf"].push_back({{"type", "string"}});
+            return schema;
+        }
         case Shape::expression: return expression();
         case Shape::place: return any_of({Json{{"type", "string"}}, coordinates()});
         case Shape::ranges: return list_of(range_of(key.limits));

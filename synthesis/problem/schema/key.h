@@ -29,6 +29,7 @@ enum class Shape {
     range,         ///< a number, or { min, max } with or without start and step, or { choices }
     ranges,        ///< a list of these
     tied_range,    ///< one of these, or a tie to other dimensions
+    range_or_sum,  ///< of a linkage: one of these, or a sum of dimensions
     expression,    ///< of a linkage: a number, or a sum of dimensions
     place,         ///< of a linkage: a point by its name, [x, y], or { length, angle }
     table,         ///< with the keys `below`

@@ -89,10 +89,10 @@ inline constexpr std::array sketch{
     Key{"points", Shape::names, "Where points are about, in the frame's axes: { P = [x, y] }.", true}};
 
 inline constexpr std::array placement{
-    Key{"origin-x", Shape::range, "Where the frame's origin is. Preset: 0."},
-    Key{"origin-y", Shape::range, "Where the frame's origin is. Preset: 0."},
-    Key{"tilt", Shape::range, "Direction of the frame's x axis. Preset: 0."},
-    Key{"scale", Shape::range, "By which every length is multiplied. Preset: 1.", false, {}, {}, positive}};
+    Key{"origin-x", Shape::range_or_sum, "Where the frame's origin is. Preset: 0."},
+    Key{"origin-y", Shape::range_or_sum, "Where the frame's origin is. Preset: 0."},
+    Key{"tilt", Shape::range_or_sum, "Direction of the frame's x axis. Preset: 0."},
+    Key{"scale", Shape::range_or_sum, "By which every length is multiplied. Preset: 1.", false, {}, {}, positive}};
 
 inline constexpr Key parts_of_linkage{
     "of", Shape::value,
