@@ -53,6 +53,23 @@ std::string command_fault(int argc, const char* const* argv, const std::vector<C
     return "unknown command " + reading::quoted(argv[1]) + "; " + reading::remedy(argv[1], known);
 }
 
+/// The option that a command line has and its command does not, with the one that was meant; empty if there is none.
+std::string option_fault(const CLI::App& program) {
+    const CLI::App* command = &program;
+    while (!command->get_subcommands().empty())
+        command = command->get_subcommands().front();
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command->get_options())
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    for (const std::string& word : program.remaining(true))
+        if (word.starts_with("--"))
+            return "unknown option " + reading::quoted(word) + "; " +
+                   reading::remedy(word.substr(0, word.find('=')), known);
+    return {};
+}
+
 /// Takes MECHWRIGHT_INSTRUCTIONS into account. Returns what is wrong with it, or nothing.
 std::string instructions_fault() {
     constexpr std::array<std::pair<std::string_view, InstructionSet>, 3> sets{
@@ -109,6 +126,9 @@ std::optional<int> read_command_line(CLI::App& program, int argc, const char* co
         program.exit(asked_for, text, text);
         print(console, text.str());
         return exit_code::solved;
+    } catch (const CLI::ExtrasError& error) {
+        const std::string fault = option_fault(program);
+        return wrong_usage(fault.empty() ? error.what() : fault, console);
     } catch (const CLI::ParseError& error) {
         return wrong_usage(error.what(), console);
     }

@@ -62,6 +62,22 @@ TEST(Usage, UnknownCommandsAreNamedWithTheNearest) {
     expect_has(outcome.err, "unknown command 'slove'; did you mean 'solve'?");
 }
 
+TEST(Usage, UnknownOptionsAreNamedWithTheNearest) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.toml", crank_rocker());
+    const auto told = [&](const std::vector<std::string>& words) {
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.exit_code, 2);
+        return outcome.err;
+    };
+    expect_has(told({"solve", file, "--quite"}), "unknown option '--quite'; did you mean '--quiet'?");
+    expect_has(told({"solve", file, "--sed=3"}), "unknown option '--sed=3'; did you mean '--seed'?");
+    expect_has(told({"study", "export", "nowhere", "--jsn"}), "unknown option '--jsn'; did you mean '--json'?");
+    expect_has(told({"quantities", "--bogus-option"}),
+               "unknown option '--bogus-option'; known are --help, --about, --json");
+    expect_has(told({"quantities", "four-bar", "swing"}), "not expected: swing");
+}
+
 TEST(Usage, WrongOptionsEndWithTwo) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a.toml", crank_rocker());
