@@ -15,18 +15,17 @@ constexpr double same_within = 1e-3;
 /// Objectives that agree to this (or to this part of the problem's scale) are equally good.
 constexpr double same_optimum_within = 1e-7;
 
-/// Whether the best design has this objective, too.
-bool is_as_good(double objective, const Solution& best) {
-    return std::abs(objective - best.objective) <= same_optimum_within * std::abs(best.objective);
+bool is_as_good(const Solution& one, const Solution& other) {
+    return std::abs(one.objective - other.objective) <= same_optimum_within * std::abs(other.objective);
 }
 
-/// How many different objectives optima have that are in order. Those of one family, along which nothing changes, are
-/// no sign that there are others.
+/// How many different objectives the feasible ones of these optima have, which are in order of preference. Designs of
+/// one family, along which the objective stays the same, are no sign that there are others.
 int count_of_objectives(const std::vector<Solution>& optima) {
     int count = 0;
     const Solution* last = nullptr;
     for (const Solution& optimum : optima) {
-        if (!optimum.feasible || (last != nullptr && is_as_good(optimum.objective, *last))) continue;
+        if (!optimum.feasible || (last != nullptr && is_as_good(optimum, *last))) continue;
         ++count;
         last = &optimum;
     }
@@ -75,7 +74,7 @@ std::vector<Solution> distinct_optima(const Problem& problem, std::vector<const 
         const bool known = std::any_of(optima.begin(), optima.end(),
                                        [&](const Solution& o) { return same_optimum(problem, o.design, s->design); });
         if (!known) optima.push_back(*s);
-        if (s->feasible && is_as_good(s->objective, optima.front())) ++report.hits;
+        if (s->feasible && is_as_good(*s, optima.front())) ++report.hits;
     }
     report.local_optima =
         static_cast<int>(std::count_if(optima.begin(), optima.end(), [](const Solution& s) { return s.feasible; }));

@@ -194,7 +194,7 @@ TEST(TurnedRooms, AreExactNextToSingularEnds) {
     expect_verified(other);
 }
 
-/// Two more in the long form.
+/// Three more in the long form.
 TEST(TurnedRooms, AreOfDrivesOfAllSorts) {
     std::vector<const char*> files{"pick-and-place", "tipping-cylinder"};
     if (in_long_form()) files.insert(files.end(), {"platform-swing", "scissors-ram", "jansen-leg"});
