@@ -9,8 +9,14 @@ import pathlib
 import re
 import sys
 
-KINDS = ["four_bar", "slider_crank", "crank_shaper", "whitworth", "drag_link"]
+KINDS = ["four_bar", "slider_crank", "crank_shaper", "whitworth", "drag_link", "cam"]
 THE_LIST = "synthesis/mechanism/mechanism.cpp"
+# Of kinds of which files and documents say more than dimensions: who reads and writes that, and the names of sections.
+LISTS_OF_SECTIONS = [
+    "synthesis/problem/sections/kinds_with_sections.cpp", "synthesis/document/kinds_in_documents.cpp",
+    "synthesis/problem/schema/keys.h", "synthesis/document/fields.h",
+]  # fmt: skip
+WITH_SECTIONS = {"cam"}
 OWN = [
     # Formulas.
     "analysis/",
@@ -22,14 +28,21 @@ OWN = [
 
 # What mechanisms are made of: every one that drives a ram ends in a slider-crank, and a four-bar may turn its arm; they
 # share its crank angles.
-PARTS = {"slider_crank", "four_bar"}
 MADE_OF_PARTS = ["quick_return", "slider_crank", "crank_shaper", "whitworth", "drag_link"]
+PARTS = {
+    "slider_crank": [f"synthesis/mechanism/{folder}/" for folder in MADE_OF_PARTS],
+    "four_bar": [f"synthesis/mechanism/{folder}/" for folder in MADE_OF_PARTS],
+    # The drives of a linkage can move as the follower of a cam does; a cam is a part that is drawn; cam-size is a quantity.
+    "cam": ["synthesis/problem/linkage/", "synthesis/problem/schema/linkage", "synthesis/report/structure/",
+            "synthesis/mechanism/drawing/body.h", "synthesis/report/drawing/",
+            "synthesis/mechanism/possible_values.cpp", "synthesis/report/text/comparison.cpp"],
+}
 
 
 def is_own(file, kind):
     """Whether a file is one of those that may know a kind."""
-    folders = [kind] + (MADE_OF_PARTS if kind in PARTS else [])
-    return any(file.startswith(own) for own in OWN + [f"synthesis/mechanism/{folder}/" for folder in folders])
+    sections = LISTS_OF_SECTIONS if kind in WITH_SECTIONS else []
+    return file.startswith(tuple(OWN + PARTS.get(kind, []) + sections + [f"synthesis/mechanism/{kind}/"]))
 
 
 source = pathlib.Path(__file__).resolve().parent.parent
@@ -38,7 +51,7 @@ source = pathlib.Path(__file__).resolve().parent.parent
 def code_of(line):
     """A line without its comment, and without sentences: words of a kind in texts for people are no knowledge of it."""
     line = re.sub(r"//.*", "", line)
-    return re.sub(r'"(?:[^"\\]|\\.)* (?:[^"\\]|\\.)*"', '""', line)
+    return re.sub(r'"(?:[^"\\]|\\.)*"', lambda text: '""' if " " in text[0] else text[0], line)
 
 
 faults, listed = [], {kind: 0 for kind in KINDS}

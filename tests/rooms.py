@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks that no room of the house includes one above it: rooms stand in the order of the list below, and a file may
-include its own room and those before it. Tests may include everything. What belongs to one kind of target stands in a
-folder of its own, `synthesis/target/KIND`; what a file of it is for, by the beginning of its name or its folder, says in
-which room it is.
+include its own room and those before it. Tests may include everything. What belongs to one kind of target or mechanism
+stands in a folder of its own, `synthesis/target/KIND` or `synthesis/mechanism/KIND`; what a file of it is for, by the
+beginning of its name or its folder, says in which room it is.
 
     tests/rooms.py    names each #include that climbs, and fails if any does
 """
@@ -27,12 +27,11 @@ ROOMS = [
     "synthesis/report", "synthesis/study", "synthesis/python", "synthesis/command_line", "synthesis/bench",
 ]  # fmt: skip
 
-OF_TARGETS = {
+# The others are formulas, and the numbers and quantities that a target brings to a mechanism.
+BY_NAME = {
     "read": "synthesis/problem", "rows": "synthesis/program", "fit": "synthesis/search", "document": "synthesis/document",
     "verify": "synthesis/verify", "text": "synthesis/report", "draw": "synthesis/report",
 }  # fmt: skip
-# The others are formulas, and the numbers and quantities that a target brings to a mechanism.
-FORMULAS_OF_TARGETS = "synthesis/mechanism"
 
 source = pathlib.Path(__file__).resolve().parent.parent
 
@@ -40,9 +39,9 @@ source = pathlib.Path(__file__).resolve().parent.parent
 def room_of(path):
     """The room of a file or of what an #include names; a header beside the rooms of `analysis` is the front of one."""
     parts = pathlib.PurePosixPath(path).parts
-    if parts[:2] == ("synthesis", "target"):
+    if parts[:2] in (("synthesis", "target"), ("synthesis", "mechanism")):
         is_for = re.match("[a-z]*", parts[3])[0] if len(parts) > 3 else ""
-        return OF_TARGETS.get(is_for, FORMULAS_OF_TARGETS)
+        return BY_NAME.get(is_for, "synthesis/mechanism")
     depth = 3 if parts[:2] == ("analysis", "linkage") else 2
     return "/".join(parts[:depth]).removesuffix(".h") if parts[0] in ("analysis", "synthesis") else None
 

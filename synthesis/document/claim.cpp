@@ -7,9 +7,8 @@
 #include <cstdlib>
 
 #include "synthesis/document/claim_json.h"
-#include "synthesis/document/claimed_cam.h"
 #include "synthesis/document/fields.h"
-#include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/document/kinds_in_documents.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/affine.h"
 #include "synthesis/problem/allowed_values.h"
@@ -199,10 +198,12 @@ void read_design(Reader& in, const Json& document, Claim& claim) {
     const Json* design = member(document, of_document("design"));
     if (!design) return in.fail("the document has no design");
     if (!in.object(design, "design")) return;
+    const KindInDocuments* own = kind_in_documents(mechanism);
+    const auto is_choice = [&](std::string_view name) {
+        return own && std::find(own->choices.begin(), own->choices.end(), name) != own->choices.end();
+    };
     for (const auto& [name, value] : design->items())
-        if (name != "assembly" && name != "kind" &&
-            !(is_cam(*claim.mechanism) && (name == "rotation" || name == "laws")) &&
-            find_dimension(mechanism, name) < 0)
+        if (name != "assembly" && name != "kind" && !is_choice(name) && find_dimension(mechanism, name) < 0)
             return in.fail(fmt::format("a {} does not have design.{}", mechanism.name, reading::quoted(name)));
     for (std::size_t i = 0; i < mechanism.dimensions.size(); ++i) {
         const Dimension& dimension = mechanism.dimensions[i];
@@ -380,7 +381,8 @@ ReadClaim read_claim(const Json& document) {
     if (!document.is_object()) return {{}, "it is not a JSON object"};
     if (const Json* instant = member(document, of_document("instant"))) claim.has_instant = in.flag(instant, "instant");
     read_head(in, document, claim);
-    if (in.understood() && is_cam(*claim.mechanism)) read_cam(in, document, claim);
+    if (const KindInDocuments* own = in.understood() ? kind_in_documents(*claim.mechanism) : nullptr)
+        own->read(in, document, claim);
     for (const auto read :
          {read_given, read_design, read_circuit, read_crank_range, read_range_of_use, read_settings, read_over_input,
           read_requirements, read_objective, read_wishes, read_quantities, read_path})

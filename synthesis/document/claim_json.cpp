@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "synthesis/problem/text.h"
+
 namespace mechwright::claims {
 
 namespace {
@@ -17,6 +19,11 @@ std::string place_in(const std::string& list, std::size_t index) { return fmt::f
 const Json* member(const Json& object, const std::string& name) {
     const auto at = object.find(name);
     return at == object.end() ? nullptr : &*at;
+}
+
+std::string shown(const Json* value) {
+    constexpr std::size_t longest = 60;
+    return value ? reading::printable(value->dump(-1, ' ', false, Json::error_handler_t::replace), longest) : "nothing";
 }
 
 void Reader::fail(std::string why) {

@@ -19,6 +19,9 @@ inline constexpr std::size_t most_points = 10000;  ///< of a target
 /// The member of an object, or null where there is none.
 const Json* member(const Json& object, const std::string& name);
 
+/// A value as messages show it, cut where it is long; "nothing" for null.
+std::string shown(const Json* value);
+
 /// Each function takes a value, or null where there is none, and its place in the document for the message.
 struct Reader {
     std::string defect;

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/document/cam_document.h"
 #include "synthesis/document/fields.h"
 #include "synthesis/document/given_document.h"
+#include "synthesis/document/kinds_in_documents.h"
 #include "synthesis/document/lists.h"
 #include "synthesis/document/search_document.h"
 #include "synthesis/document/versions.h"
-#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
@@ -39,7 +38,7 @@ Json design_of(const Problem& problem, const Design& design) {
         json[of_design("assembly")] = Json::parse(mechanism.assembly_documents[design.assembly]);
     else if (!mechanism.assemblies.empty())
         json[of_design("assembly")] = mechanism.assemblies[design.assembly];
-    if (is_cam(*problem.mechanism)) put_cam_choice(json, problem, design.assembly);
+    if (const KindInDocuments* own = kind_in_documents(mechanism)) own->put_choices(json, problem, design.assembly);
     json[of_design("kind")] = mechanism.describe(mechanism.form(0), design.dimensions);
     return json;
 }
@@ -247,7 +246,7 @@ void put_body(Json& json, const Problem& problem, const Solution* best) {
     put_number(json, of_document("tolerance"), problem.solver.tolerance);
     json[of_document("dimensions")] = given_dimensions(problem);
     put_made_from(json, *problem.mechanism);
-    if (is_cam(*problem.mechanism)) json[of_document("cam")] = cam_document(problem);
+    if (const KindInDocuments* own = kind_in_documents(*problem.mechanism)) json[own->given] = own->given_of(problem);
     if (problem.crank_range) {
         const Unit unit = input_unit(*problem.mechanism);
         json[of_document("crank_range")] = {in_file_unit(problem.crank_range->x, unit, problem.units),

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/mechanism/cam/document_fields.h"
 #include "synthesis/problem/schema/key.h"
 #include "synthesis/problem/schema/keys.h"
 
@@ -65,18 +64,6 @@ inline constexpr std::array range_of_use{
     Key{"after", Shape::number, "Crank angle by which it ends after that.", true}};
 inline constexpr std::array tie{Key{"of", Shape::text, "The dimension that it follows.", true},
                                 Key{"times", Shape::number, "How many times that.", true}};
-
-inline constexpr std::array segment{Key{"kind", Shape::word, "What the follower does.", true, segment_kind_names},
-                                    Key{"laws", Shape::texts, "Laws of motion that were tried."},
-                                    Key{"start", Shape::whole_number, "Derivatives of a polynomial at its start."},
-                                    Key{"end", Shape::whole_number, "The same at its end."},
-                                    Key{"shape", Shape::whole_number, "Further terms of a polynomial or a spline."},
-                                    Key{"points", Shape::pairs, "Table of a cycle: [cam angle, lift]."}};
-
-inline constexpr std::array cam{Key{"follower", Shape::word, "What touches the cam.", true, cam_follower_names},
-                                Key{"motion", Shape::word, "How the follower is guided.", true, cam_motion_names},
-                                Key{"contour", Shape::word, "The specified contour.", false, cam_contour_names},
-                                Key{"segments", Shape::tables, "Parts of the motion.", true, {}, segment}};
 
 inline constexpr std::array side{Key{"side", Shape::word, "On which it is closed.", true, sides},
                                  Key{"from", Shape::text, "Pin that the side counts from."},

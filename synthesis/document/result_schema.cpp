@@ -8,6 +8,7 @@
 #include "synthesis/document/fields.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/schema/json_schema.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright {
 
@@ -16,9 +17,6 @@ namespace {
 using namespace schema;
 
 using Names = std::vector<std::string_view>;
-
-/// Of which a linkage can have several.
-constexpr std::array<const char*, 5> targets{"path", "poses", "function", "line", "arc"};
 
 template <class Text>
 void add_name(std::vector<Text>& names, std::string_view name) {
@@ -94,8 +92,8 @@ Json given() {
 
 Json of_kinds(const Kinds& kinds) {
     Json properties = findings_of(kinds);
-    for (const char* target : targets)
-        properties[target] = {{"type", "object"}};
+    for (const std::string_view target : repeated_sections)
+        properties[std::string(target)] = {{"type", "object"}};
     properties["dimensions"] = table_by(kinds.dimensions, given());
     properties["settings"] = table_by(kinds.settings, number());
     for (const char* name : {"signals", "room", "region"})
@@ -145,8 +143,8 @@ nlohmann::ordered_json result_schema() {
     Json& properties = schema["properties"];
     Json point = table_of(fields::finding);
     for (Json* of : {&properties, &point["properties"]})
-        for (const char* target : targets)
-            (*of)[target] = one_or_several(*find_key(fields::finding, target));
+        for (const std::string_view target : repeated_sections)
+            (*of)[std::string(target)] = one_or_several(*find_key(fields::finding, target));
     point["required"] = {"design", "verification"};
     properties["front"].update(list_of(std::move(point)));
     Names names;

@@ -25,8 +25,8 @@ std::vector<Shared> fixed_kinds() {
                               whitworth_mechanism(), drag_link_mechanism()};
     for (Shared& kind : kinds)
         kind = with_all_targets(std::move(kind));
-    for (Shared& cam : cam_mechanisms())
-        kinds.push_back(std::move(cam));
+    const auto cams = cam_mechanisms();
+    kinds.insert(kinds.end(), cams.begin(), cams.end());
     return kinds;
 }
 

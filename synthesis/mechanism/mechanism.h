@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/geometry/arc_fit.h"
 #include "analysis/geometry/vector.h"
 #include "synthesis/mechanism/as_linkage.h"
 #include "synthesis/mechanism/curve_fit.h"
@@ -259,7 +260,19 @@ struct PinJoints {
 
 struct MovingDesign;
 struct FigurePanel;
+struct Explanation;
 struct Mechanism;
+
+/// A mechanism with a part that is cut along a closed curve, which the tables of its motion describe
+/// ("profile-radius"). Curves lie in the part's own plane as it lies at crank angle 0.
+struct CutProfile {
+    /// Of the roller that runs on the part, 0 where none does.
+    double (*roller_radius)(const MovingDesign&) = nullptr;
+    /// Crank angles at which curves may have corners of their curvature: from 0 to a whole turn.
+    std::vector<double> (*corners)(const MovingDesign&) = nullptr;
+    /// The closed curve that lies so far outward from the profile, as arcs within a tolerance.
+    std::vector<ArcVertex> (*curve)(const MovingDesign&, double offset, double tolerance) = nullptr;
+};
 
 /// A mechanism that can be drawn. Its frame is that of the problem where the mechanism has a placement in it.
 struct Drawing {
@@ -330,8 +343,11 @@ struct Mechanism {
     MotionTable table{};
     /// Those that are not said of every mechanism alike (explanations.h).
     std::vector<QuantityFormula> formulas{};
+    /// What its own quantities mean, of those that no other kind has (explanations.h); null: there are none.
+    std::vector<Explanation> (*explanations)() = nullptr;
     std::vector<Task> tasks{};
     std::optional<Drawing> drawing{};
+    std::optional<CutProfile> profile{};
     std::optional<AsLinkage> as_linkage{};
     std::optional<PinJoints> pin_joints{};
 

@@ -179,8 +179,7 @@ struct Problem {
     /// Functions, lines and arcs that have names, in the order of Mechanism::over_input; `function` and `followed` are
     /// of one that has none.
     std::shared_ptr<const std::vector<AskedOverInput>> over_input;
-    bool has_instant = false;      ///< velocities are asked for at the crank angle crank-start
-    std::size_t cam_rotation = 0;  ///< of a cam: ccw, cw, or either
+    bool has_instant = false;  ///< velocities are asked for at the crank angle crank-start
     SolverOptions solver;
     std::optional<std::vector<std::size_t>> wanted;  ///< quantities that are reported and verified; all unless given
     std::shared_ptr<const Study> study;              ///< of problems that differ from this one in a few values

@@ -8,6 +8,7 @@
 #include "synthesis/problem/linkage/mechanism.h"
 #include "synthesis/problem/linkage/of_kinds/measures_of_kind.h"
 #include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/sections/kinds_with_sections.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/study/varied_problem.h"
 #include "synthesis/problem/text.h"
@@ -77,12 +78,12 @@ void read_problem_table(const toml::table& table, Problem& problem, Messages& me
     read_mechanism(file, problem, messages);
     if (auto title = read_string(file, "title", messages)) problem.title = *std::move(title);
     read_units(file, problem, messages);
-    read_cam(file, problem, messages);
+    read_kind(file, problem, messages);
     add_targets(file, problem);
     read_measures_of_kind(file, problem, messages);
     add_whole_quantities(table, problem);
     read_dimensions(file, problem, messages);
-    read_segments(file, problem, messages);
+    read_motion_of_kind(file, problem, messages);
     read_path(file, problem, messages);
     read_poses(file, problem, messages);
     read_range_of_use(file, problem, messages);

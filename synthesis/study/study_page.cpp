@@ -8,7 +8,6 @@
 #include <map>
 
 #include "synthesis/document/document.h"
-#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/problem/study/varied_problem.h"
 #include "synthesis/program/assess.h"
@@ -104,8 +103,7 @@ std::optional<Problem> problem_at(VariedProblem& varied, const Study& study, std
 bool fits(const Design& design, const Problem& problem) {
     return design.dimensions.size() == problem.mechanism->dimensions.size() &&
            std::all_of(design.dimensions.begin(), design.dimensions.end(), [](double d) { return std::isfinite(d); }) &&
-           (is_cam(*problem.mechanism) ||
-            design.assembly < std::max<std::size_t>(1, problem.mechanism->assemblies.size()));
+           std::find(problem.assemblies.begin(), problem.assemblies.end(), design.assembly) != problem.assemblies.end();
 }
 
 /// The design of a point for the page; nothing where it cannot be shown.

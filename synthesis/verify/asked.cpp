@@ -7,12 +7,12 @@
 #include <cmath>
 #include <string_view>
 
-#include "synthesis/document/cam_document.h"
 #include "synthesis/document/document.h"
-#include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/document/kinds_in_documents.h"
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright {
 
@@ -21,25 +21,27 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Members that a document has where its problem asks for them, and not else, at any depth.
-constexpr std::array<std::string_view, 33> only_where_asked{
-    "crank_range", "settings",    "instant",    "cam",          "contour",    "objective",    "terms",
-    "weight",      "reduce",      "equal",      "min",          "max",        "requirements", "poses",
-    "path",        "weights",     "directions", "of",           "times",      "samples",      "prescribed_angles",
-    "function",    "line",        "arc",        "range_of_use", "expression", "points",       "start",
-    "end",         "body_length", "wishes",     "choices",      "step"};
+constexpr std::array<std::string_view, 27> only_where_asked{
+    "crank_range",  "settings",   "instant", "contour", "objective", "terms",
+    "weight",       "reduce",     "equal",   "min",     "max",       "requirements",
+    "weights",      "directions", "of",      "times",   "samples",   "prescribed_angles",
+    "range_of_use", "expression", "points",  "start",   "end",       "body_length",
+    "wishes",       "choices",    "step"};
 
 bool same_number(double a, double b) {
     constexpr double same_within = 1e-14;
     return a == b || std::abs(a - b) <= same_within * std::max(std::abs(a), std::abs(b));
 }
 
-std::string json_text(const Json* value) {
-    constexpr std::size_t longest = 60;
-    return value ? reading::printable(value->dump(-1, ' ', false, Json::error_handler_t::replace), longest) : "nothing";
+std::string unlike(const std::string& place, const Json* stated, const Json* asked) {
+    return fmt::format("{} is stated as {}, asked for is {}", place, claims::shown(stated), claims::shown(asked));
 }
 
-std::string unlike(const std::string& place, const Json* stated, const Json* asked) {
-    return fmt::format("{} is stated as {}, asked for is {}", place, json_text(stated), json_text(asked));
+bool is_only_where_asked(std::string_view name) {
+    const auto kinds = kinds_in_documents();
+    const auto is_among = [&](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
+    return is_among(only_where_asked) || is_among(repeated_sections) ||
+           std::any_of(kinds.begin(), kinds.end(), [&](const KindInDocuments& kind) { return kind.given == name; });
 }
 
 /// Where what is stated lacks something that is asked for, or has something that is not.
@@ -63,28 +65,9 @@ std::string difference(const Json& stated, const Json& asked, const std::string&
         if (std::string d = difference(*there, value, before + name, name == "dimensions"); !d.empty()) return d;
     }
     for (const auto& [name, value] : stated.items()) {
-        const bool is_asked_part =
-            every_member || std::find(only_where_asked.begin(), only_where_asked.end(), name) != only_where_asked.end();
-        if (is_asked_part && !asked.contains(name)) return unlike(before + name, &value, nullptr);
+        if ((every_member || is_only_where_asked(name)) && !asked.contains(name))
+            return unlike(before + name, &value, nullptr);
     }
-    return {};
-}
-
-/// Why the rotation of a cam is none of those that the problem allows, or what is proven of it leaves one of its
-/// rotations or choices of laws out.
-std::string cam_defect(const Json& document, const Problem& problem) {
-    const auto rotation = [&](std::size_t assembly) { return cam_rotation_names[assembly % 2]; };
-    const Json::json_pointer of_design("/design/rotation");
-    if (document.contains(of_design) && std::none_of(problem.assemblies.begin(), problem.assemblies.end(),
-                                                     [&](std::size_t i) { return document[of_design] == rotation(i); }))
-        return fmt::format("design.rotation is {}, which was not asked for", json_text(&document[of_design]));
-    const Json::json_pointer of_proof("/search/certificate/parts");
-    if (!document.contains(of_proof) || !document[of_proof].is_array()) return {};
-    const Json& parts = document[of_proof];
-    for (const std::size_t asked : problem.assemblies)
-        if (std::none_of(parts.begin(), parts.end(),
-                         [&](const Json& part) { return part.is_object() && part.value("assembly", Json()) == asked; }))
-            return fmt::format("search.certificate has no part for cams {}", cam_choice_text(problem, asked));
     return {};
 }
 
@@ -106,7 +89,8 @@ std::string asked_otherwise(const Json& document, const Problem& problem) {
     if (!document.is_object()) return "it is not an object";
     std::string defect = difference(document, asked_document(problem), "", false);
     if (!defect.empty()) return defect;
-    return is_cam(*problem.mechanism) ? cam_defect(document, problem) : assembly_defect(document, problem);
+    const KindInDocuments* own = kind_in_documents(*problem.mechanism);
+    return own ? own->choices_defect(document, problem) : assembly_defect(document, problem);
 }
 
 std::vector<Check> check_asked(const Json& document) {

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "synthesis/document/cam_document.h"
 #include "synthesis/document/document.h"
+#include "synthesis/document/kinds_in_documents.h"
 #include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/proof.h"
@@ -270,7 +270,8 @@ TEST(SmallestCams, WhereNoneFitsTheLeastOfAllVariantsIsNamed) {
         ASSERT_NE(argument.find(before), std::string::npos) << argument;
         const double least = std::stod(argument.substr(argument.find(before) + before.size()));
         EXPECT_GT(least, circle.greatest);
-        const std::string closest = cam_choice_text(narrow, none.best->design.assembly);
+        const std::string closest =
+            kind_in_documents(*narrow.mechanism)->choices_text(narrow, none.best->design.assembly);
         EXPECT_NE(closest.find(circle.variant), std::string::npos) << closest;
 
         const Result wider = solve(parse_problem(circle.text(1.01 * least), "wider.toml").problem, {});

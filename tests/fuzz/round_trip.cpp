@@ -90,7 +90,7 @@ void check_same(const Problem& a, const Problem& b) {
             "a function or line survives a round trip");
     require(!a.over_input == !b.over_input && (!a.over_input || same(*a.over_input, *b.over_input)),
             "functions, lines and arcs with names survive a round trip");
-    require(a.has_instant == b.has_instant && a.cam_rotation == b.cam_rotation &&
+    require(a.has_instant == b.has_instant && a.assemblies == b.assemblies &&
                 (program_of(*a.mechanism) == nullptr) == (program_of(*b.mechanism) == nullptr) && a.wanted == b.wanted,
             "the rest survives a round trip");
     require(same(a.solver, b.solver), "solver options survive a round trip");

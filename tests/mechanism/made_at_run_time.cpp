@@ -10,12 +10,14 @@
 #include "synthesis/document/document.h"
 #include "synthesis/mechanism/drawing/moving_design.h"
 #include "synthesis/mechanism/drawing/outlines.h"
+#include "synthesis/mechanism/explanations/explanations.h"
 #include "synthesis/mechanism/guided_point.h"
 #include "synthesis/mechanism/measure_by.h"
 #include "synthesis/mechanism/over_range.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/report/drawing/finished.h"
 #include "synthesis/report/drawing/svg.h"
+#include "synthesis/report/text/explained.h"
 #include "synthesis/solve/solve.h"
 #include "synthesis/verify/verify.h"
 #include "tests/study/studies.h"
@@ -276,6 +278,30 @@ TEST(MadeAtRunTime, IsStudied) {
     ASSERT_EQ(rows.size(), 3u);
     for (const auto& row : rows)
         EXPECT_EQ(row["status"], "solved") << row.dump();
+}
+
+TEST(MadeAtRunTime, ExplainsQuantitiesThatNoOtherHas) {
+    Mechanism m = trammel("explained-trammel", 0);
+    m.quantities.front().name = "way-of-the-slide";
+    m.explanations = [] {
+        return std::vector<Explanation>{
+            {.name = "way-of-the-slide",
+             .what = "How far the rod's first end slides.",
+             .over = "a full turn of the rod",
+             .formulas = {{"two crossing slots", "2 rod where they are square", "geometry"}},
+             .usual = "less than its slot",
+             .undefined = "",
+             .require = "max = 300",
+             .objective = "minimize",
+             .related = "stroke"}};
+    };
+    EXPECT_EQ(find_explanation("way-of-the-slide"), nullptr);
+    add_mechanism(std::move(m));
+    const Explained found = explained("way-of-the-slide", "explained-trammel", false);
+    EXPECT_NE(found.text.find("How far the rod's first end slides."), std::string::npos) << found.text;
+    EXPECT_NE(found.text.find("2 rod where they are square"), std::string::npos) << found.text;
+    // What others say is still said.
+    EXPECT_NE(find_explanation("pressure-angle-max"), nullptr);
 }
 
 TEST(MadeAtRunTime, MayHaveSettingsOfItsOwn) {

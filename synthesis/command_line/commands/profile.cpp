@@ -7,8 +7,7 @@
 #include "synthesis/command_line/exit_code.h"
 #include "synthesis/command_line/options.h"
 #include "synthesis/command_line/shown.h"
-#include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/report/csv/cam_profile.h"
+#include "synthesis/report/csv/cut_profile.h"
 
 namespace mechwright {
 
@@ -25,20 +24,20 @@ struct ProfileOptions {
 int profile(const ProfileOptions& options, Console& console) {
     ShownDesign shown;
     if (const int outcome = read_shown(options.file, 0, console, shown)) return outcome;
-    const FinishedDesign& cam = shown.design;
-    if (!is_cam(*cam.mechanism)) {
-        complain(console, fmt::format("{}: a {} has no profile: only cams have", options.file, cam.mechanism->name));
+    const FinishedDesign& design = shown.design;
+    if (!design.mechanism->profile) {
+        complain(console, fmt::format("{}: a {} has no profile: only cams have", options.file, design.mechanism->name));
         return exit_code::invalid_file;
     }
-    if (const double hollow = least_hollow_radius(cam); options.cutter > hollow) {
+    if (const double hollow = least_hollow_radius(design); options.cutter > hollow) {
         complain(console,
                  fmt::format("{}: the cutter is too large by {:.6g}: its radius {:.6g} must be at most {:.6g}, the "
                              "least radius of the profile's hollow parts",
                              options.file, options.cutter - hollow, options.cutter, hollow));
         return exit_code::infeasible;
     }
-    print(console, options.dxf ? profile_dxf(cam, options.cutter, options.tolerance)
-                               : profile_csv(cam, options.cutter,
+    print(console, options.dxf ? profile_dxf(design, options.cutter, options.tolerance)
+                               : profile_csv(design, options.cutter,
                                              static_cast<int>(options.steps.value_or(default_table_steps))));
     return exit_code::solved;
 }

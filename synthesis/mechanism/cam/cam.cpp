@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "synthesis/mechanism/cam/check_cam.h"
+#include "synthesis/mechanism/cam/curves.h"
 #include "synthesis/mechanism/cam/drawing.h"
+#include "synthesis/mechanism/cam/explained.h"
 #include "synthesis/mechanism/cam/nearest_limit.h"
 #include "synthesis/mechanism/cam/tasks.h"
 
@@ -315,8 +317,10 @@ std::shared_ptr<const Mechanism> entry() {
                       .nearest_limit = nearest_limit<F>,
                       .check_motion = check_cam<F>,
                       .table = {columns(), column_units(oscillating), motion_row<F>},
+                      .explanations = cam_explanations,
                       .tasks = cam_tasks(kind),
-                      .drawing = cam_drawing()});
+                      .drawing = cam_drawing(),
+                      .profile = CutProfile{mechwright::roller_radius, cam_corners, cam_curve}});
     }();
     return mechanism;
 }

@@ -1,6 +1,6 @@
 // Quantities of cams. In the formulas s is the lift, v, a and j its derivatives by the cam angle in radians.
 
-#include "synthesis/mechanism/explanations/explanations.h"
+#include "synthesis/mechanism/cam/explained.h"
 
 namespace mechwright {
 

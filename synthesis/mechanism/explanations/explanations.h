@@ -46,10 +46,9 @@ struct FormulaText {
 /// The formula that holds for a mechanism; nothing where none is known. It lives as long as the mechanism.
 std::optional<FormulaText> formula_for(const Explanation& explanation, const Mechanism& mechanism);
 
-/// The parts of the list, each in a file of its own.
+/// The parts of the list that several kinds share, each in a file of its own; the others are Mechanism::explanations.
 std::vector<Explanation> linkage_explanations();
 std::vector<Explanation> ram_explanations();
 std::vector<Explanation> target_explanations();
-std::vector<Explanation> cam_explanations();
 
 }  // namespace mechwright

@@ -5,6 +5,7 @@
 
 #include "synthesis/problem/linkage/mechanism.h"
 #include "synthesis/problem/toml/in_order.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright::reading {
 
@@ -36,7 +37,7 @@ Json json_of(const toml::node& node) {
 }
 
 /// What one target says of what it guides, as a member of the object.
-void add_names_of_target(Json& object, const char* target, const toml::node& node) {
+void add_names_of_target(Json& object, const std::string& target, const toml::node& node) {
     const toml::table* table = node.as_table();
     for (const char* key : {"name", "point", "link", "signal"})
         if (const auto name = table == nullptr ? std::nullopt : (*table)[key].value_exact<std::string>())
@@ -55,7 +56,8 @@ Json sections_named(const toml::table& table, std::span<const std::string_view> 
 Json sections_of_linkage(const toml::table& table) {
     Json sections = sections_named(table, describing);
     if (const auto at = table["motion"]["at"].value<double>()) sections["motion"] = {{"at", *at}};
-    for (const char* target : {"path", "poses", "line", "arc", "function"}) {
+    for (const std::string_view name : repeated_sections) {
+        const std::string target(name);
         const toml::node* node = table.get(target);
         if (node == nullptr) continue;
         const toml::array* list = node->as_array();

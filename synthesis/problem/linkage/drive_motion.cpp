@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/cam/read_segment.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
-#include "synthesis/problem/sections/cam_segment.h"
 
 namespace mechwright::reading {
 

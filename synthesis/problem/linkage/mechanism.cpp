@@ -22,6 +22,7 @@
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/target/names.h"
 #include "synthesis/target/with_targets.h"
 
 namespace mechwright {
@@ -231,7 +232,7 @@ namespace {
 
 /// The section of the target.
 const toml::node* target_of(const toml::table& table) {
-    for (const char* target : {"path", "poses", "function", "line", "arc"})
+    for (const std::string_view target : repeated_sections)
         if (const toml::node* node = table.get(target)) return node;
     return nullptr;
 }

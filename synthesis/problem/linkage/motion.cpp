@@ -5,6 +5,7 @@
 
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/sections/sections.h"
 
 namespace mechwright::reading {
 

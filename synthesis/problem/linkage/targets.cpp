@@ -6,6 +6,7 @@
 
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright::reading {
 
@@ -174,9 +175,9 @@ void read_over_input(LinkageReading& reading, Section& target, std::string_view 
 void read_linkage_targets(LinkageReading& reading) {
     TargetSections paths{{}, {}, "path-rms"}, over_input{{}, {}, "function-max"};
     // In the order in which the readers of these sections come to them.
-    for (const std::string_view section : {"path", "poses"})
+    for (const std::string_view section : sections_of_places)
         paths.add(reading, section);
-    for (const std::string_view section : {"function", "line", "arc"})
+    for (const std::string_view section : sections_over_input)
         over_input.add(reading, section);
     const std::size_t count = paths.sections.size() + over_input.sections.size();
     if (count > most_targets)

@@ -3,6 +3,7 @@
 /// The members of tables in files, as data: what readers, writers and the published schemas know of a name stands in
 /// one place.
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -73,5 +74,12 @@ struct NamesOf {
         return name;
     }
 };
+
+namespace keys {
+
+template <std::size_t N>
+using Words = std::array<std::string_view, N>;
+
+}  // namespace keys
 
 }  // namespace mechwright

@@ -7,21 +7,15 @@
 #include <span>
 #include <string_view>
 
-#include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/mechanism/cam/read_keys.h"
 #include "synthesis/problem/schema/key.h"
 #include "synthesis/problem/schema/linkage_keys.h"
-#include "synthesis/problem/schema/segment_keys.h"
 
 namespace mechwright::keys {
-
-template <std::size_t N>
-using Words = std::array<std::string_view, N>;
 
 inline constexpr Words<2> angle_units{"deg", "rad"};
 inline constexpr Words<4> force_units{"N", "kN", "kgf", "lbf"};
 inline constexpr Words<4> mass_units{"g", "kg", "t", "lb"};
-inline constexpr Words<3> rotations{"ccw", "cw", "either"};
 inline constexpr Words<3> path_timings{"free", "prescribed", "none"};
 inline constexpr Words<2> pose_timings{"free", "prescribed"};
 inline constexpr Words<1> use_begins{"first-target"};
@@ -45,15 +39,6 @@ inline constexpr std::array units{
     Key{"mass", Shape::word,
         "Unit of masses, which are converted. Preset: the one that goes with force and length, t with N and mm.", false,
         mass_units}};
-
-inline constexpr std::array cam{
-    Key{"follower", Shape::word, "What touches the cam: a knife edge, a roller or a flat face.", true,
-        cam_follower_names},
-    Key{"motion", Shape::word, "How the follower is guided. Preset: translating.", false, cam_motion_names},
-    Key{"rotation", Shape::word, "Sense of rotation of the cam; either: the better one is chosen. Preset: ccw.", false,
-        rotations},
-    Key{"contour", Shape::word, "A specified contour, from which the motion follows: without segments.", false,
-        cam_contour_names}};
 
 inline constexpr std::array path{
     Key{"points", Shape::pairs, "Points that the coupler point shall pass: [x, y]."},

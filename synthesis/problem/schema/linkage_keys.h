@@ -6,10 +6,24 @@
 #include <array>
 #include <string_view>
 
+#include "synthesis/mechanism/cam/read_keys.h"
 #include "synthesis/problem/schema/key.h"
-#include "synthesis/problem/schema/segment_keys.h"
 
 namespace mechwright::keys {
+
+inline constexpr std::array drive_segment{
+    Key{"kind", Shape::word, "What the input does; cycle: a whole turn by a table of points.", true,
+        segment_kind_names},
+    Key{"angle", Shape::number, "Angle of the first drive that the segment takes.", false, {}, {}, positive},
+    Key{"lift", Shape::number, "By how much the input grows in a rise, or falls in a return.", false, {}, {}, positive},
+    Key{"law", Shape::name, "Law of motion of a rise or return."},
+    Key{"start", Shape::value,
+        "Derivatives of a polynomial at its start: a list of numbers, the first the velocity; or its kind after "
+        "VDI 2143.",
+        false, ends_of_polynomials, end_of_polynomial},
+    Key{"end", Shape::value, "The same at its end.", false, ends_of_polynomials, end_of_polynomial},
+    Key{"shape", Shape::numbers, "Further terms of a polynomial or a spline."},
+    Key{"points", Shape::pairs, "Table of a cycle: [angle of the first drive, lift]."}};
 
 inline constexpr std::array line_of_slot{
     Key{"along", Shape::texts, "Two points of the link that the line is on: it runs from the first to the second."},

@@ -7,11 +7,13 @@
 #include <set>
 #include <string>
 
-#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/schema/json_schema.h"
 #include "synthesis/problem/schema/keys.h"
+#include "synthesis/problem/schema/linkage_schema.h"
+#include "synthesis/problem/sections/kinds_with_sections.h"
 #include "synthesis/problem/sections/sections.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright {
 
@@ -119,25 +121,20 @@ Names foreign_sections(const Mechanism& mechanism) {
     for (const auto& other : mechanisms())
         for (const Setting& setting : other->settings)
             if (std::find(own.begin(), own.end(), setting.section) == own.end()) add_name(foreign, setting.section);
-    if (!is_cam(mechanism)) foreign.insert(foreign.end(), {"cam", "segment"});
-    if (!mechanism.point) foreign.push_back("path");
-    if (!mechanism.body) foreign.push_back("poses");
-    if (!mechanism.function) foreign.push_back("function");
-    if (!mechanism.line) foreign.push_back("line");
-    if (!mechanism.arc) foreign.push_back("arc");
+    for (const reading::KindWithSections& kind : reading::kinds_with_sections())
+        if (kind.mechanism != mechanism.name) foreign.insert(foreign.end(), kind.sections.begin(), kind.sections.end());
+    const auto offer = [&](std::string_view target) {
+        if (std::find(mechanism.targets.begin(), mechanism.targets.end(), target) == mechanism.targets.end())
+            foreign.push_back(target);
+    };
+    std::for_each(repeated_sections.begin(), repeated_sections.end(), offer);
     if (!mechanism.as_linkage) foreign.insert(foreign.end(), {"signals", "room", "region"});
-    if (find_quantity(mechanism, "instant-rocker-velocity") < 0) foreign.push_back("instant");
+    offer("instant");
     return foreign;
 }
 
-/// Targets of which a linkage can have several.
-constexpr std::array<std::string_view, 5> repeated_targets{"path", "poses", "function", "line", "arc"};
-
-constexpr std::array<std::string_view, 10> sections_of_linkage{"links", "slide", "slot",     "gear",   "belt",
-                                                               "rack",  "drive", "assembly", "sketch", "placement"};
-
-/// What files of one mechanism alone can say, and what they have to, where they meet a condition.
-Json of_mechanism(const Mechanism& mechanism, Json condition) {
+/// What files of one mechanism alone can say, and what they have to.
+Json of_mechanism(const Mechanism& mechanism) {
     Json schema = named_by(mechanism);
     schema["required"] = {"dimensions"};
     schema["properties"]["motion"] = {{"properties", {{"at", false}}}};
@@ -148,7 +145,7 @@ Json of_mechanism(const Mechanism& mechanism, Json condition) {
     if (mechanism.as_linkage) schema["properties"]["signals"] = signals();
     for (const std::string_view name : foreign_sections(mechanism))
         schema["properties"][std::string(name)] = false;
-    for (const std::string_view target : repeated_targets)
+    for (const std::string_view target : repeated_sections)
         if (auto& section = schema["properties"][std::string(target)]; !section.is_boolean()) {
             for (const char* key : {"point", "link", "crank-start", "body-angle", "name", "weight", "signal"})
                 section["properties"][key] = false;
@@ -156,85 +153,10 @@ Json of_mechanism(const Mechanism& mechanism, Json condition) {
             section["items"] = {{"properties", section["properties"]}};
             section["maxItems"] = 1;
         }
-    if (is_cam(mechanism)) {
-        schema["properties"]["motion"]["properties"]["crank_range"] = false;
-        if (cam_kind(mechanism).contour != cam::ContourKind::none)
-            schema["properties"]["segment"] = false;
-        else
-            schema["required"].push_back("segment");
-    }
-    return where(std::move(condition), std::move(schema));
-}
-
-/// Whether a file is of a mechanism of this name.
-Json is_named(std::string_view name) {
-    return {{"properties", {{"mechanism", {{"const", name}}}}}, {"required", {"mechanism"}}};
-}
-
-/// Whether a file is of a cam with this follower, which moves so, and has this contour or none (empty).
-Json is_cam_of(std::string_view follower, std::size_t motion, std::string_view contour) {
-    Json properties{{"follower", {{"const", follower}}}, {"motion", {{"const", cam_motion_names[motion]}}}};
-    Json required = Json::array({"follower"});
-    if (motion > 0) required.push_back("motion");
-    if (contour.empty())
-        properties["contour"] = false;
-    else {
-        properties["contour"] = {{"const", contour}};
-        required.push_back("contour");
-    }
-    Json condition = is_named("cam");
-    condition["properties"]["cam"] = {{"properties", std::move(properties)}, {"required", std::move(required)}};
-    condition["required"].push_back("cam");
-    return condition;
-}
-
-/// The same for every kind of cam.
-void add_cams(Json& all) {
-    for (std::size_t follower = 0; follower < cam_follower_names.size(); ++follower) {
-        const auto kind = static_cast<CamFollower>(follower);
-        for (std::size_t motion = 0; motion < cam_motion_names.size(); ++motion)
-            all.push_back(
-                of_mechanism(*cam_mechanism(kind, motion == 1), is_cam_of(cam_follower_names[follower], motion, {})));
-        for (std::size_t contour = 0; contour < cam_contour_names.size(); ++contour)
-            if (const auto mechanism = contour_cam_mechanism(kind, static_cast<cam::ContourKind>(contour + 1)))
-                all.push_back(
-                    of_mechanism(*mechanism, is_cam_of(cam_follower_names[follower], 0, cam_contour_names[contour])));
-    }
-}
-
-/// What files of a linkage can say and have to.
-Json of_linkage() {
-    Json sides = one_of(Names{"left", "right", "ahead", "behind", "either"});
-    Json side{{"type", "object"},
-              {"properties", {{"side", sides}, {"from", {{"type", "string"}}}, {"to", {{"type", "string"}}}}},
-              {"required", {"side"}},
-              {"additionalProperties", false}};
-    Json larger{{"type", "object"},
-                {"properties", {{"group", {{"type", "string"}}}, {"index", {{"type", "integer"}, {"minimum", 1}}}}},
-                {"required", {"index"}},
-                {"additionalProperties", false}};
-    Json tie = table_of(keys::tie);
-    tie["properties"]["of"].update(Json{{"type", "string"}});
-    Json dimension = range_of();
-    dimension["anyOf"].push_back(std::move(tie));
-    dimension["anyOf"].push_back({{"type", "string"}});
-    Json points = list_of({{"type", "number"}});
-    points["minItems"] = points["maxItems"] = 2;
-    Json properties{{"dimensions", named(name_pattern, std::move(dimension))},
-                    {"links", named(name_pattern, named(name_pattern, coordinates()))},
-                    {"assembly", named(name_pattern, any_of({std::move(sides), std::move(side), std::move(larger)}))},
-                    {"sketch", {{"properties", {{"points", named(name_pattern, std::move(points))}}}}},
-                    {"signals", signals()}};
-    properties["links"]["required"] = {"frame"};
-    for (const char* name : {"cam", "segment", "instant"})
-        properties[name] = false;
-    properties["function"]["required"] = {"signal"};
-    for (const char* name : {"path", "line", "arc"})
-        properties[name]["required"] = {"point"};
-    properties["poses"]["required"] = {"point", "link"};
-    for (const std::string_view name : repeated_targets)
-        properties[std::string(name)]["items"] = {{"required", properties[std::string(name)]["required"]}};
-    return where(is_named("linkage"), {{"properties", std::move(properties)}, {"required", {"links", "drive"}}});
+    const reading::KindWithSections* own = reading::sections_of(mechanism);
+    if (own == nullptr) return where(is_named(mechanism.name), std::move(schema));
+    own->limit_files(mechanism, schema);
+    return where(own->is_meant(mechanism), std::move(schema));
 }
 
 /// A section that may be repeated.
@@ -253,44 +175,6 @@ Json all_dimensions() {
                 properties[name] = {{"description", dimension.meaning}};
     properties["assembly"] = {{"description", "How the links are put together."}};
     return {{"type", "object"}, {"properties", std::move(properties)}};
-}
-
-Names law_names() {
-    Names names;
-    for (const NamedLaw& law : cam_laws())
-        names.push_back(law.name);
-    for (const NamedLaw& law : cam_law_aliases())
-        names.push_back(law.name);
-    return names;
-}
-
-/// One drive, or several.
-Json drives(const Key& key) {
-    Json one = table_of(keys::drive);
-    one["properties"]["slide"].update(any_of({Json{{"type", "string"}}, Json{{"type", "integer"}, {"minimum", 1}}}));
-    Json& segment = one["properties"]["segment"]["items"]["properties"];
-    segment["law"].update(one_of(law_names()));
-    Json end{{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
-    for (const Key& derivative : keys::end_of_polynomial)
-        end["properties"][std::string(derivative.name)] = with_meaning({{"type", "number"}}, derivative.meaning);
-    for (const char* side : {"start", "end"})
-        segment[side].update(any_of({list_of({{"type", "number"}}), one_of(keys::ends_of_polynomials), end}));
-    one["properties"]["segment"]["minItems"] = 1;
-    one["properties"]["segment"]["maxItems"] = MotionProgram::most_segments;
-    one["oneOf"] = {{{"required", {"link"}}}, {{"required", {"slide"}}}};
-    return with_meaning(any_of({one, list_of(one)}), key.meaning);
-}
-
-Json segments(const Key& key) {
-    Json schema = of(key);
-    Json& properties = schema["items"]["properties"];
-    properties["law"].update(any_of({one_of(law_names()), list_of(one_of(law_names()))}));
-    for (const char* end : {"start", "end"})
-        properties[end].update(
-            any_of({list_of(range_of()), one_of(keys::ends_of_polynomials), table_of(keys::end_of_polynomial)}));
-    schema["minItems"] = 1;
-    schema["maxItems"] = MotionProgram::most_segments;
-    return schema;
 }
 
 Json objectives(const Key& key) {
@@ -397,20 +281,20 @@ nlohmann::ordered_json problem_schema(const std::vector<std::string_view>& metho
     properties["mechanism"].update(one_of(names));
     properties["drive"] = drives(key("drive"));
     properties["dimensions"].update(all_dimensions());
-    properties["segment"] = segments(key("segment"));
+    for (const reading::KindWithSections& kind : reading::kinds_with_sections())
+        kind.complete_schema(properties);
     properties["objective"] = objectives(key("objective"));
     properties["require"] = requirements(key("require"));
     properties["room"] = rooms(key("room"));
     properties["region"] = regions(key("region"));
     properties["solver"]["properties"]["method"].update(one_of(methods));
-    for (const std::string_view target : repeated_targets)
+    for (const std::string_view target : repeated_sections)
         properties[std::string(target)] =
             one_or_several(key(target), target == "function" ? function_of(key(target)) : table_of(key(target).below));
     properties["study"] = study_of(key("study"), by_path["pattern"]);
     Json by_mechanism = Json::array();
     for (const auto& mechanism : mechanisms())
-        if (!is_cam(*mechanism)) by_mechanism.push_back(of_mechanism(*mechanism, is_named(mechanism->name)));
-    add_cams(by_mechanism);
+        by_mechanism.push_back(of_mechanism(*mechanism));
     by_mechanism.push_back(of_linkage());
     schema["allOf"] = std::move(by_mechanism);
     schema["definitions"] = {{"range", any_of({table_of(keys::dimension_range), table_of(keys::dimension_choices)})},

@@ -7,6 +7,7 @@
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright::reading {
 
@@ -24,7 +25,7 @@ constexpr std::array<std::string_view, 4> keys_of_use{"from", "to", "before", "a
 
 /// Whether a file says that its crank turns fully beyond the input range of its line or arc.
 bool turns_beyond_input(const toml::table& file) {
-    for (const char* target : {"line", "arc"})
+    for (const std::string_view target : sections_of_shapes)
         if (const toml::table* one = only_table(file, target); one != nullptr && (*one)["full_turn"].value_or(false))
             return true;
     return false;
@@ -32,7 +33,7 @@ bool turns_beyond_input(const toml::table& file) {
 
 /// Why there is no range of use; empty where there can be one.
 std::string why_no_use(const Section& file, const Problem& problem, const Section& motion) {
-    for (const char* target : {"function", "line", "arc"})
+    for (const std::string_view target : sections_over_input)
         if (has(file, target))
             return fmt::format("[{}] is judged over its own input range: leave 'from' and 'to' out", target);
     if (!has(file, "path") && !has(file, "poses"))

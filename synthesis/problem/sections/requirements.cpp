@@ -10,6 +10,7 @@
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright::reading {
 
@@ -233,9 +234,10 @@ void check_quantities_over_range(const Section& file, const Problem& problem, Me
     } else {
         // What is wrong with a target leaves nothing to ask.
         if (messages.failed || !moves_over_targets(problem) || problem.use) return;
-        const std::string_view section = problem.function ? "function" : has(file, "line") ? "line" : "arc";
+        const auto there = std::ranges::find_if(sections_over_input, [&](auto name) { return has(file, name); });
+        if (there == sections_over_input.end()) return;
+        const std::string_view section = *there;
         range = file.table->get(section);
-        if (range == nullptr) return;
         over = fmt::format("the input range of [{}], which is the motion here: do not ask for it{}", section,
                            section == "function" ? "" : ", or write full_turn = true there");
     }

@@ -18,15 +18,11 @@ double to_radians(const Units& units, double angle);
 double full_turn(const Units& units);
 
 void read_units(Section& file, Problem& problem, Messages& messages);
-/// The [cam] section, which makes a cam one of a certain follower.
-void read_cam(Section& file, Problem& problem, Messages& messages);
 void read_dimensions(Section& file, Problem& problem, Messages& messages);
 /// The ranges of tied dimensions, once all dimensions and numbers of targets have been read.
 void resolve_ties(const Section& file, Problem& problem, Messages& messages);
 /// This, and whether any design of the mechanism lies in the ranges.
 void conclude_dimensions(const Section& file, Problem& problem, Messages& messages);
-/// The motion of a cam: after its dimensions. Adds requirements that the motion closes where it is not given whole.
-void read_segments(Section& file, Problem& problem, Messages& messages);
 void read_requirements(Section& file, Problem& problem, Messages& messages);
 /// Reports quantities that have no value over a range of crank angles, where the file gives one: after everything that
 /// is asked for.

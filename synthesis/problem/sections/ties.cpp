@@ -6,6 +6,7 @@
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/problem/text.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright::reading {
 
@@ -119,7 +120,7 @@ FilePlace place_of_dimension(const Section& file, std::string_view name) {
     if (const auto dash = name.rfind('-'); dash != std::string_view::npos) {
         const std::string_view scale = name.substr(0, dash), part = name.substr(dash + 1);
         paths.push_back(fmt::format("function.{}.{}", scale, part));
-        for (const char* followed : {"line", "arc"})
+        for (const std::string_view followed : sections_of_shapes)
             paths.push_back(fmt::format("{}.{}", followed, part));
     }
     for (const std::string& path : paths)

@@ -7,6 +7,7 @@
 #include "synthesis/problem/units.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
+#include "synthesis/target/names.h"
 #include "synthesis/target/path/document.h"
 
 namespace mechwright {
@@ -32,9 +33,12 @@ void evaluate_again(nlohmann::ordered_json& document) {
     if (!read.defect.empty() || !why_not_evaluable(read.claim).empty()) return;
     auto [problem, design] = claimed_design(read.claim);
     const nlohmann::ordered_json found = analysis_document(problem, assess(problem, std::move(design)));
-    for (const char* member :
-         {"objective", "requirements", "quantities", "path", "poses", "function", "line", "arc", "warnings"})
-        if (found.contains(member)) document[member] = found[member];
+    const auto put = [&](std::string_view name) {
+        if (const std::string member(name); found.contains(member)) document[member] = found[member];
+    };
+    for (const char* member : {"objective", "requirements", "quantities", "warnings"})
+        put(member);
+    std::for_each(repeated_sections.begin(), repeated_sections.end(), put);
 }
 
 }  // namespace

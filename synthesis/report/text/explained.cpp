@@ -30,20 +30,20 @@ std::string line(std::string_view label, std::string_view text) {
     return text.empty() ? "" : folded(fmt::format("  {:<12}", label), text);
 }
 
-/// Every kind of cam is a mechanism of its own: "cam" for all, else "cam with ...".
+/// Where several mechanisms share a name: that name for all of them, else what each is ("cam with ...").
 std::string listed_mechanisms(const Mechanisms& some) {
     const Mechanisms all = mechanisms();
+    const auto count = [](const Mechanisms& among, const std::string& name) {
+        return std::count_if(among.begin(), among.end(), [&](const auto& m) { return m->name == name; });
+    };
     std::vector<std::string> names;
-    const auto is_cam = [](const auto& m) { return m->name == "cam"; };
-    const bool all_cams =
-        std::count_if(some.begin(), some.end(), is_cam) == std::count_if(all.begin(), all.end(), is_cam);
-    for (const auto& mechanism : some)
-        if (!is_cam(mechanism))
-            names.emplace_back(mechanism->name);
-        else if (!all_cams)
-            names.emplace_back(mechanism->meaning.substr(mechanism->meaning.find("cam")));
-        else if (names.empty() || names.back() != "cam")
-            names.emplace_back("cam");
+    for (const auto& mechanism : some) {
+        const std::string& name = mechanism->name;
+        if (count(some, name) < count(all, name))
+            names.emplace_back(mechanism->meaning.substr(mechanism->meaning.find(name)));
+        else if (names.empty() || names.back() != name)
+            names.emplace_back(name);
+    }
     return fmt::format("{}", fmt::join(names, ", "));
 }
 

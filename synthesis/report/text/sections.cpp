@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/document/cam_document.h"
 #include "synthesis/document/document.h"
-#include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/document/kinds_in_documents.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
@@ -104,7 +103,8 @@ std::string design_section(const Problem& problem, const Design& design, const T
     std::string kind = mechanism.describe(mechanism.form(0), design.dimensions);
     if (!mechanism.assemblies.empty()) kind += fmt::format(", {} assembly", mechanism.assemblies[design.assembly]);
     std::string text = heading("Design: " + kind, style) + to_text(table, 2);
-    if (is_cam(*problem.mechanism)) text += folded("  ", cam_choice_text(problem, design.assembly));
+    if (const KindInDocuments* own = kind_in_documents(mechanism))
+        text += folded("  ", own->choices_text(problem, design.assembly));
     return text;
 }
 

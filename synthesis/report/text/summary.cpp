@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "synthesis/document/document.h"
-#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
@@ -337,7 +336,7 @@ std::string motion_line(const Problem& problem, const Design& design, int digits
         return '\n' + folded("", "I" + apart.substr(1) + '.');
     const auto found = circuit_of(problem, design);
     const std::string where = found ? fmt::format(", on branch {} of circuit {}", found->branch, found->circuit) : "";
-    if (motion.full_turn) return is_cam(*problem.mechanism) ? "" : fmt::format("\nThe crank turns fully{}.\n", where);
+    if (motion.full_turn) return problem.mechanism->profile ? "" : fmt::format("\nThe crank turns fully{}.\n", where);
     const std::string range =
         fmt::format("{}s from {} to {}{}", input, quantity_with_unit(motion.from, unit, problem, design, digits),
                     quantity_with_unit(motion.to, unit, problem, design, digits), where);

@@ -24,7 +24,7 @@ bool can_be_asked(const Section& section, std::string_view name, const Problem& 
 }
 
 /// Whether a mechanism that is described by no links can have so many targets; says so where it cannot.
-bool is_one_target(const std::vector<Section>& sections, const Problem& problem, Messages& messages) {
+bool is_over_one_input(const std::vector<Section>& sections, const Problem& problem, Messages& messages) {
     if (is_linkage(problem)) return true;
     if (sections.size() < 2 && !problem.function && !problem.followed) return true;
     const std::string there = problem.function ? "[function]" : problem.followed ? "[line]" : sections.front().title;
@@ -53,7 +53,7 @@ std::vector<OverInputSection> read_over_input_sections(Section& file, std::strin
     std::vector<OverInputSection> made;
     std::vector<Section> sections = read_sections(file, name, messages);
     if (sections.empty() || problem.mechanism == nullptr) return made;
-    if (!can_be_asked(sections.front(), name, problem, messages) || !is_one_target(sections, problem, messages))
+    if (!can_be_asked(sections.front(), name, problem, messages) || !is_over_one_input(sections, problem, messages))
         return made;
     std::size_t number = problem.over_input ? problem.over_input->size() : 0;
     for (Section& section : sections) {

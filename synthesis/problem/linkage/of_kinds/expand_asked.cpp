@@ -13,6 +13,7 @@
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright::reading {
 
@@ -166,8 +167,8 @@ bool flag_of_target(const Expanding& e, std::string_view section, std::string_vi
 
 /// Whether each design that the problem can have turns its crank fully.
 bool turns_fully(const Expanding& e) {
-    if (flag_of_target(e, "path", "closed") || flag_of_target(e, "line", "full_turn") ||
-        flag_of_target(e, "arc", "full_turn"))
+    if (flag_of_target(e, "path", "closed") ||
+        std::ranges::any_of(sections_of_shapes, [&](auto shape) { return flag_of_target(e, shape, "full_turn"); }))
         return true;
     std::vector<double> dimensions;
     for (std::size_t i = 0; i < e.problem.dimensions.size(); ++i) {

@@ -9,6 +9,7 @@
 #include "synthesis/problem/linkage/of_kinds/expanding.h"
 #include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/target/names.h"
 
 namespace mechwright::reading {
 
@@ -101,8 +102,6 @@ void write_target(Expanding& e, const AsLinkage::Target& target) {
     }
 }
 
-constexpr std::array<std::string_view, 5> target_sections{"path", "poses", "function", "line", "arc"};
-
 const AsLinkage::Target* find_carried_target(const Expanding& e, std::string_view section) {
     const auto at = std::find_if(e.as.targets.begin(), e.as.targets.end(),
                                  [&](const AsLinkage::Target& target) { return target.section == section; });
@@ -112,7 +111,7 @@ const AsLinkage::Target* find_carried_target(const Expanding& e, std::string_vie
 }  // namespace
 
 void refuse_targets(Expanding& e) {
-    for (const std::string_view kind : target_sections)
+    for (const std::string_view kind : repeated_sections)
         if (const toml::node* node = e.table.get(kind); node != nullptr && find_carried_target(e, kind) == nullptr)
             add_error(e.messages, place_of(*node),
                       fmt::format("[{0}] is not carried over: write [{0}] with the signal that it is of, like signal = "
@@ -121,7 +120,7 @@ void refuse_targets(Expanding& e) {
 }
 
 void write_targets(Expanding& e) {
-    for (const std::string_view kind : target_sections)
+    for (const std::string_view kind : repeated_sections)
         if (const AsLinkage::Target* target = find_carried_target(e, kind); target != nullptr && e.table.contains(kind))
             write_target(e, *target);
 }

@@ -1,5 +1,3 @@
-#include "synthesis/document/claimed_cam.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/cam/document_cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/problem/text.h"
 

@@ -1,4 +1,4 @@
-#include "synthesis/problem/sections/cam_segment.h"
+#include "synthesis/mechanism/cam/read_segment.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "synthesis/document/cam_document.h"
+#include "synthesis/mechanism/cam/document_cam.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -51,9 +51,7 @@ std::vector<std::string> law_names(const Problem& problem, std::size_t assembly)
     return names;
 }
 
-}  // namespace
-
-nlohmann::ordered_json cam_document(const Problem& problem) {
+Json cam_document(const Problem& problem) {
     const CamKind kind = cam_kind(*problem.mechanism);
     Json segments = Json::array();
     for (const SegmentPlan& segment : program_of(*problem.mechanism)->segments)
@@ -66,7 +64,7 @@ nlohmann::ordered_json cam_document(const Problem& problem) {
     return json;
 }
 
-void put_cam_choice(nlohmann::ordered_json& design, const Problem& problem, std::size_t assembly) {
+void put_cam_choice(Json& design, const Problem& problem, std::size_t assembly) {
     design[of_design("rotation")] = cam_rotation_names[assembly % 2];
     design[of_design("laws")] = law_names(problem, assembly);
 }
@@ -80,6 +78,31 @@ std::string cam_choice_text(const Problem& problem, std::size_t assembly) {
         segments.push_back(names[i].empty() ? std::string(kind) : fmt::format("{} {}", names[i], kind));
     }
     return text + "; " + fmt::format("{}", fmt::join(segments, ", "));
+}
+
+/// Why the rotation of a cam is none of those that the problem allows, or what is proven of it leaves one of its
+/// rotations or choices of laws out.
+std::string cam_defect(const Json& document, const Problem& problem) {
+    const auto rotation = [&](std::size_t assembly) { return cam_rotation_names[assembly % 2]; };
+    const Json::json_pointer of_design("/design/rotation");
+    if (document.contains(of_design) && std::none_of(problem.assemblies.begin(), problem.assemblies.end(),
+                                                     [&](std::size_t i) { return document[of_design] == rotation(i); }))
+        return fmt::format("design.rotation is {}, which was not asked for", claims::shown(&document[of_design]));
+    const Json::json_pointer of_proof("/search/certificate/parts");
+    if (!document.contains(of_proof) || !document[of_proof].is_array()) return {};
+    const Json& parts = document[of_proof];
+    for (const std::size_t asked : problem.assemblies)
+        if (std::none_of(parts.begin(), parts.end(),
+                         [&](const Json& part) { return part.is_object() && part.value("assembly", Json()) == asked; }))
+            return fmt::format("search.certificate has no part for cams {}", cam_choice_text(problem, asked));
+    return {};
+}
+
+}  // namespace
+
+KindInDocuments cam_in_documents() {
+    static constexpr std::array<std::string_view, 2> choices{"rotation", "laws"};
+    return {"cam", "cam", choices, cam_document, put_cam_choice, cam_choice_text, claims::read_cam, cam_defect};
 }
 
 }  // namespace mechwright

@@ -1,4 +1,4 @@
-#include "synthesis/report/csv/cam_profile.h"
+#include "synthesis/report/csv/cut_profile.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "synthesis/mechanism/cam/curves.h"
 #include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/report/csv/csv_text.h"
 #include "synthesis/report/drawing/dxf.h"
@@ -20,17 +19,18 @@ constexpr double full_turn = 2 * std::numbers::pi;
 
 }  // namespace
 
-std::vector<CutPath> cut_paths(const FinishedDesign& cam, double cutter_radius) {
+std::vector<CutPath> cut_paths(const FinishedDesign& design, double cutter_radius) {
     std::vector<CutPath> paths{{"PROFILE", 0}};
-    if (const double roller = roller_radius(cam); roller > 0) paths.push_back({"PITCH", roller});
+    if (const double roller = design.mechanism->profile->roller_radius(design); roller > 0)
+        paths.push_back({"PITCH", roller});
     if (cutter_radius > 0) paths.push_back({"CUTTER", cutter_radius});
     return paths;
 }
 
-double least_hollow_radius(const FinishedDesign& cam) {
+double least_hollow_radius(const FinishedDesign& design) {
     // The curvature of the profile, continued through straight places, where the radius is not.
-    const auto bend = [&](double cam_angle) { return 1 / MotionRow(cam, cam_angle)["profile-radius"]; };
-    const std::vector<double> ends = cam_corners(cam);
+    const auto bend = [&](double crank_angle) { return 1 / MotionRow(design, crank_angle)["profile-radius"]; };
+    const std::vector<double> ends = design.mechanism->profile->corners(design);
     constexpr int steps = 64;
     double least = 0;
     for (std::size_t i = 1; i < ends.size(); ++i) {
@@ -50,17 +50,17 @@ double least_hollow_radius(const FinishedDesign& cam) {
     return least < 0 ? -1 / least : std::numeric_limits<double>::infinity();
 }
 
-std::string profile_csv(const FinishedDesign& cam, double cutter_radius, int steps) {
-    const auto paths = cut_paths(cam, cutter_radius);
+std::string profile_csv(const FinishedDesign& design, double cutter_radius, int steps) {
+    const auto paths = cut_paths(design, cutter_radius);
     const auto name = [](const CutPath& path) {
         return path.layer == "PROFILE" ? "profile" : path.layer == "PITCH" ? "pitch" : "cutter";
     };
     std::string text = "cam-angle [deg]";
     for (const CutPath& path : paths)
-        text += fmt::format(",{}-x [{}],{}-y [{}]", name(path), cam.units.length, name(path), cam.units.length);
+        text += fmt::format(",{}-x [{}],{}-y [{}]", name(path), design.units.length, name(path), design.units.length);
     text += '\n';
     for (int i = 0; i <= steps; ++i) {
-        const MotionRow row(cam, full_turn * i / steps);
+        const MotionRow row(design, full_turn * i / steps);
         text += csv_number(360.0 * i / steps);
         for (const CutPath& path : paths) {
             const Vector<double> p = row.vector("profile") + path.offset * row.vector("normal");
@@ -71,11 +71,11 @@ std::string profile_csv(const FinishedDesign& cam, double cutter_radius, int ste
     return text;
 }
 
-std::string profile_dxf(const FinishedDesign& cam, double cutter_radius, double tolerance) {
+std::string profile_dxf(const FinishedDesign& design, double cutter_radius, double tolerance) {
     DxfDrawing drawing;
-    drawing.unit = cam.units.length;
-    for (const CutPath& path : cut_paths(cam, cutter_radius))
-        drawing.curves.push_back({path.layer, cam_curve(cam, path.offset, tolerance), true});
+    drawing.unit = design.units.length;
+    for (const CutPath& path : cut_paths(design, cutter_radius))
+        drawing.curves.push_back({path.layer, design.mechanism->profile->curve(design, path.offset, tolerance), true});
     return dxf_text(drawing);
 }
 

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/cam/cam.h"
+#include "synthesis/mechanism/cam/read_cam.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
+#include "synthesis/mechanism/cam/read_schema.h"
+#include "synthesis/mechanism/cam/read_segment.h"
 #include "synthesis/problem/schema/keys.h"
-#include "synthesis/problem/sections/cam_segment.h"
 #include "synthesis/problem/sections/sections.h"
 
 namespace mechwright::reading {
@@ -88,28 +90,21 @@ void check_lifts(Problem& problem, const std::vector<FilePlace>& places, Message
         require_closure(problem, "lift-balance", 0);
 }
 
-void set_contour(Problem& problem, ContourKind contour) {
+/// The senses of rotation that [cam] allows, as assemblies.
+std::vector<std::size_t> rotations_of(const Section& file) {
+    const auto word = file.table->at_path("cam.rotation").value_or<std::string_view>("ccw");
+    if (word == keys::rotations.back()) return {0, 1};
+    return {word == cam_rotation_names.back() ? std::size_t{1} : std::size_t{0}};
+}
+
+void set_contour(const Section& file, Problem& problem, ContourKind contour) {
     if (problem.dimensions.empty()) return;
     problem.mechanism = with_program(*problem.mechanism, contour_program(contour));
     problem.dimensions[cam_angle_dimension(*problem.mechanism, 0)] = {whole_turn, whole_turn, {}, true};
-    problem.assemblies.clear();
-    for (const std::size_t rotation : {std::size_t{0}, std::size_t{1}})
-        if (problem.cam_rotation == 2 || problem.cam_rotation == rotation) problem.assemblies.push_back(rotation);
+    problem.assemblies = rotations_of(file);
 }
 
-}  // namespace
-
 void read_cam(Section& file, Problem& problem, Messages& messages) {
-    if (problem.mechanism == nullptr || !is_cam(*problem.mechanism)) {
-        for (const std::string_view key : {"cam", "segment"}) {
-            if (!has(file, key)) continue;
-            file.reported.push_back(key);
-            if (problem.mechanism != nullptr)
-                add_error(messages, key_place(file, key),
-                          fmt::format("a {} has no '{}': leave it out", problem.mechanism->name, key));
-        }
-        return;
-    }
     std::optional<Section> section = read_section(file, "cam", messages);
     if (!section) {
         if (!has(file, "cam"))
@@ -121,7 +116,7 @@ void read_cam(Section& file, Problem& problem, Messages& messages) {
         add_error(messages, section->place, "'follower' in [cam] is missing: known are knife, roller, flat");
     const auto follower = read_choice(*section, "follower", "follower", messages);
     const auto motion = read_choice(*section, "motion", "motion", messages);
-    problem.cam_rotation = read_choice(*section, "rotation", "rotation", messages).value_or(0);
+    read_choice(*section, "rotation", "rotation", messages);
     const auto contour = read_choice(*section, "contour", "contour", messages);
     report_unknown_keys(*section, messages);
     const bool known = follower && (motion || !has(*section, "motion")) && (contour || !has(*section, "contour"));
@@ -143,12 +138,11 @@ void read_cam(Section& file, Problem& problem, Messages& messages) {
 
 void read_segments(Section& file, Problem& problem, Messages& messages) {
     const toml::node* node = find(file, "segment");
-    if (problem.mechanism == nullptr || !is_cam(*problem.mechanism)) return;
     if (const ContourKind contour = cam_kind(*problem.mechanism).contour; contour != ContourKind::none) {
         if (node != nullptr)
             add_error(messages, key_place(file, "segment"),
                       "the motion follows from the contour: leave [[segment]] or 'contour' in [cam] out");
-        return set_contour(problem, contour);
+        return set_contour(file, problem, contour);
     }
     if (node == nullptr)
         return add_error(messages, file.place,
@@ -189,9 +183,15 @@ void read_segments(Section& file, Problem& problem, Messages& messages) {
             fmt::format("the lists of laws make {} combinations: at most {} can be tried", choices, most_law_choices));
     problem.assemblies.clear();
     for (std::size_t choice = 0; choice < choices; ++choice)
-        for (const std::size_t rotation : {std::size_t{0}, std::size_t{1}})
-            if (problem.cam_rotation == 2 || problem.cam_rotation == rotation)
-                problem.assemblies.push_back(2 * choice + rotation);
+        for (const std::size_t rotation : rotations_of(file))
+            problem.assemblies.push_back(2 * choice + rotation);
+}
+
+}  // namespace
+
+KindWithSections cam_sections() {
+    static constexpr std::array<std::string_view, 2> sections{"cam", "segment"};
+    return {"cam", sections, read_cam, read_segments, complete_cam_schema, is_cam_of, limit_cam_files};
 }
 
 }  // namespace mechwright::reading
