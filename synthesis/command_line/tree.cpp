@@ -45,8 +45,8 @@ std::vector<std::string> task_names() {
 
 std::vector<std::string> start_system_names() {
     std::vector<std::string> names;
-    for (std::size_t poses = 1; poses <= homotopy::GuidanceSystem::most_poses; ++poses)
-        names.push_back(homotopy::name_of({poses}));
+    for (const homotopy::GuidanceSystem& system : homotopy::every_system())
+        names.push_back(homotopy::name_of(system));
     return names;
 }
 

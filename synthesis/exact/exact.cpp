@@ -9,6 +9,7 @@
 #include "synthesis/exact/places.h"
 #include "synthesis/exact/poses/poses.h"
 #include "synthesis/exact/poses/slider_crank_poses.h"
+#include "synthesis/exact/poses/slider_crank_timed.h"
 #include "synthesis/mechanism/slider_crank/slider_crank.h"
 
 namespace mechwright {
@@ -22,11 +23,16 @@ struct ExactKind {
     ExactDesigns (*designs)(const Problem&, const RunOptions&, const RunEnd&);
 };
 
-constexpr std::array<ExactKind, 7> kinds{{
-    {[](const Problem& p) { return is_slider_crank(*p.mechanism) && p.path && p.path->guides_body(); },
-     why_no_slider_crank_poses, slider_crank_pose_designs},
-    {[](const Problem& p) { return p.path && p.path->guides_body() && p.path->poses() == p.path->points.size(); },
-     why_no_poses, pose_designs},
+bool has_poses_alone(const Problem& p) {
+    return p.path && p.path->guides_body() && p.path->poses() == p.path->points.size();
+}
+
+constexpr std::array<ExactKind, 8> kinds{{
+    {[](const Problem& p) { return is_slider_crank(*p.mechanism) && has_poses_alone(p); }, why_no_slider_crank_poses,
+     slider_crank_pose_designs},
+    {has_poses_alone, why_no_poses, pose_designs},
+    {[](const Problem& p) { return is_slider_crank(*p.mechanism) && p.path && p.path->prescribed_timing; },
+     why_no_slider_crank_timed_points, slider_crank_timed_designs},
     {[](const Problem& p) { return p.path && p.path->prescribed_timing; }, why_no_timed_points, timed_point_designs},
     {[](const Problem& p) { return p.path.has_value(); }, why_no_places, place_designs},
     {[](const Problem& p) { return p.function != nullptr; }, why_no_accuracy_points, accuracy_point_designs},

@@ -75,12 +75,6 @@ double moved_into(double angle, const DimensionRange& range) {
     return moved <= range.max + same_within ? std::clamp(moved, range.min, range.max) : angle;
 }
 
-void move_angles_into_ranges(const Problem& problem, Design& design) {
-    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
-        if (problem.mechanism->dimensions[i].kind == DimensionKind::angle)
-            design.dimensions[i] = moved_into(design.dimensions[i], problem.dimensions[i]);
-}
-
 /// By how much the loop closes, at least, on the way from the first target to the last, relative to its size; < 0 where
 /// the linkage would have to be taken apart between them. Infinite without a path. It is least at an end, or where the
 /// crank stands along the ground link, or across a slide.
@@ -165,6 +159,12 @@ std::string defect_of(const Problem& problem, const Solution& solution) {
 }
 
 }  // namespace
+
+void move_angles_into_ranges(const Problem& problem, Design& design) {
+    for (std::size_t i = 0; i < design.dimensions.size(); ++i)
+        if (problem.mechanism->dimensions[i].kind == DimensionKind::angle)
+            design.dimensions[i] = moved_into(design.dimensions[i], problem.dimensions[i]);
+}
 
 ExactDesign excluded_design(Design design, std::string defect) {
     ExactDesign out;

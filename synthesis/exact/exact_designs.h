@@ -46,6 +46,9 @@ ExactDesign exact_design(const Problem& problem, Design design, const std::vecto
 /// its range, a requirement, a target that is missed.
 ExactDesign exact_design(const Problem& problem, Design design);
 
+/// Angles of a full turn come into their ranges where whole turns can do that.
+void move_angles_into_ranges(const Problem& problem, Design& design);
+
 /// A design that is of no use, whatever it is worth.
 ExactDesign excluded_design(Design design, std::string defect);
 

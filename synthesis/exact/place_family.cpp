@@ -6,10 +6,16 @@
 #include "synthesis/exact/family_search.h"
 #include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/exact/poses/poses.h"
+#include "synthesis/exact/poses/slider_crank_poses.h"
+#include "synthesis/mechanism/slider_crank/slider_crank.h"
 
 namespace mechwright {
 
 namespace {
+
+homotopy::SecondDyad second_dyad(const Problem& problem) {
+    return is_slider_crank(*problem.mechanism) ? homotopy::SecondDyad::ram : homotopy::SecondDyad::rocker;
+}
 
 /// Of points alone one counts as a pose: its direction is what others are counted from.
 std::size_t poses_of(const PathTarget& path) { return std::max<std::size_t>(path.poses(), 1); }
@@ -45,14 +51,14 @@ ChosenDirections chosen_directions(const PathTarget& path, std::size_t count) {
     return directions;
 }
 
-/// A four-bar among the finitely many through places with some directions, and these as parameters.
+/// A linkage among the finitely many through places with some directions, and these as parameters.
 struct FoundMember {
     homotopy::GuidanceTarget target;
     homotopy::GuidanceValues values{};
     std::optional<ExactDesign> design;
 };
 
-/// Four-bars through six places or more: what the homotopy of poses and points finds.
+/// Linkages through six places or more, slider-cranks through five: what the homotopy of poses and points finds.
 struct GuidedFamily {
     const Problem& problem;
     const RunEnd& end;
@@ -64,7 +70,7 @@ struct GuidedFamily {
         const auto all = directions.at(numbers);
         for (std::size_t i = 0; i < all.size(); ++i)
             places.push_back({{problem.path->points[i].x, problem.path->points[i].y}, all[i]});
-        return homotopy::guidance_target(places);
+        return homotopy::guidance_target(places, start.system.second);
     }
 
     /// The best of all solutions. A path that needs care is let go: another member will do.
@@ -74,8 +80,8 @@ struct GuidedFamily {
              homotopy::track(start.system, start.solutions, start.parameters, best.target.parameters, {}, 1, end)) {
             if (!is_design(path, best.target)) continue;
             for (const homotopy::GuidanceValues& member : homotopy::orbit_members(start.system, path.point))
-                if (const auto linkage = homotopy::linkage_of(member, best.target))
-                    if (keep_better(problem, best.design, exact_design(problem, *linkage))) best.values = member;
+                if (auto design = exact_design(problem, best.target, member))
+                    if (keep_better(problem, best.design, *std::move(design))) best.values = member;
         }
         return best;
     }
@@ -88,8 +94,7 @@ struct GuidedFamily {
             homotopy::track(start.system, {member.values}, member.target.parameters, target.parameters, {}, 1, end)
                 .front();
         if (!is_design(path, target)) return {};
-        const auto linkage = homotopy::linkage_of(path.point, target);
-        return linkage ? std::optional(exact_design(problem, *linkage)) : std::nullopt;
+        return exact_design(problem, target, path.point);
     }
 
     bool is_design(homotopy::GuidancePath& path, const homotopy::GuidanceTarget& target) const {
@@ -99,11 +104,11 @@ struct GuidedFamily {
     }
 };
 
-ExactDesigns through_six_or_more(const Problem& problem, const RunOptions& options, const RunEnd& end) {
+ExactDesigns through_many(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     constexpr std::size_t most_paths =
         24000;  // of all members that are examined: about as many seconds for each system
-    const std::size_t count = free_directions(*problem.path);
-    const homotopy::GuidanceSystem system{poses_of(*problem.path) + count};
+    const std::size_t count = free_directions(problem);
+    const homotopy::GuidanceSystem system{poses_of(*problem.path) + count, second_dyad(problem)};
     const GuidedFamily guided{problem, end, chosen_directions(*problem.path, count), homotopy::start_system(system)};
     DesignFamily family;
     family.numbers = count;
@@ -113,38 +118,54 @@ ExactDesigns through_six_or_more(const Problem& problem, const RunOptions& optio
             return guided.moved_from(from, beside);
         };
     };
-    family.examined = static_cast<int>(most_paths / homotopy::orbits_of(system.poses));
+    family.examined = static_cast<int>(most_paths / homotopy::orbits_of(system));
     return search_family(problem, family, options, end);
 }
 
-/// With directions at all of up to five places they are poses, and dyads through them have numbers of their own.
-ExactDesigns through_five_or_fewer(const Problem& problem, const RunOptions& options, const RunEnd& end) {
+/// With directions at all of a few places they are poses, and dyads through them have numbers of their own.
+ExactDesigns through_few(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PathTarget& path = *problem.path;
-    const std::size_t count = path.points.size() - poses_of(path);
+    const bool with_ram = is_slider_crank(*problem.mechanism);
+    const std::size_t places = path.points.size(), count = places - poses_of(path);
     const ChosenDirections directions = chosen_directions(path, count);
     DesignFamily family;
-    family.numbers = count + 2 * numbers_of_dyad(path.points.size());
+    family.numbers = count + (with_ram ? numbers_of_slider_crank(places) : 2 * numbers_of_dyad(places));
     family.member = [&](std::span<const double> numbers) {
         std::vector<double> all;
         for (const std::optional<double>& direction : directions.at(numbers.first(count)))
             all.push_back(*direction);
-        return member_of_poses(pose_targets(problem, all), numbers.subspan(count));
+        const PoseTargets targets = pose_targets(problem, all);
+        const auto of_dyads = numbers.subspan(count);
+        return with_ram ? slider_crank_of_poses(targets, of_dyads) : member_of_poses(targets, of_dyads);
     };
     return search_family(problem, family, options, end);
 }
 
 }  // namespace
 
+std::optional<ExactDesign> exact_design(const Problem& problem, const homotopy::GuidanceTarget& target,
+                                        const homotopy::GuidanceValues& solution) {
+    if (target.system.has_ram())
+        return slider_crank_design(problem, homotopy::place_of(target), homotopy::crank_of(solution),
+                                   homotopy::ram_of(solution), homotopy::displacements_of(solution, target));
+    const auto linkage = homotopy::linkage_of(solution, target);
+    return linkage ? std::optional(exact_design(problem, *linkage)) : std::nullopt;
+}
+
+std::size_t conditions_of(const Problem& problem) { return is_slider_crank(*problem.mechanism) ? 9 : 10; }
+
 std::size_t conditions_said_by(const PathTarget& path) { return path.points.size() + poses_of(path); }
 
-std::size_t free_directions(const PathTarget& path) {
-    const std::size_t said = conditions_said_by(path);
-    return said < conditions_of_four_bar ? conditions_of_four_bar - said : 0;
+std::size_t free_directions(const Problem& problem) {
+    const std::size_t said = conditions_said_by(*problem.path), all = conditions_of(problem);
+    return said < all ? all - said : 0;
 }
 
 ExactDesigns place_family_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
-    return problem.path->points.size() > 5 ? through_six_or_more(problem, options, end)
-                                           : through_five_or_fewer(problem, options, end);
+    // Poses in the place of all points leave whole families of linkages: of four-bars up to five, of slider-cranks up
+    // to four.
+    const std::size_t few = conditions_of(problem) / 2;
+    return problem.path->points.size() > few ? through_many(problem, options, end) : through_few(problem, options, end);
 }
 
 }  // namespace mechwright

@@ -1,24 +1,31 @@
 #pragma once
 /// \file
-/// Four-bars that pass fewer places than say which it is. The directions in which the coupler may face at some of the
-/// points choose a member of their family: with these given the four-bars are finitely many again.
+/// Four-bars or slider-cranks that pass fewer places than say which it is. The directions in which the coupler or rod
+/// may face at some of the points choose a member of their family: with these given the linkages are finitely many
+/// again.
 
 #include <cstddef>
 
 #include "synthesis/exact/exact_designs.h"
+#include "synthesis/exact/homotopy/guidance_solutions.h"
 #include "synthesis/program/run_end.h"
 #include "synthesis/program/run_options.h"
 
 namespace mechwright {
 
-/// A four-bar that guides a body has as many dimensions that places can say: a pose says two, a point one.
-inline constexpr std::size_t conditions_of_four_bar = 10;
+/// As many dimensions as places can say of a linkage that guides a body: a pose says two, a point one. 10 of a
+/// four-bar, 9 of a slider-crank.
+std::size_t conditions_of(const Problem& problem);
 
 /// How many of them the places of a path say. Of points alone the first takes the place of a pose.
 std::size_t conditions_said_by(const PathTarget& path);
 
-/// How many directions can be chosen; 0 where the four-bars are finitely many.
-std::size_t free_directions(const PathTarget& path);
+/// How many directions can be chosen; 0 where the linkages are finitely many.
+std::size_t free_directions(const Problem& problem);
+
+/// The design of a real solution for places; nothing where a link has no length.
+std::optional<ExactDesign> exact_design(const Problem& problem, const homotopy::GuidanceTarget& target,
+                                        const homotopy::GuidanceValues& solution);
 
 /// The best members of the family. Precondition: there are two places or more, and directions to be chosen.
 ExactDesigns place_family_designs(const Problem& problem, const RunOptions& options, const RunEnd& end);

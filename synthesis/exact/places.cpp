@@ -6,21 +6,33 @@
 #include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/exact/place_family.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
+#include "synthesis/mechanism/slider_crank/slider_crank.h"
 #include "synthesis/program/work_sharing.h"
 
 namespace mechwright {
 
 namespace {
 
-constexpr std::size_t nine = 9;
+/// How a kind is spoken of, and what passes places.
+struct Words {
+    std::string_view linkages, most_points, most_places;
+};
 
-std::string why_not_so_many_points(const std::vector<Vector<double>>& points) {
-    if (points.size() < 2) return "it needs from two to nine points, and there is one";
-    if (points.size() <= nine) return {};
+Words words_of(const Problem& problem) {
+    return is_slider_crank(*problem.mechanism)
+               ? Words{"slider-cranks", "eight", "4 poses and 1 point, 3 and 3, 2 and 5, or 1 and 7"}
+               : Words{"four-bars", "nine", "4 poses and 2 points, 3 and 4, 2 and 6, or 1 and 8"};
+}
+
+std::string why_not_so_many_points(const Problem& problem) {
+    const std::size_t points = problem.path->points.size();
+    const Words words = words_of(problem);
+    if (points < 2) return fmt::format("it needs from two to {} points, and there is one", words.most_points);
+    if (points < conditions_of(problem)) return {};
     return fmt::format(
-        "it finds four-bars through up to nine points, and there are {}: through more no linkage passes in general; "
+        "it finds {} through up to {} points, and there are {}: through more no linkage passes in general; "
         "least-squares finds the closest",
-        points.size());
+        words.linkages, words.most_points, points);
 }
 
 /// "3 poses and 1 point"
@@ -28,26 +40,28 @@ std::string counted(std::size_t poses, std::size_t points) {
     return fmt::format("{} pose{} and {} point{}", poses, poses == 1 ? "" : "s", points, points == 1 ? "" : "s");
 }
 
-std::string why_not_these(const PathTarget& path) {
+std::string why_not_these(const Problem& problem) {
+    const PathTarget& path = *problem.path;
     if (path.points.size() < 2) return "it needs two places or more, and there is one";
-    if (conditions_said_by(path) <= conditions_of_four_bar) return {};
+    if (conditions_said_by(path) <= conditions_of(problem)) return {};
     const std::size_t poses = path.poses(), points = path.points.size() - poses;
+    const Words words = words_of(problem);
     return fmt::format(
-        "there are {}; it finds four-bars through up to 4 poses and 2 points, 3 and 4, 2 and 6, or 1 and 8: more leave "
-        "no linkage in general, and least-squares finds the closest",
-        counted(poses, points));
+        "there are {}; it finds {} through up to {}: more leave no linkage in general, and least-squares finds the "
+        "closest",
+        counted(poses, points), words.linkages, words.most_places);
 }
 
 /// What is given beside too few places to say all of it: a member of the family that has it is not found by chance.
 std::string why_not_given(const Problem& problem) {
-    if (free_directions(*problem.path) == 0) return {};
+    if (free_directions(problem) == 0) return {};
     const Mechanism& own = problem.mechanism->plain ? *problem.mechanism->plain : *problem.mechanism;
     for (std::size_t i = 0; i < own.dimensions.size(); ++i)
         if (problem.dimensions[i].fixed())
             return fmt::format(
-                "a family of four-bars passes so few places, and '{}' has one value besides: give it a range, or use "
+                "a family of {} passes so few places, and '{}' has one value besides: give it a range, or use "
                 "least-squares",
-                own.dimensions[i].name);
+                words_of(problem).linkages, own.dimensions[i].name);
     return {};
 }
 
@@ -93,27 +107,45 @@ std::vector<RealSolution> real_solutions(const std::vector<homotopy::GuidanceVal
     return real;
 }
 
+/// What shows that all solutions are known.
+std::string argument(const Problem& problem, const homotopy::GuidanceSystem& system, const SolutionCounts& counts) {
+    const PathTarget& path = *problem.path;
+    const std::size_t points = path.points.size() - path.poses();
+    const bool with_ram = system.has_ram();
+    const std::string_view orbits = system.poses > 1 ? with_ram ? "slider-cranks" : "pairs of dyads"
+                                    : with_ram       ? "cognate pairs of slider-cranks"
+                                                     : "cognate triplets";
+    std::string text = fmt::format(
+        "homotopy: all {} {} through {} are accounted for, {} of them real", counts.tracked, orbits,
+        path.guides_body() ? counted(system.poses, points) : fmt::format("{} points", words_of(problem).most_points),
+        counts.real);
+    if (with_ram) text += "; that there are no more is known from monodromy and a trace test, in doubles";
+    return text;
+}
+
 }  // namespace
 
 std::string why_no_places(const Problem& problem) {
-    if (!is_four_bar(*problem.mechanism)) return "it guides by four-bars alone";
+    if (!is_four_bar(*problem.mechanism) && !is_slider_crank(*problem.mechanism))
+        return "it guides by four-bars and slider-cranks alone";
     if (!problem.path) return "it needs a [path] or [poses]";
     if (problem.path->prescribed_timing || problem.path->any_order)
         return "it needs points that are met in their order at any crank angle: timing = \"free\"";
     if (has_ties(problem)) return "dimensions are tied to others";
     const PathTarget& path = *problem.path;
-    const std::string why = path.guides_body() ? why_not_these(path) : why_not_so_many_points(path.points);
+    const std::string why = path.guides_body() ? why_not_these(problem) : why_not_so_many_points(problem);
     if (!why.empty()) return why;
     const std::string given = why_not_given(problem);
     return given.empty() ? why_points_coincide(path) : given;
 }
 
 ExactDesigns place_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
-    if (free_directions(*problem.path) > 0) return place_family_designs(problem, options, end);
+    if (free_directions(problem) > 0) return place_family_designs(problem, options, end);
     const std::vector<homotopy::GuidedPlace> places = places_of(*problem.path);
-    const homotopy::GuidanceTarget target = homotopy::guidance_target(places);
+    const homotopy::GuidanceTarget target = homotopy::guidance_target(
+        places, is_slider_crank(*problem.mechanism) ? homotopy::SecondDyad::ram : homotopy::SecondDyad::rocker);
     const homotopy::GuidanceSystem& system = target.system;
-    const bool given = options.start_system && options.start_system->system.poses == system.poses;
+    const bool given = options.start_system && options.start_system->system == system;
     const homotopy::StartSystem& start = given ? *options.start_system : homotopy::start_system(system);
     const auto found = homotopy::solve_guidance(start, target.parameters, options.jobs, end);
     ExactDesigns out;
@@ -125,18 +157,12 @@ ExactDesigns place_designs(const Problem& problem, const RunOptions& options, co
     for (const RealSolution& solution : real) {
         if (solution.certified) ++out.counts->certified;
         for (const homotopy::GuidanceValues& member : homotopy::orbit_members(system, solution.values))
-            if (const auto linkage = homotopy::linkage_of(member, target))
-                add_design(out, exact_design(problem, *linkage));
+            if (auto design = exact_design(problem, target, member)) add_design(out, *std::move(design));
     }
     rank(problem, out);
     if (found.singular > 0) out.note = some_are_singular;
     if (!found.complete() || found.singular > 0 || out.stopped) return out;
-    const std::size_t points = problem.path->points.size() - problem.path->poses();
-    out.proof = proof_by(
-        fmt::format("homotopy: all {} {} through {} are accounted for, {} of them real", out.counts->tracked,
-                    system.poses == 1 ? "cognate triplets" : "pairs of dyads",
-                    problem.path->guides_body() ? counted(system.poses, points) : "nine points", out.counts->real),
-        CountCertificate{});
+    out.proof = proof_by(argument(problem, system, *out.counts), CountCertificate{});
     return out;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
 /// Every four-bar that passes given places in their order: nine points, or poses among points, each pose in the place
-/// of two points but for the first, which takes that of one; or fewer, which a family of four-bars passes.
+/// of two points but for the first, which takes that of one; or fewer, which a family of four-bars passes. Likewise
+/// every slider-crank, through eight.
 
 #include <string>
 

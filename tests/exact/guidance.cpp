@@ -1,4 +1,5 @@
-// Poses and points together: how many four-bars there are, by monodromy, and that those that made the places are found.
+// Poses and points together: how many four-bars and slider-cranks there are, by monodromy, and that the four-bars that
+// made the places are found.
 
 #include <gtest/gtest.h>
 
@@ -16,18 +17,21 @@ namespace {
 using S = GuidanceSystem;
 using Number = std::complex<double>;
 
-class Guidance : public testing::TestWithParam<std::size_t> {
+class Guidance : public ::testing::TestWithParam<GuidanceSystem> {
 protected:
-    GuidanceSystem system{GetParam()};
+    GuidanceSystem system = GetParam();
 };
 
-INSTANTIATE_TEST_SUITE_P(ByPoses, Guidance, testing::Values(1, 2, 3, 4),
-                         [](const auto& tested) { return "Poses" + std::to_string(tested.param); });
+std::string name_of_tested(const ::testing::TestParamInfo<GuidanceSystem>& tested) {
+    return (tested.param.has_ram() ? "SliderCrank" : "Poses") + std::to_string(tested.param.poses);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Guidance, ::testing::ValuesIn(every_system()), name_of_tested);
 
 /// Newton's step of a linear system is right if the matrix holds the derivatives: against differences of the values.
 TEST_P(Guidance, HasTheDerivativesOfItsEquations) {
     const StartSystem& start = start_system(system);
-    GuidanceValues u = start.solutions[7];
+    GuidanceValues u = start.solutions[3];
     for (std::size_t i = 0; i < u.size(); ++i)
         u[i] = u[i] + Complex<double>{0.1, 0.05 * static_cast<double>(i)};
     const auto values = [&](const GuidanceValues& at, const GuidanceParameters& p) {
@@ -66,10 +70,11 @@ TEST_P(Guidance, HasTheDerivativesOfItsEquations) {
     }
 }
 
-/// 60, 402, 2224 and 8652 ordered solutions have been remembered for these: 30, 201 and 1112 pairs, 1442 triplets.
+/// 60, 402, 2224 and 8652 ordered solutions have been remembered for these: 30, 201 and 1112 pairs, 1442 triplets; 558
+/// slider-cranks through eight points, 279 pairs, have been printed (J. Mech. Des. 132, 081003, 2010).
 /// Monodromy comes to a stop at these numbers, whatever the seed; the loops after the last new one are the evidence.
 TEST_P(Guidance, HasAsManyOrbitsAsMonodromyFinds) {
-    const std::size_t expected = orbits_of(system.poses);
+    const std::size_t expected = orbits_of(system);
     for (int seed = 21; seed < 21 + cases_to_try(1, 2); ++seed) {
         std::size_t known = 0;
         int loops_since_new = 0, loops = 0;
@@ -86,12 +91,12 @@ TEST_P(Guidance, HasAsManyOrbitsAsMonodromyFinds) {
 
 TEST_P(Guidance, HasAStartSystemThatIsReadAsItIsWritten) {
     const StartSystem& start = start_system(system);
-    EXPECT_EQ(start.system.poses, system.poses);
-    EXPECT_EQ(start.solutions.size(), orbits_of(system.poses));
+    EXPECT_EQ(start.system, system);
+    EXPECT_EQ(start.solutions.size(), orbits_of(system));
     const std::string text = to_text(start, 1);
     const ReadStart read = parse_start_system(text);
     ASSERT_TRUE(read.start) << read.fault;
-    EXPECT_EQ(read.start->system.poses, system.poses);
+    EXPECT_EQ(read.start->system, system);
     for (std::size_t k = 0; k < start.solutions.size(); k += 7)
         EXPECT_TRUE(is_same(orbit_of(system, start.solutions[k]), orbit_of(system, read.start->solutions[k])));
     EXPECT_NE(parse_start_system(text.substr(0, text.size() - 40)).fault.find("damaged"), std::string::npos);
@@ -127,7 +132,8 @@ std::optional<Made> made_from(std::mt19937_64& random, std::size_t poses) {
 }
 
 TEST_P(Guidance, FindsTheFourBarThatMadeThePlaces) {
-    std::mt19937_64 random(29 + GetParam());
+    if (system.has_ram()) GTEST_SKIP() << "see slider_crank_places.cpp";
+    std::mt19937_64 random(29 + system.poses);
     const int wanted = system.poses <= 2 ? cases_to_try(2, 4) : cases_to_try(10, 30);
     int found_again = 0, complete = 0;
     for (int k = 0; k < wanted;) {

@@ -77,7 +77,7 @@ TEST_P(PlaceFamily, HasAMemberNoLargerThanTheLinkageThatMadeThePlaces) {
         const std::string body = poses > 0 ? "body-angle = { min = 0, max = 360 }\n" : "";
         const ReadProblem read = through(ranges + body, made.targets, "total-length");
         ASSERT_TRUE(read.ok()) << read.messages.front().text;
-        EXPECT_EQ(free_directions(*read.problem.path), free);
+        EXPECT_EQ(free_directions(read.problem), free);
         const Result result = all_solutions(read.problem);
         ASSERT_EQ(result.status, Status::solved);
         EXPECT_TRUE(result.verified());

@@ -31,13 +31,13 @@ int make(const StartOptions& options, Console& console) {
     const auto system = homotopy::find_system(options.problem);
     if (!system) {
         std::vector<std::string> names;
-        for (std::size_t poses = 1; poses <= homotopy::GuidanceSystem::most_poses; ++poses)
-            names.push_back(homotopy::name_of({poses}));
+        for (const homotopy::GuidanceSystem& known : homotopy::every_system())
+            names.push_back(homotopy::name_of(known));
         complain(console, fmt::format("there is no start system for {}; known are {}",
                                       reading::quoted(std::string_view(options.problem)), fmt::join(names, ", ")));
         return exit_code::wrong_usage;
     }
-    const std::size_t expected = homotopy::orbits_of(system->poses);
+    const std::size_t expected = homotopy::orbits_of(*system);
     const std::uint64_t seed = options.seed.value_or(1);
     const int jobs = static_cast<int>(options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
     const auto tell = [&](std::size_t known, int loops) {
@@ -74,7 +74,10 @@ int read_start_system(const std::string& file, Console& console, std::optional<h
 Command add_start_system(CLI::App& program) {
     const auto options = std::make_shared<StartOptions>();
     CLI::App* command = program.add_subcommand("start-system", "Make the start system of an exact method anew");
-    command->add_option("PROBLEM", options->problem, "nine-point, or P-poses-Q-points (4 2, 3 4, 2 6)")
+    command
+        ->add_option("PROBLEM", options->problem,
+                     "nine-point, or P-poses-Q-points (4 2, 3 4, 2 6); slider-crank-eight-point, or as many "
+                     "poses and a point less (slider-crank-4-poses-1-point)")
         ->required()
         ->option_text(" ");
     add_whole_number(*command, "--seed", options->seed, 0, INT64_MAX, "Seed of the random parameters (1)");

@@ -33,17 +33,39 @@ GuidanceValues cognate(const GuidanceValues& u) {
     return v;
 }
 
-/// How far the coupler has turned at a displacement d: both dyads are linear in T and 1/T.
-Number turn_at(const GuidanceValues& u, const Number& d) {
-    const auto at = [&u](S::Unknown i) { return number(u[i]); };
+/// The same for a ram, whose line's normal b is infinitely far from a: it is turned by the argument of k.
+GuidanceValues cognate_with_ram(const GuidanceValues& u) {
+    GuidanceValues v;
+    std::array<Number, 2> k;
+    for (const std::size_t bar : {std::size_t{0}, std::size_t{1}}) {
+        const Number x = number(u[S::x + bar]), a = number(u[S::a + bar]), y = number(u[S::y + bar]);
+        k[bar] = x / (x - y);
+        v[S::x + bar] = plain(a - x);
+        v[S::a + bar] = plain(a);
+        v[S::y + bar] = plain((a - x) * (1.0 - k[bar]));
+    }
+    const Number length = std::sqrt(k[0] * k[1]);
+    v[S::b] = plain(k[0] / length * number(u[S::b]));
+    v[S::b_conjugate] = plain(k[1] / length * number(u[S::b_conjugate]));
+    return v;
+}
+
+/// A dyad at a displacement d, A T + A'/T + C = 0; without the terms free of its fixed pivot if that is infinitely far
+/// away.
+struct TurnEquation {
+    Number A, Ac, C;
+};
+
+TurnEquation turn_equation(const GuidanceValues& u, std::size_t first, const Number& d, double near) {
+    const Number x = number(u[first]), xc = number(u[first + 1]), a = number(u[first + 2]), ac = number(u[first + 3]);
     const Number dc = std::conj(d);
-    const Number A = at(S::x) * (dc - at(S::a_conjugate)), Ac = at(S::x_conjugate) * (d - at(S::a));
-    const Number B = at(S::y) * (dc - at(S::b_conjugate)), Bc = at(S::y_conjugate) * (d - at(S::b));
-    const auto constant = [&](const Number& x, const Number& xc, const Number& a, const Number& ac) {
-        return d * dc - d * ac - dc * a + x * ac + xc * a;
-    };
-    const Number C = constant(at(S::x), at(S::x_conjugate), at(S::a), at(S::a_conjugate));
-    const Number D = constant(at(S::y), at(S::y_conjugate), at(S::b), at(S::b_conjugate));
+    return {x * (near * dc - ac), xc * (near * d - a), near * d * dc - d * ac - dc * a + x * ac + xc * a};
+}
+
+/// How far the coupler has turned at a displacement d: both dyads are linear in T and 1/T.
+Number turn_at(const GuidanceSystem& system, const GuidanceValues& u, const Number& d) {
+    const auto [A, Ac, C] = turn_equation(u, S::x, d, 1);
+    const auto [B, Bc, D] = turn_equation(u, S::y, d, system.has_ram() ? 0 : 1);
     const Number turn = (Ac * D - Bc * C) / (A * Bc - Ac * B);
     return turn / std::abs(turn);
 }
@@ -51,12 +73,13 @@ Number turn_at(const GuidanceValues& u, const Number& d) {
 }  // namespace
 
 std::vector<GuidanceValues> orbit_members(const GuidanceSystem& system, const GuidanceValues& u) {
+    if (system.has_ram()) return system.poses > 1 ? std::vector{u} : std::vector{u, cognate_with_ram(u)};
     if (system.poses > 1) return {u, exchanged(u)};
     const GuidanceValues left = cognate(u), right = cognate(exchanged(u));
     return {u, exchanged(u), left, exchanged(left), right, exchanged(right)};
 }
 
-std::optional<GuidedLinkage> linkage_of(const GuidanceValues& u, const GuidanceTarget& target) {
+std::vector<Displacement> displacements_of(const GuidanceValues& u, const GuidanceTarget& target) {
     std::vector<Displacement> displacements;
     for (const auto& place : target.places) {
         if (!place) {
@@ -65,10 +88,20 @@ std::optional<GuidedLinkage> linkage_of(const GuidanceValues& u, const GuidanceT
         }
         const Number d = number(target.parameters[*place]);
         const bool is_pose = *place + 1 < target.system.poses;
-        displacements.push_back({d, is_pose ? number(target.parameters[S::first_turn + *place]) : turn_at(u, d)});
+        displacements.push_back(
+            {d, is_pose ? number(target.parameters[S::first_turn + *place]) : turn_at(target.system, u, d)});
     }
-    return mechwright::linkage_of(Dyad{number(u[S::a]), number(u[S::x])}, Dyad{number(u[S::b]), number(u[S::y])},
-                                  displacements, {number(target.origin), target.size});
+    return displacements;
+}
+
+DrawingPlace place_of(const GuidanceTarget& target) { return {number(target.origin), target.size}; }
+
+Dyad crank_of(const GuidanceValues& u) { return {number(u[S::a]), number(u[S::x])}; }
+SliderDyad ram_of(const GuidanceValues& u) { return {number(u[S::y]), number(u[S::b])}; }
+
+std::optional<GuidedLinkage> linkage_of(const GuidanceValues& u, const GuidanceTarget& target) {
+    return mechwright::linkage_of(crank_of(u), Dyad{number(u[S::b]), number(u[S::y])}, displacements_of(u, target),
+                                  place_of(target));
 }
 
 }  // namespace mechwright::homotopy

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The four-bars that a solution of a guidance system stands for.
+/// The linkages that a solution of a guidance system stands for.
 
 #include <optional>
 #include <vector>
@@ -10,8 +10,19 @@
 
 namespace mechwright::homotopy {
 
-/// A solution with its dyads both ways round; of points alone its two cognates too.
+/// A solution with its dyads both ways round; of points alone its two cognates too. One with a ram alone; of points
+/// alone with its cognate.
 std::vector<GuidanceValues> orbit_members(const GuidanceSystem& system, const GuidanceValues& solution);
+
+/// How the body has moved at each of the target's places, in their order, by a real solution.
+std::vector<Displacement> displacements_of(const GuidanceValues& solution, const GuidanceTarget& target);
+
+/// Where the target is in the drawing.
+DrawingPlace place_of(const GuidanceTarget& target);
+
+/// The crank of a real solution, and the ram of one that has it.
+Dyad crank_of(const GuidanceValues& solution);
+SliderDyad ram_of(const GuidanceValues& solution);
 
 /// The four-bar of a real solution of the target; nothing where a link has no length.
 std::optional<GuidedLinkage> linkage_of(const GuidanceValues& solution, const GuidanceTarget& target);

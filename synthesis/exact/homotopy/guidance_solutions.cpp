@@ -182,8 +182,9 @@ GuidanceSolutions solve_guidance(const StartSystem& start, const GuidanceParamet
     return found;
 }
 
-GuidanceTarget guidance_target(const std::vector<GuidedPlace>& places) {
+GuidanceTarget guidance_target(const std::vector<GuidedPlace>& places, SecondDyad second) {
     GuidanceTarget target;
+    target.system.second = second;
     const auto is_pose = [](const GuidedPlace& place) { return place.direction.has_value(); };
     const auto first = std::find_if(places.begin(), places.end(), is_pose);
     // With points alone the first of them is as good as a pose.

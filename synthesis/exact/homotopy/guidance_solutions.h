@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// All four-bars through poses and points.
+/// All four-bars or slider-cranks through poses and points.
 
 #include <cstddef>
 #include <optional>
@@ -47,7 +47,7 @@ struct GuidedPlace {
 };
 
 /// Places of a system with as many poses. What they have too few or too many of is for the caller to see.
-GuidanceTarget guidance_target(const std::vector<GuidedPlace>& places);
+GuidanceTarget guidance_target(const std::vector<GuidedPlace>& places, SecondDyad second = SecondDyad::rocker);
 
 /// The parameters in fifty digits, of the same places.
 GuidanceSystem::Parameters<Digits50> exact_parameters(const GuidanceTarget& target,
@@ -56,7 +56,7 @@ GuidanceSystem::Parameters<Digits50> exact_parameters(const GuidanceTarget& targ
 /// Refines a solution. Whether it is one, isolated, and stands for a linkage.
 bool refined_to_regular(const GuidanceSystem& system, GuidanceValues& solution, const GuidanceParameters& target);
 
-/// Whether the conjugates of a solution are those of its numbers, but for rounding: then it is a four-bar.
+/// Whether the conjugates of a solution are those of its numbers, but for rounding: then it is a linkage.
 bool is_real(const GuidanceValues& solution);
 
 }  // namespace mechwright::homotopy

@@ -29,6 +29,18 @@ constexpr char three_poses[] = {
 constexpr char four_poses[] = {
 #include "four_pose_start.inc"
 };
+constexpr char slider_eight_points[] = {
+#include "slider_eight_point_start.inc"
+};
+constexpr char slider_two_poses[] = {
+#include "slider_two_pose_start.inc"
+};
+constexpr char slider_three_poses[] = {
+#include "slider_three_pose_start.inc"
+};
+constexpr char slider_four_poses[] = {
+#include "slider_four_pose_start.inc"
+};
 
 std::string first_line(const GuidanceSystem& system) {
     return fmt::format("mechwright start system: {}, version 1", name_of(system));
@@ -75,8 +87,8 @@ private:
 };
 
 /// Displacements, with their conjugates, at which both dyads of a linkage have turned by T: two equations
-/// (d + alpha)(d' + alpha') = rho, of which one is linear less the other.
-std::array<Number, 2> displacement(const GuidanceValues& u, const Number& turn) {
+/// (d + alpha)(d' + alpha') = rho, of which one is linear less the other; that of a ram is linear.
+std::array<Number, 2> displacement(SecondDyad second, const GuidanceValues& u, const Number& turn) {
     using S = GuidanceSystem;
     const auto at = [&u](S::Unknown i) { return number(u[i]); };
     const Number alpha = at(S::x) * turn - at(S::a), alpha_c = at(S::x_conjugate) / turn - at(S::a_conjugate);
@@ -84,7 +96,12 @@ std::array<Number, 2> displacement(const GuidanceValues& u, const Number& turn) 
     const Number rho = (at(S::x) - at(S::a)) * (at(S::x_conjugate) - at(S::a_conjugate));
     const Number sigma = (at(S::y) - at(S::b)) * (at(S::y_conjugate) - at(S::b_conjugate));
     const Number k = alpha * alpha_c - rho;
-    const Number along = alpha_c - beta_c, across = alpha - beta, rest = k - (beta * beta_c - sigma);
+    Number along = alpha_c - beta_c, across = alpha - beta, rest = k - (beta * beta_c - sigma);
+    if (second == SecondDyad::ram) {
+        along = at(S::b_conjugate);
+        across = at(S::b);
+        rest = at(S::y) * (turn - 1.0) * along + at(S::y_conjugate) * (1.0 / turn - 1.0) * across;
+    }
     const Number p = -along / across, q = -rest / across;  // d' = p d + q
     const Number half = 0.5 * (q + alpha_c + alpha * p);
     const Number d = (-half + std::sqrt(half * half - p * (alpha * q + k))) / p;
@@ -98,9 +115,10 @@ StartSystem random_linkage(const GuidanceSystem& system, RandomNumbers& random) 
     GuidanceValues u;
     for (Complex<double>& z : u)
         z = plain(random.next());
+    if (system.has_ram()) u[GuidanceSystem::b_conjugate] = inverse(u[GuidanceSystem::b]);
     for (std::size_t j = 0; j < system.displacements(); ++j) {
         const Number turn = std::exp(random.next());
-        const auto [d, conjugate] = displacement(u, turn);
+        const auto [d, conjugate] = displacement(system.second, u, turn);
         start.parameters[j] = plain(d);
         start.parameters[GuidanceSystem::first_conjugate + j] = plain(conjugate);
         if (j + 1 < system.poses) start.parameters[GuidanceSystem::first_turn + j] = plain(turn);
@@ -118,14 +136,24 @@ std::vector<GuidanceValues> reached_ends(const std::vector<GuidancePath>& paths)
 
 }  // namespace
 
+std::vector<GuidanceSystem> every_system() {
+    std::vector<GuidanceSystem> all;
+    for (const SecondDyad second : {SecondDyad::rocker, SecondDyad::ram})
+        for (std::size_t poses = 1; poses <= GuidanceSystem::most_poses; ++poses)
+            all.push_back({poses, second});
+    return all;
+}
+
 std::string name_of(const GuidanceSystem& system) {
-    if (system.poses == 1) return "nine-point";
-    return fmt::format("{}-poses-{}-points", system.poses, 10 - 2 * system.poses);
+    const std::size_t points = system.displacements() + 1 - system.poses;
+    std::string name = system.has_ram() ? "slider-crank-" : "";
+    if (system.poses == 1) return name + (system.has_ram() ? "eight-point" : "nine-point");
+    return name + fmt::format("{}-poses-{}-point{}", system.poses, points, points == 1 ? "" : "s");
 }
 
 std::optional<GuidanceSystem> find_system(std::string_view name) {
-    for (std::size_t poses = 1; poses <= GuidanceSystem::most_poses; ++poses)
-        if (name_of({poses}) == name) return GuidanceSystem{poses};
+    for (const GuidanceSystem& system : every_system())
+        if (name_of(system) == name) return system;
     return {};
 }
 
@@ -133,6 +161,15 @@ OrbitKey orbit_of(const GuidanceSystem& system, const GuidanceValues& u) {
     using S = GuidanceSystem;
     constexpr double last_digits = 1e-14;
     OrbitKey key;
+    if (system.has_ram()) {
+        // The two cognates have the pivot a, and x and a - x as their crank pins.
+        const auto of = [&](S::Unknown x, S::Unknown a) {
+            return system.poses > 1 ? u[a] + u[x] : u[a] + u[x] * (u[a] - u[x]);
+        };
+        key.pivots = of(S::x, S::a);
+        key.conjugates = of(S::x_conjugate, S::a_conjugate);
+        return key;
+    }
     if (system.poses > 1) {
         key.pivots = u[S::a] + u[S::b];
         key.conjugates = u[S::a_conjugate] + u[S::b_conjugate];
@@ -251,18 +288,20 @@ std::string fault_of(StartSystem& start) {
 }  // namespace
 
 ReadStart parse_start_system(std::string_view text) {
-    GuidanceSystem system;
-    while (system.poses <= GuidanceSystem::most_poses && !text.starts_with("// " + first_line(system) + "\n"))
-        ++system.poses;
-    if (system.poses > GuidanceSystem::most_poses)
+    const std::vector<GuidanceSystem> all = every_system();
+    const auto named = std::find_if(all.begin(), all.end(), [&](const GuidanceSystem& one) {
+        return text.starts_with("// " + first_line(one) + "\n");
+    });
+    if (named == all.end())
         return {{},
                 fmt::format("its first line is not '// {}' or that of another system: it is no start system, or one of "
                             "another version",
                             first_line({}))};
+    const GuidanceSystem& system = *named;
     const auto numbers = numbers_in(text);
     if (!numbers) return {{}, "it is damaged: something in it is no number"};
     const std::vector<std::size_t> used = used_parameters(system);
-    const std::size_t solutions = orbits_of(system.poses);
+    const std::size_t solutions = orbits_of(system);
     const std::size_t expected = 2 * (used.size() + solutions * GuidanceSystem::size);
     if (numbers->size() != expected)
         return {{}, fmt::format("it is damaged: it has {} numbers and not {}", numbers->size(), expected)};
@@ -287,10 +326,28 @@ StartSystem shipped(std::string_view text) {
     return *std::move(read.start);
 }
 
+const StartSystem& slider_crank_start(std::size_t poses) {
+    if (poses == 1) {
+        static const StartSystem start = shipped(slider_eight_points);
+        return start;
+    }
+    if (poses == 2) {
+        static const StartSystem start = shipped(slider_two_poses);
+        return start;
+    }
+    if (poses == 3) {
+        static const StartSystem start = shipped(slider_three_poses);
+        return start;
+    }
+    static const StartSystem start = shipped(slider_four_poses);
+    return start;
+}
+
 }  // namespace
 
 const StartSystem& start_system(const GuidanceSystem& system) {
     // Each is read when it is needed first.
+    if (system.has_ram()) return slider_crank_start(system.poses);
     if (system.poses == 1) {
         static const StartSystem start = shipped(nine_points);
         return start;

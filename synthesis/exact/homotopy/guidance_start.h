@@ -4,7 +4,8 @@
 /// once, by monodromy, and kept with the program.
 ///
 /// Two solutions are of one orbit if they differ in which dyad is called the crank's. With one pose alone nothing but
-/// points is asked for, and Roberts' cognates are of one orbit too: six solutions in each.
+/// points is asked for, and Roberts' cognates are of one orbit too: six solutions in each. A slider-crank has one
+/// cognate, with the same crank pivot.
 
 #include <array>
 #include <cstdint>
@@ -18,13 +19,19 @@
 namespace mechwright::homotopy {
 
 /// How many orbits generic parameters have, by the number of poses: cognate triplets of nine points (Wampler, Morgan
-/// and Sommese 1992), pairs of dyads of poses and points (as monodromy finds them from three seeds).
-constexpr std::size_t orbits_of(std::size_t poses) {
-    constexpr std::array<std::size_t, GuidanceSystem::most_poses> orbits{1442, 1112, 201, 30};
-    return orbits[poses - 1];
+/// and Sommese 1992), pairs of dyads of poses and points (as monodromy finds them from three seeds); cognate pairs of
+/// slider-cranks through eight points, slider-cranks through poses and points (as monodromy finds them, and the trace
+/// test of tests/exact/slider_crank_count.cpp).
+constexpr std::size_t orbits_of(const GuidanceSystem& system) {
+    constexpr std::array<std::size_t, GuidanceSystem::most_poses> four_bars{1442, 1112, 201, 30};
+    constexpr std::array<std::size_t, GuidanceSystem::most_poses> slider_cranks{279, 202, 42, 6};
+    return (system.has_ram() ? slider_cranks : four_bars)[system.poses - 1];
 }
 
-/// "nine-point", "2-poses-6-points", ...
+/// All systems that there are start systems of.
+std::vector<GuidanceSystem> every_system();
+
+/// "nine-point", "2-poses-6-points", "slider-crank-eight-point", "slider-crank-2-poses-5-points", ...
 std::string name_of(const GuidanceSystem& system);
 
 /// The system of this name.

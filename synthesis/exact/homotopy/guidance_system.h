@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Four-bars that guide a body through given poses and a point of it through given points, as eight equations.
+/// Four-bars, or slider-cranks, that guide a body through given poses and a point of it through given points, as eight
+/// equations.
 ///
 /// In complex numbers, with the body's point in the first pose as the origin: fixed pivots a and b, their moving pivots
 /// at x and y in that pose. At a displacement by d the body has turned by theta, T = e^(i theta), and the moving pivot
@@ -14,13 +15,23 @@
 /// points, two and six, three and four, four and two make eight equations. (The first of these is the nine-point
 /// problem: Wampler, Morgan and Sommese, "Complete solution of the nine-point path synthesis problem for four-bar
 /// linkages", 1992; eliminated here by determinants.)
+///
+/// A ram slides on a line: its fixed pivot is infinitely far away. Divided by its distance, the dyad's equation keeps
+/// the terms with the pivot, which stands for its direction (b, b'), square to the line:
+///     B = -y b',  B' = -y' b,  D = -d b' - d' b + y b' + y' b.
+/// One place less says all of it: one pose and seven points, two and five, three and three, four and one. The eighth
+/// equation is b b' = 1.
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "synthesis/exact/homotopy/linear_system.h"
 
 namespace mechwright::homotopy {
+
+/// What the second dyad is.
+enum class SecondDyad : std::uint8_t { rocker, ram };
 
 struct GuidanceSystem {
     static constexpr std::size_t size = 8;
@@ -32,8 +43,14 @@ struct GuidanceSystem {
 
     std::size_t poses = 1;  ///< 1 to 4; further ones come first among the displacements
 
-    std::size_t displacements() const { return 9 - poses; }
+    SecondDyad second = SecondDyad::rocker;
 
+    friend bool operator==(const GuidanceSystem&, const GuidanceSystem&) = default;
+
+    constexpr bool has_ram() const { return second == SecondDyad::ram; }
+    std::size_t displacements() const { return (has_ram() ? 8 : 9) - poses; }
+
+    /// For a ram b is the direction of its fixed pivot.
     enum Unknown : std::size_t { x, x_conjugate, a, a_conjugate, y, y_conjugate, b, b_conjugate };
 
     /// Those that there are no places for stay 0.
@@ -49,11 +66,12 @@ struct GuidanceSystem {
                    Augmented<T, size>& out) const {
         const std::size_t turned = poses - 1;
         for (std::size_t k = 0; k < turned; ++k) {
-            pose_row(x, u, p, along, k, out[2 * k]);
-            pose_row(y, u, p, along, k, out[2 * k + 1]);
+            pose_row(x, SecondDyad::rocker, u, p, along, k, out[2 * k]);
+            pose_row(y, second, u, p, along, k, out[2 * k + 1]);
         }
         for (std::size_t j = turned; j < displacements(); ++j)
             point_row(u, p, along, j, out[turned + j]);
+        if (has_ram()) direction_row(u, along, out[size - 1]);
     }
 
     /// Conjugates in the place of the numbers and the other way round.
@@ -69,16 +87,31 @@ private:
     template <class T>
     using Row = std::array<Complex<T>, size + 1>;
 
+    template <class T>
+    static Complex<T> zero() {
+        return {T(0.0), T(0.0)};
+    }
+
+    /// The direction of a ram's fixed pivot has length 1.
+    template <class T>
+    static void direction_row(const Point<T>& u, const Parameters<T>* along, Row<T>& row) {
+        row.fill(zero<T>());
+        row[b] = u[b_conjugate];
+        row[b_conjugate] = u[b];
+        if (along == nullptr) row[size] = Complex<T>{T(1.0), T(0.0)} - u[b] * u[b_conjugate];
+    }
+
     /// One dyad, whose unknowns begin at `first`, in a pose.
     template <class T>
-    static void pose_row(std::size_t first, const Point<T>& u, const Parameters<T>& p, const Parameters<T>* along,
-                         std::size_t k, Row<T>& row) {
-        const Complex<T>&d = p[k], &dc = p[first_conjugate + k], &turn = p[first_turn + k];
+    static void pose_row(std::size_t first, SecondDyad kind, const Point<T>& u, const Parameters<T>& p,
+                         const Parameters<T>* along, std::size_t k, Row<T>& row) {
+        const bool ram = kind == SecondDyad::ram;
+        const Complex<T>&turn = p[first_turn + k], &d = p[k], &dc = p[first_conjugate + k];
         const Complex<T>&m = u[first], &mc = u[first + 1], &f = u[first + 2], &fc = u[first + 3];
-        const Complex<T> square = turn * turn, df = d - f, dfc = dc - fc;
-        const Complex<T> A = m * dfc, Ac = mc * df, C = d * dc - d * fc - dc * f + m * fc + mc * f;
-        for (Complex<T>& value : row)
-            value = Complex<T>{T(0.0), T(0.0)};
+        const Complex<T> square = turn * turn, df = (ram ? zero<T>() : d) - f, dfc = (ram ? zero<T>() : dc) - fc;
+        const Complex<T> dd = ram ? zero<T>() : d * dc;
+        const Complex<T> A = m * dfc, Ac = mc * df, C = dd - d * fc - dc * f + m * fc + mc * f;
+        row.fill(zero<T>());
         row[first] = dfc * square + fc * turn;
         row[first + 1] = df + f * turn;
         row[first + 2] = (mc - dc) * turn - mc;
@@ -88,18 +121,23 @@ private:
             return;
         }
         const Complex<T> v = (*along)[k], vc = (*along)[first_conjugate + k], w = (*along)[first_turn + k];
-        row[size] = -(v * (mc + turn * dfc) + vc * (m * square + turn * df) + w * (A * turn + A * turn + C));
+        const Complex<T> by_v = ram ? turn * dfc : mc + turn * dfc;
+        const Complex<T> by_vc = ram ? turn * df : m * square + turn * df;
+        row[size] = -(v * by_v + vc * by_vc + w * (A * turn + A * turn + C));
     }
 
     template <class T>
-    static void point_row(const Point<T>& u, const Parameters<T>& p, const Parameters<T>* along, std::size_t j,
-                          Row<T>& row) {
+    void point_row(const Point<T>& u, const Parameters<T>& p, const Parameters<T>* along, std::size_t j,
+                   Row<T>& row) const {
+        const bool ram = has_ram();
         const Complex<T>&d = p[j], &dc = p[first_conjugate + j];
-        const Complex<T> da = d - u[a], dca = dc - u[a_conjugate], db = d - u[b], dcb = dc - u[b_conjugate];
+        const Complex<T> da = d - u[a], dca = dc - u[a_conjugate];
+        const Complex<T> db = (ram ? zero<T>() : d) - u[b], dcb = (ram ? zero<T>() : dc) - u[b_conjugate];
         const Complex<T> A = u[x] * dca, Ac = u[x_conjugate] * da, B = u[y] * dcb, Bc = u[y_conjugate] * db;
         const Complex<T> dd = d * dc;
         const Complex<T> C = dd - d * u[a_conjugate] - dc * u[a] + u[x] * u[a_conjugate] + u[x_conjugate] * u[a];
-        const Complex<T> D = dd - d * u[b_conjugate] - dc * u[b] + u[y] * u[b_conjugate] + u[y_conjugate] * u[b];
+        const Complex<T> D =
+            (ram ? zero<T>() : dd) - d * u[b_conjugate] - dc * u[b] + u[y] * u[b_conjugate] + u[y_conjugate] * u[b];
         const Complex<T> U = Ac * D - Bc * C, V = B * C - A * D, W = A * Bc - Ac * B;
         const Complex<T> W2 = W + W;
         // The derivatives of U V - W^2.
@@ -118,8 +156,10 @@ private:
             return;
         }
         const Complex<T>&v = (*along)[j], &vc = (*along)[first_conjugate + j];
-        row[size] = -(vc * (fA * u[x] + fB * u[y] + fC * da + fD * db) +
-                      v * (fAc * u[x_conjugate] + fBc * u[y_conjugate] + fC * dca + fD * dcb));
+        // The terms of the rocker that a ram has not.
+        const Complex<T> by_vc = ram ? zero<T>() : fB * u[y], by_v = ram ? zero<T>() : fBc * u[y_conjugate];
+        row[size] =
+            -(vc * (fA * u[x] + by_vc + fC * da + fD * db) + v * (fAc * u[x_conjugate] + by_v + fC * dca + fD * dcb));
     }
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "synthesis/exact/poses/certified_dyad.h"
+#include "synthesis/exact/poses/timed_crank.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 
 namespace mechwright {
@@ -53,34 +54,6 @@ std::optional<ExactDesign> member_of_poses(const PoseTargets& g, std::span<const
 }
 
 namespace {
-
-/// The crank of timed points seen from the other end of the coupler: a dyad whose moving pivot is the crank pin,
-/// turned by half a turn, and whose link runs from the pin to the point. This is the crank's own dyad, and how the
-/// coupler turns with it.
-struct TimedCrank {
-    Dyad dyad;
-    std::vector<Displacement> displacements;
-};
-
-TimedCrank timed_crank(const PoseTargets& g, const Dyad& seen) {
-    TimedCrank crank{{seen.fixed, seen.fixed - seen.moving}, {}};
-    const Complex first = seen.moving - seen.fixed;  // from the pin to the point
-    for (const auto& [shift, turn] : g.displacements) {
-        const Complex now = shift - seen.fixed + seen.moving * turn;
-        const Complex coupler_turn = now / first;
-        crank.displacements.push_back({shift, coupler_turn / std::abs(coupler_turn)});
-    }
-    return crank;
-}
-
-/// Where the crank's start and the ground link's direction are given, the crank pin's direction is.
-std::optional<DyadCondition> line_of_crank_pin(const PoseTargets& g) {
-    const Problem& problem = *g.problem;
-    const PathRoles& roles = problem.mechanism->point->roles;
-    const DimensionRange &start = problem.dimensions[roles.start], &tilt = problem.dimensions[roles.tilt];
-    if (!start.fixed() || !tilt.fixed()) return {};
-    return moving_pivot_on_line(0, std::polar(1.0, tilt.min + start.min + problem.path->crank_angles.front()));
-}
 
 std::optional<ExactDesign> member_of_timed_points(const PoseTargets& g, std::span<const double> numbers) {
     const std::size_t each = numbers_of_dyad(g.places());

@@ -13,24 +13,24 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The slider-crank of a crank dyad and a ram, as a design without what is seen along the poses; nothing where a link
-/// has no length. `ahead` is the direction of the slide in which the ram lies ahead of the crank pin in the first pose.
+/// The slider-crank of a crank dyad and a ram, as a design without what is seen along the places; nothing where a link
+/// has no length. `ahead` is the direction of the slide in which the ram lies ahead of the crank pin.
 struct Found {
     Design design;
     Complex ahead;
 };
 
-std::optional<Found> slider_crank_of(const PoseTargets& g, const Dyad& crank, const SliderDyad& ram) {
-    const Problem& problem = *g.problem;
+std::optional<Found> slider_crank_of(const Problem& problem, const DrawingPlace& place, const Dyad& crank,
+                                     const SliderDyad& ram) {
     const PathRoles& roles = problem.mechanism->point->roles;
-    const double size = g.place.size;
+    const double size = place.size;
     const Complex rod = ram.moving - crank.moving;
     const double crank_length = size * std::abs(crank.moving - crank.fixed), rod_length = size * std::abs(rod);
     if (!(std::min(crank_length, rod_length) > 1e-9 * (crank_length + rod_length))) return {};
     const Complex along = Complex(0, 1) * ram.normal;
     const Complex ahead = (std::conj(along) * rod).real() > 0 ? along : -along;
     const Complex point = -crank.moving / (rod / std::abs(rod));
-    const Complex origin = g.place.origin + size * crank.fixed;
+    const Complex origin = place.origin + size * crank.fixed;
     Found found{{}, ahead};
     auto& d = found.design.dimensions;
     for (const DimensionRange& range : problem.dimensions)
@@ -43,43 +43,53 @@ std::optional<Found> slider_crank_of(const PoseTargets& g, const Dyad& crank, co
     d[roles.origin_x] = origin.real();
     d[roles.origin_y] = origin.imag();
     d[roles.tilt] = std::arg(ahead);
-    d[roles.body] = problem.path->directions.front() - std::arg(rod);
+    const auto& directions = problem.path->directions;
+    const auto first = std::find_if(directions.begin(), directions.end(), [](double a) { return !std::isnan(a); });
+    if (first != directions.end()) d[roles.body] = *first - std::arg(rod);
     return found;
 }
 
-std::optional<ExactDesign> design_of(const PoseTargets& g, const Dyad& crank, const SliderDyad& ram) {
-    auto found = slider_crank_of(g, crank, ram);
+}  // namespace
+
+std::optional<ExactDesign> slider_crank_design(const Problem& problem, const DrawingPlace& place, const Dyad& crank,
+                                               const SliderDyad& ram, std::span<const Displacement> displacements) {
+    auto found = slider_crank_of(problem, place, crank, ram);
     if (!found) return {};
     std::vector<double> angles;
     bool always_ahead = true;
-    for (std::size_t j = 0; j <= g.displacements.size(); ++j) {
-        const auto [shift, turn] = j == 0 ? Displacement{0, 1} : g.displacements[j - 1];
+    for (const auto& [shift, turn] : displacements) {
         const Complex pin = shift + crank.moving * turn;
         angles.push_back(std::arg((pin - crank.fixed) / found->ahead));
         always_ahead = always_ahead && (std::conj(found->ahead) * ((ram.moving - crank.moving) * turn)).real() > 0;
     }
     if (!always_ahead) return excluded_design(std::move(found->design), "branch: the ram would have to change sides");
-    return exact_design(*g.problem, std::move(found->design), angles);
+    const PathTarget& path = *problem.path;
+    if (!path.prescribed_timing) return exact_design(problem, std::move(found->design), angles);
+    const double start = angles.front() - path.crank_angles.front();
+    found->design.dimensions[problem.mechanism->point->roles.start] = start;
+    move_angles_into_ranges(problem, found->design);
+    for (const double angle : path.crank_angles)
+        found->design.path_angles.push_back(found->design.dimensions[problem.mechanism->point->roles.start] + angle);
+    return exact_design(problem, std::move(found->design));
 }
 
-/// The best slider-crank of the dyads that the numbers choose.
-std::optional<ExactDesign> member(const PoseTargets& g, std::span<const double> numbers) {
+std::optional<ExactDesign> slider_crank_of_poses(const PoseTargets& g, std::span<const double> numbers) {
     const std::size_t of_crank = numbers_of_dyad(g.places());
     const auto ram = slider_through(g.displacements, numbers.subspan(of_crank));
     std::optional<ExactDesign> best;
     if (!ram) return best;
+    std::vector<Displacement> displacements{{0, 1}};
+    displacements.insert(displacements.end(), g.displacements.begin(), g.displacements.end());
     for (const Dyad& crank : dyads_of(g.displacements, numbers.first(of_crank), crank_pivot_ranges(g)))
-        if (auto design = design_of(g, crank, *ram)) keep_better(*g.problem, best, *std::move(design));
+        if (auto design = slider_crank_design(*g.problem, g.place, crank, *ram, displacements))
+            keep_better(*g.problem, best, *std::move(design));
     return best;
 }
-
-}  // namespace
 
 std::string why_no_slider_crank_poses(const Problem& problem) {
     if (has_ties(problem)) return "dimensions are tied to others";
     const PathTarget& path = *problem.path;
     if (path.prescribed_timing) return "it needs poses that are met at any crank angle: timing = \"free\"";
-    if (path.poses() < path.points.size()) return "a slider-crank passes poses alone: give each an angle";
     if (path.points.size() <= 4) return {};
     return fmt::format(
         "it finds slider-cranks through up to four poses, and there are {}: through more none passes in general; "
@@ -89,8 +99,8 @@ std::string why_no_slider_crank_poses(const Problem& problem) {
 
 ExactDesigns slider_crank_pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PoseTargets g = pose_targets(problem);
-    const DesignFamily family{numbers_of_dyad(g.places()) + numbers_of_slider(g.places()),
-                              [&](std::span<const double> numbers) { return member(g, numbers); }};
+    const DesignFamily family{numbers_of_slider_crank(g.places()),
+                              [&](std::span<const double> numbers) { return slider_crank_of_poses(g, numbers); }};
     return search_family(problem, family, options, end);
 }
 
