@@ -43,10 +43,15 @@ Json design_of(const Problem& problem, const Design& design) {
     return json;
 }
 
+void put_value(Json& json, std::string_view name, const Problem& problem, std::size_t quantity,
+               const std::optional<double>& value) {
+    if (value)
+        put_number(json, name, in_file_unit(*value, problem.mechanism->quantities[quantity].unit, problem.units));
+}
+
 void put_value_of(Json& json, std::string_view name, const Problem& problem, std::size_t quantity,
                   const Design& design) {
-    if (const std::optional<double> value = quantity_value(problem, quantity, design))
-        put_number(json, name, in_file_unit(*value, problem.mechanism->quantities[quantity].unit, problem.units));
+    put_value(json, name, problem, quantity, quantity_value(problem, quantity, design));
 }
 
 /// Values only where there is a solution.
@@ -115,8 +120,9 @@ Json quantities_of(const Problem& problem, const Design& design) {
     const auto is_wanted = [&](std::size_t i) {
         return !problem.wanted || std::find(problem.wanted->begin(), problem.wanted->end(), i) != problem.wanted->end();
     };
+    QuantityValues values(problem, design);
     for (std::size_t i = 0; i < problem.mechanism->quantities.size(); ++i)
-        if (is_wanted(i)) put_value_of(json, problem.mechanism->quantities[i].name, problem, i, design);
+        if (is_wanted(i)) put_value(json, problem.mechanism->quantities[i].name, problem, i, values[i]);
     return json;
 }
 
@@ -171,7 +177,7 @@ void put_warnings(Json& json, const Problem& problem, const Design& design) {
 /// Where circuits and branches are numbered, unless single quantities are all that is asked for.
 void put_circuit(Json& json, const Problem& problem, const Design& design) {
     if (problem.wanted) return;
-    const auto found = circuit_of(problem, design);
+    const auto found = circuit_of(problem, motion_of(problem, design), design);
     if (!found) return;
     json[of_finding("circuit")] = found->circuit;
     json[of_finding("branch")] = found->branch;

@@ -74,17 +74,19 @@ Motion motion_of(const Problem& problem, const Quantity& quantity, const Design&
     return quantity.whole ? motion_over(problem, design, nullptr) : motion_of(problem, design);
 }
 
-std::optional<CircuitAndBranch> circuit_of(const Problem& problem, const Design& design) {
+std::optional<CircuitAndBranch> circuit_of(const Problem& problem, const Motion& motion, const Design& design) {
     const Mechanism& mechanism = *problem.mechanism;
     if (mechanism.circuit == nullptr) return std::nullopt;
-    return mechanism.circuit(motion_of(problem, design), design.dimensions);
+    return mechanism.circuit(motion, design.dimensions);
 }
 
 namespace {
 
+bool has_given_range(const Problem& problem) { return problem.crank_range || problem.use; }
+
 bool assembles_over(const Problem& problem, const Motion& motion, const Design& design) {
     constexpr double closed_within = 1e-12;  // of margins over the longest length
-    if ((!problem.crank_range && !problem.use) || motion.full_turn) return true;
+    if (!has_given_range(problem) || motion.full_turn) return true;
     const auto& families = problem.mechanism->families;
     const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
     if (limited == families.end() || !limited->assembly_margin) return true;
@@ -115,14 +117,14 @@ double least_component(const Quantity& margin, const Motion& motion, std::span<c
 }
 
 bool assembles_over_range(const Problem& problem, const Design& design) {
-    return assembles_over(problem, motion_of(problem, design), design);
+    return !has_given_range(problem) || assembles_over(problem, motion_of(problem, design), design);
 }
 
-std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design) {
-    const Quantity& q = problem.mechanism->quantities[quantity];
-    const Motion motion = motion_of(problem, q, design);
-    if (!(motion.from <= motion.to) || (!q.whole && !assembles_over(problem, motion, design))) return std::nullopt;
+namespace {
 
+/// Over a motion over which the design assembles.
+std::optional<double> value_over(const Problem& problem, const Quantity& q, const Motion& motion,
+                                 const Design& design) {
     std::optional<double> value;
     if (q.path != PathMeasure::none) {
         const bool one_kind = problem.path && problem.path->parts.empty();
@@ -137,6 +139,27 @@ std::optional<double> quantity_value(const Problem& problem, std::size_t quantit
         value = reduced(q.reduce, all);
     }
     return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design) {
+    return QuantityValues(problem, design)[quantity];
+}
+
+std::optional<double> QuantityValues::operator[](std::size_t quantity) {
+    const Quantity& q = problem_.mechanism->quantities[quantity];
+    const Judged& judged = judged_over(q.whole);
+    return judged.assembles ? value_over(problem_, q, judged.motion, design_) : std::nullopt;
+}
+
+const QuantityValues::Judged& QuantityValues::judged_over(bool whole) {
+    std::optional<Judged>& judged = judged_[whole ? 1 : 0];
+    if (!judged) {
+        const Motion motion = whole ? motion_over(problem_, design_, nullptr) : motion_of(problem_, design_);
+        judged = {motion, motion.from <= motion.to && (whole || assembles_over(problem_, motion, design_))};
+    }
+    return *judged;
 }
 
 namespace {

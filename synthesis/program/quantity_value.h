@@ -18,7 +18,7 @@ Motion motion_of(const Problem& problem, const Design& design);
 /// The same for one of its quantities: all of the motion for one that is over the whole of it.
 Motion motion_of(const Problem& problem, const Quantity& quantity, const Design& design);
 /// The circuit and branch of that motion, as Mechanism::circuit.
-std::optional<CircuitAndBranch> circuit_of(const Problem& problem, const Design& design);
+std::optional<CircuitAndBranch> circuit_of(const Problem& problem, const Motion& motion, const Design& design);
 
 /// Whether a design assembles at every crank angle of a given range; true where none is given. Toggles at its ends
 /// count as assembled in spite of their rounding.
@@ -33,6 +33,27 @@ double least_component(const Quantity& margin, const Motion& motion, std::span<c
 /// The value of a quantity of a finished design, or nothing where it is not defined (see Quantity::defined) or the
 /// design does not assemble over its motion.
 std::optional<double> quantity_value(const Problem& problem, std::size_t quantity, const Design& design);
+
+/// The values of many quantities of one finished design, as quantity_value has each: what they have in common, its
+/// motions, is found once.
+class QuantityValues {
+public:
+    /// Problem and design must outlive this.
+    QuantityValues(const Problem& problem, const Design& design) : problem_(problem), design_(design) {}
+
+    std::optional<double> operator[](std::size_t quantity);
+
+private:
+    struct Judged {
+        Motion motion;
+        bool assembles;  ///< all over it
+    };
+    const Judged& judged_over(bool whole);
+
+    const Problem& problem_;
+    const Design& design_;
+    std::array<std::optional<Judged>, 2> judged_{};  ///< over the motion of the problem, over the whole one
+};
 
 /// The value of a dimension or a quantity of a finished design by its name, or nothing where it has none.
 std::optional<double> value_named(const Problem& problem, const Design& design, std::string_view name);

@@ -49,8 +49,7 @@ TEST(LinkageMargins, OfADyadOnCrankAndFrameAreLeastInLine) {
         const FourBar<double> m{draw.number(1, 10), draw.number(1, 10), draw.number(1, 10), draw.number(1, 10)};
         const double ratio = draw.number(-3, 3), phase = draw.number(-3, 3);
         Watched w(four_bar_linkage(m), {}, {}, {{ratio, phase}});
-        const auto round = linkage::detail::carried_round(w.order, step_of(w.order, 0));
-        ASSERT_TRUE(round);
+        ASSERT_TRUE(step_of(w.order, 0).round.exists());
         const double from = draw.number(-4, 4), to = from + draw.number(0.1, 6);
         expect_least_margins(w, {from, to, false});
         Watched whole(four_bar_linkage(m), {});
@@ -69,11 +68,11 @@ TEST(LinkageMargins, OfADyadOnCrankAndFrameAreLeastInLine) {
 TEST(LinkageMargins, OfOtherDyadsAreNotTakenForThese) {
     const MadeLinkage six = six_bar(true);
     const linkage::Order order = linkage::order_of(six.s);
-    EXPECT_TRUE(linkage::detail::carried_round(order, step_of(order, 0)));
-    EXPECT_FALSE(linkage::detail::carried_round(order, step_of(order, 1)));
+    EXPECT_TRUE(step_of(order, 0).round.exists());
+    EXPECT_FALSE(step_of(order, 1).round.exists());
     const MadeLinkage slider = slider_crank_linkage({1, 3, 0.2});
     const linkage::Order of_slider = linkage::order_of(slider.s);
-    EXPECT_FALSE(linkage::detail::carried_round(of_slider, step_of(of_slider, 0)));
+    EXPECT_FALSE(step_of(of_slider, 0).round.exists());
 }
 
 }  // namespace

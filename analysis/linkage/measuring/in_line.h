@@ -17,40 +17,6 @@
 
 namespace mechwright::linkage::detail {
 
-/// The pins of such a dyad.
-struct CarriedRound {
-    std::size_t pin, centre;  ///< the outer pin that goes round, and the pin of the frame about which it does
-    std::size_t input;        ///< the drive
-    std::size_t fixed;        ///< the other outer pin, on the frame
-};
-
-/// Of a dyad of two links of constant lengths; nothing of any other step.
-inline std::optional<CarriedRound> carried_round(const Order& order, const Step& dyad) {
-    using Kind = Step::Kind;
-    if (dyad.kind != Kind::dyad || dyad.is_extended() || dyad.first.kind != Locus::Kind::circle ||
-        dyad.second.kind != Locus::Kind::circle)
-        return {};
-    const auto find = [&](Kind kind, const auto& is) -> const Step* {
-        for (const Step& step : order.steps)
-            if (step.kind == kind && is(step)) return &step;
-        return nullptr;
-    };
-    const auto link_of = [&](std::size_t pin) {
-        const Step* carried = find(Kind::carried, [&](const Step& step) { return step.pin == pin; });
-        return carried == nullptr ? none : carried->link;
-    };
-    for (const auto& [pin, fixed] :
-         {std::pair(dyad.first.centre, dyad.second.centre), std::pair(dyad.second.centre, dyad.first.centre)}) {
-        const std::size_t link = link_of(pin);
-        if (link == none || link == 0 || link_of(fixed) != 0) continue;
-        const Step* driven = find(Kind::driven, [&](const Step& step) { return step.link == link && step.other == 0; });
-        const Step* pinned = find(Kind::pinned, [&](const Step& step) { return step.link == link; });
-        if (driven != nullptr && pinned != nullptr && link_of(pinned->pin) == 0)
-            return CarriedRound{pin, pinned->pin, driven->input, fixed};
-    }
-    return {};
-}
-
 struct InLine {
     struct Input {
         double at;       ///< of the master

@@ -175,9 +175,9 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
     for (std::size_t margin = 0; margin < driven.order.margins && !now.empty(); ++margin) {
         std::vector<Travel> next;
         for (const Travel& travel : now) {
-            const auto round = detail::carried_round(driven.order, step_of(driven.order, margin));
-            if (round && !driven.laws[round->input].motion) {
-                detail::add_margins_in_line(measured, margin, *round, driven, travel, places);
+            const CarriedRound& round = step_of(driven.order, margin).round;
+            if (round.exists() && !driven.laws[round.input].motion) {
+                detail::add_margins_in_line(measured, margin, round, driven, travel, places);
             } else if (!is_of_lines(driven.order, margin) && step_together(driven.order, margin) == nullptr) {
                 Driven<double> moving = driven;
                 moving.shortfall = std::numeric_limits<double>::infinity();

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "analysis/linkage/measuring/signals.h"
@@ -106,7 +108,10 @@ public:
     /// it is said anew.
     void follow_within(double input) {
         const bool same = input == driven_.within || (std::isnan(input) && std::isnan(driven_.within));
-        if (!same) kept_.clear();
+        if (!same) {
+            kept_.clear();
+            shown_.reset();
+        }
         driven_.within = input;
     }
     void start_at(const Course& course) { values_.start_at(course.turns.near(course.travel.from)); }
@@ -129,6 +134,7 @@ private:
     bool place(double master, std::span<const double> near, const Limit& limit, std::size_t last_margin = none) {
         if (held_ != none) driven_.sides[held_] = held_side_;
         held_ = none;
+        put_back();
         if (!keeps_poses_ || limit.exists() || last_margin != none) return place_now(master, near, limit, last_margin);
         const auto [entry, is_new] = kept_.try_emplace(master);
         Kept& kept = entry->second;
@@ -137,9 +143,15 @@ private:
             kept.pose = driven_.pose;
         } else {
             driven_.set_inputs(Value::variable(T(master), T(rate_)));
-            driven_.pose = kept.pose;
+            std::swap(driven_.pose, kept.pose);
+            shown_ = master;
         }
         return kept.closes;
+    }
+    /// A kept pose that is shown goes back to the others.
+    void put_back() {
+        if (shown_) std::swap(driven_.pose, kept_.at(*shown_).pose);
+        shown_.reset();
     }
     bool place_now(double master, std::span<const double> near, const Limit& limit, std::size_t last_margin) {
         for (GroupSolver<Value>& group : driven_.groups)
@@ -186,6 +198,7 @@ private:
     double unit_of_input_;
     bool keeps_poses_ = false;
     std::unordered_map<double, Kept> kept_{};
+    std::optional<double> shown_{};  ///< the input whose kept pose `driven_` has
     /// The dyad that is placed at its limit now, and its side elsewhere.
     std::size_t held_ = none;
     std::int8_t held_side_ = 1;

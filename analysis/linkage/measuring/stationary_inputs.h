@@ -62,12 +62,12 @@ std::optional<std::vector<double>> inputs_in_line(Measured<double, K>& measured,
     const Signal& signal = measured.signals()[asked.signal];
     if (signal.kind != Signal::Kind::transmission_angle || asked.derivative != 0) return {};
     const auto& driven = measured.driven();
-    const auto round = carried_round(driven.order, step_of(driven.order, signal.of));
-    if (!round || driven.laws[round->input].motion) return {};
+    const CarriedRound& round = step_of(driven.order, signal.of).round;
+    if (!round.exists() || driven.laws[round.input].motion) return {};
     const double from = stretch.at(0), to = stretch.at(1);
     measured.margins(signal.of, from, course.turns.near(from));
     const InLine found =
-        in_line(*round, driven.laws[round->input].ratio, from, to, size_of(driven), [&](std::size_t pin) {
+        in_line(round, driven.laws[round.input].ratio, from, to, size_of(driven), [&](std::size_t pin) {
             const auto& at = driven.pose.pins[pin];
             return Vector<double>{at.x.c[0], at.y.c[0]};
         });

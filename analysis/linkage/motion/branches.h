@@ -103,9 +103,10 @@ std::vector<Branch> branches_of(const Driven<double>& driven, std::span<const st
                                 const Inputs& inputs, const Keep& keep) {
     std::vector<Branch> all;
     Driven<double> moving = driven;
+    KnownParts known;
     for (std::size_t i = 0; i < assemblies.size(); ++i) {
         moving.sides = assemblies[i];
-        for (const Travel& travel : travels(moving, inputs))
+        for (const Travel& travel : travels(moving, inputs, known))
             if (keep(moving, travel)) all.push_back({i, travel});
     }
     std::vector<std::size_t> circuit_of(all.size());

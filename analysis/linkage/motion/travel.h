@@ -31,6 +31,7 @@ struct Limit {
     bool exists() const { return margin != none; }
     /// Whether places beside it go like the root of the distance from it.
     bool is_singular() const { return exists() && !stop; }
+    friend bool operator==(const Limit&, const Limit&) = default;
 };
 
 /// An interval of the master's input in which the linkage moves.
@@ -39,6 +40,8 @@ struct Travel {
     double to = 0;
     bool whole = false;  ///< it goes on without end, from `to` as from `from`
     Limit first{}, last{};
+
+    friend bool operator==(const Travel&, const Travel&) = default;
 };
 
 namespace detail {
@@ -261,11 +264,46 @@ inline void split(const Driven<double>& driven, std::size_t index, double size, 
     }
 }
 
+/// How many sides a margin follows from: of the dyads that are placed before its own.
+inline std::size_t sides_before(const Order& order, std::size_t margin) {
+    std::size_t count = 0;
+    for (const Step& step : order.steps) {
+        if (step.margin == margin) break;
+        if (step.choice != none) ++count;
+    }
+    return count;
+}
+
 }  // namespace detail
 
+/// The parts of travels in which margins are not negative, as they were found for one linkage: assemblies that share
+/// the sides of their first dyads share them.
+class KnownParts {
+public:
+    const std::vector<Travel>& of(const Driven<double>& driven, std::size_t margin, double size, const Travel& travel) {
+        const auto first = driven.sides.begin();
+        const std::vector<std::int8_t> sides(
+            first, first + static_cast<std::ptrdiff_t>(detail::sides_before(driven.order, margin)));
+        for (const Known& known : all_)
+            if (known.margin == margin && known.sides == sides && known.travel == travel) return known.parts;
+        std::vector<Travel> parts;
+        detail::split(driven, margin, size, travel, parts);
+        return all_.emplace_back(Known{margin, sides, travel, std::move(parts)}).parts;
+    }
+
+private:
+    struct Known {
+        std::size_t margin;
+        std::vector<std::int8_t> sides;
+        Travel travel;
+        std::vector<Travel> parts;
+    };
+    std::vector<Known> all_;
+};
+
 /// Every travel of one assembly over the inputs, in order; those that go through the end of cyclic inputs end beyond
-/// it. `whole` is one that covers all of cyclic inputs.
-inline std::vector<Travel> travels(const Driven<double>& driven, const Inputs& inputs) {
+/// it. `whole` is one that covers all of cyclic inputs. `known`: of other assemblies of the same linkage.
+inline std::vector<Travel> travels(const Driven<double>& driven, const Inputs& inputs, KnownParts& known) {
     // The seam of a cycle lies where linkages seldom have a limit.
     constexpr double seam = -1;
     const double size = size_of(driven), period = inputs.to - inputs.from;
@@ -273,8 +311,10 @@ inline std::vector<Travel> travels(const Driven<double>& driven, const Inputs& i
                                           : Travel{inputs.from, inputs.to}};
     for (std::size_t margin = 0; margin < driven.order.margins; ++margin) {
         std::vector<Travel> next;
-        for (const Travel& travel : now)
-            detail::split(driven, margin, size, travel, next);
+        for (const Travel& travel : now) {
+            const std::vector<Travel>& parts = known.of(driven, margin, size, travel);
+            next.insert(next.end(), parts.begin(), parts.end());
+        }
         now = std::move(next);
     }
     if (inputs.cyclic) {
@@ -293,6 +333,11 @@ inline std::vector<Travel> travels(const Driven<double>& driven, const Inputs& i
     if (inputs.cyclic)
         std::sort(now.begin(), now.end(), [](const Travel& a, const Travel& b) { return a.from < b.from; });
     return now;
+}
+
+inline std::vector<Travel> travels(const Driven<double>& driven, const Inputs& inputs) {
+    KnownParts nothing_yet;
+    return travels(driven, inputs, nothing_yet);
 }
 
 /// As many turns of the master as its motion can have at most to count as one that closes.

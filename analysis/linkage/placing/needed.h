@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "analysis/linkage/placing/dyads.h"
 #include "analysis/linkage/placing/plain_steps.h"
 #include "analysis/linkage/placing/sizes.h"
 #include "analysis/linkage/structure/steps.h"
@@ -30,6 +31,7 @@ public:
         made.turning.assign(s.drives.size(), false);
         origins.assign(s.links, no_spot);
         alongs.assign(s.links, no_spot);
+        swung.resize(s.links);
         turns.assign(s.links, no_spot);
         pins.assign(s.pins.size(), no_spot);
         origins[0] = turns[0] = Needed::origin;
@@ -43,6 +45,12 @@ public:
     std::vector<Spot> origins, alongs, turns, pins;
 
 private:
+    /// Of a link of a dyad: its direction from the pin on which it hangs to the dyad's, and that in its own frame.
+    struct Swung {
+        Spot direction = no_spot, own = no_spot;
+    };
+    std::vector<Swung> swung;
+
     struct LineSpots {
         Spot through, direction;
     };
@@ -138,20 +146,44 @@ private:
     void hang(std::size_t link, Spot own, Spot at) { origins[link] = add(Kind::hung, 2, {at, own, alongs[link]}); }
     void swing(const Locus& locus, const CircleSpots& circle, Spot direction) {
         alongs[locus.link] = turned(direction, circle.direction, true);
+        swung[locus.link] = {direction, circle.direction};
         hang(locus.link, circle.own, pins[locus.centre]);
     }
     Spot side(const Step& step) const { return step.choice == none ? Needed::axis : made.side(step.choice); }
     void margin(Spot outer, Spot inner) { made.margins.push_back({outer, inner}); }
 
+    Spot circles(const Step& step, Spot a, Spot b) {
+        const Spot first = pins[step.first.centre], second = pins[step.second.centre];
+        const CarriedRound& round = step.round;
+        if (!round.exists()) return add(Kind::circles, 7, {first, second, a, b, side(step)});
+        const Spot arm = add(Kind::less, 2, {place(round.pin, round.link), place(round.centre, round.link)}),
+                   base = add(Kind::less, 2, {pins[round.fixed], pins[round.centre]}),
+                   dyad = add(Kind::round_dyad, RoundDyad<double>::count, {arm, base, a, b});
+        made.steps.back().first = step.first.centre == round.fixed;
+        return add(Kind::round_circles, 7, {first, second, a, b, side(step), alongs[round.link], dyad});
+    }
+    /// As carried_part and carry.
+    void carry(const Step& step) {
+        const Spot own = place(step.pin, step.link);
+        if (step.from == CarriedFrom::origin || step.link == 0) {
+            pins[step.pin] = carried(step.link, own);
+            return;
+        }
+        const Spot base = pins[step.first.centre], arm = add(Kind::less, 2, {own, place(step.first.centre, step.link)});
+        pins[step.pin] =
+            step.from == CarriedFrom::pin
+                ? add(Kind::carried, 2, {base, arm, alongs[step.link]})
+                : add(Kind::carried, 2, {base, turned(arm, swung[step.link].own, true), swung[step.link].direction});
+    }
+
     void dyad(const Step& step) {
-        const bool circles[]{step.first.kind == Locus::Kind::circle, step.second.kind == Locus::Kind::circle};
+        const bool of_circles[]{step.first.kind == Locus::Kind::circle, step.second.kind == Locus::Kind::circle};
         CircleSpots first{}, second{};
-        if (circles[0]) first = circle_of(step.first, step.pin);
-        if (circles[1]) {
+        if (of_circles[0]) first = circle_of(step.first, step.pin);
+        if (of_circles[1]) {
             second = circle_of(step.second, step.pin);
             const Spot centre = pins[step.first.centre];
-            const Spot out =
-                add(Kind::circles, 7, {centre, pins[step.second.centre], first.length, second.length, side(step)});
+            const Spot out = circles(step, first.length, second.length);
             margin(out + 4, out + 5);
             pins[step.pin] = add(Kind::reached, 2, {centre, first.length, out});
             swing(step.first, first, out);
@@ -160,7 +192,7 @@ private:
         }
         const LineSpots line = line_of(step.second, step.pin);
         Spot out;
-        if (circles[0]) {
+        if (of_circles[0]) {
             out = add(Kind::circle_line, 7,
                       {pins[step.first.centre], line.through, line.direction, first.length, side(step)});
             margin(out + 4, out + 5);
@@ -273,7 +305,7 @@ private:
             }
             case Step::Kind::dyad: dyad(step); break;
             case Step::Kind::through: through(step); break;
-            case Step::Kind::carried: pins[step.pin] = carried(step.link, place(step.pin, step.link)); break;
+            case Step::Kind::carried: carry(step); break;
             case Step::Kind::unwound:
                 turns[step.link] = add(Kind::unwound, 1, {alongs[step.link]});
                 made.steps.back().link = static_cast<std::uint32_t>(step.link);
@@ -312,7 +344,7 @@ inline void keep_needed(Needed& needed) {
         const auto from = wanted.begin() + step.out;
         kept[i] = std::find(from, from + static_cast<std::ptrdiff_t>(lengths[i]), true) !=
                   from + static_cast<std::ptrdiff_t>(lengths[i]);
-        if (step.kind == PlainStep::Kind::circles) {
+        if (step.is_of_circles()) {
             step.first = wanted[step.out];
             step.second = wanted[step.out + 2];
         }

@@ -91,7 +91,9 @@ struct Back {
                 add(in[2], T(-of_out) * row.vector(in[0]));
                 break;
             }
-            case Kind::circles: circles(step); break;
+            case Kind::circles:
+            case Kind::round_circles: circles(step); break;
+            case Kind::round_dyad: break;  // the triangle says it all
             case Kind::circle_line: circle_line(step); break;
             case Kind::meeting: meeting(step); break;
             case Kind::passing: passing(step); break;
@@ -157,7 +159,9 @@ private:
         const bool all = step.first && step.second;
         Vector<T> f = row.vector(out), g = row.vector(out + 2);
         if (!all) {
-            const Circles<T> met(row.vector(in[0]), row.vector(in[1]), a, b, side);
+            const Circles<T> met = step.kind == PlainStep::Kind::round_circles
+                                       ? round_circles(step, row)
+                                       : Circles<T>(row.vector(in[0]), row.vector(in[1]), a, b, side);
             if (!step.first) f = met.from_first();
             if (!step.second) g = met.from_second();
         }

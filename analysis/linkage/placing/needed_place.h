@@ -90,6 +90,27 @@ void put_margin(const Row<T>& row, Spot out, const Margin<T>& margin) {
     row.put(out + 1, margin.inner);
 }
 
+/// The circles of a dyad that is carried round.
+template <class T>
+[[gnu::always_inline]] inline Circles<T> round_circles(const PlainStep& step, const Row<T>& row) {
+    const Spot* in = step.in;
+    const RoundDyad<T> dyad{row.at + in[6]};
+    const T &a = row.number(in[2]), &b = row.number(in[3]), &side = row.number(in[4]);
+    if (!goes_round(dyad)) return {row.vector(in[0]), row.vector(in[1]), a, b, side};
+    return {dyad, row.vector(in[5]), a, b, side};
+}
+
+/// Returns whether they meet.
+template <class T>
+[[gnu::always_inline]] inline bool put_circles(const PlainStep& step, const Row<T>& row, const Circles<T>& met,
+                                               double shortfall) {
+    if (step.first) row.put(step.out, met.from_first());
+    if (step.second) row.put(step.out + 2, met.from_second());
+    put_margin(row, step.out + 4, met.margin);
+    row.put(step.out + 6, met.double_root);
+    return is_closed(met.margin, shortfall);
+}
+
 /// One step. Returns whether it closes, if it is a dyad.
 template <class T>
 [[gnu::always_inline]] inline bool run(const PlainStep& step, const Row<T>& row, std::span<const double> near,
@@ -116,14 +137,12 @@ template <class T>
         case Kind::sum: row.put(out, T(number(0) + number(1))); break;
         case Kind::difference: row.put(out, T(number(0) - number(1))); break;
         case Kind::displacement: row.put(out, T(dot(vector(0), vector(1) - vector(2)))); break;
-        case Kind::circles: {
-            const Circles<T> met(vector(0), vector(1), number(2), number(3), number(4));
-            if (step.first) row.put(out, met.from_first());
-            if (step.second) row.put(out + 2, met.from_second());
-            put_margin(row, out + 4, met.margin);
-            row.put(out + 6, met.double_root);
-            return is_closed(met.margin, shortfall);
-        }
+        case Kind::circles:
+            return put_circles(step, row, Circles<T>(vector(0), vector(1), number(2), number(3), number(4)), shortfall);
+        case Kind::round_dyad:
+            put_round_dyad(vector(0), vector(1), number(2), number(3), step.first, row.at + out);
+            break;
+        case Kind::round_circles: return put_circles(step, row, round_circles(step, row), shortfall);
         case Kind::circle_line: {
             const CircleAndLine<T> met(vector(0), {vector(1), vector(2)}, number(3), number(4));
             row.put(out, met.at);

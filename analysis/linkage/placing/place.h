@@ -72,22 +72,37 @@ void swing(Pose<T>& pose, const Locus& locus, const Part<T>& part, const Vector<
     hang(pose.links[locus.link], part.own, pose.pins[locus.centre]);
 }
 
+/// The directions of the links of a dyad, from the pins on which they hang to its own.
 template <class T>
-Margin<T> two_circles(const Step& step, const Sized<T>& size, const T& side, Pose<T>& pose) {
-    const Vector<T>& centre = pose.pins[step.first.centre];
-    const Circles<T> circles(centre, pose.pins[step.second.centre], size.first.length, size.second.length, side);
-    const Vector<T> from_first = circles.from_first();
-    pose.pins[step.pin] = centre + size.first.length * from_first;
-    swing(pose, step.first, size.first, from_first);
-    swing(pose, step.second, size.second, circles.from_second());
+struct DyadLinks {
+    Vector<T> first{T(1), T(0)};
+    Vector<T> second{T(1), T(0)};
+};
+
+template <class T>
+Circles<T> circles_of(const Step& step, const Sized<T>& size, const T& side, const Pose<T>& pose) {
+    const RoundDyad<T> round{size.round.data()};
+    if (step.round.exists() && goes_round(round))
+        return {round, pose.links[step.round.link].along, size.first.length, size.second.length, side};
+    return {pose.pins[step.first.centre], pose.pins[step.second.centre], size.first.length, size.second.length, side};
+}
+
+template <class T>
+Margin<T> two_circles(const Step& step, const Sized<T>& size, const T& side, Pose<T>& pose, DyadLinks<T>& links) {
+    const Circles<T> circles = circles_of(step, size, side, pose);
+    links = {circles.from_first(), circles.from_second()};
+    pose.pins[step.pin] = pose.pins[step.first.centre] + size.first.length * links.first;
+    swing(pose, step.first, size.first, links.first);
+    swing(pose, step.second, size.second, links.second);
     return circles.margin;
 }
 
 template <class T>
-Margin<T> circle_and_line(const Step& step, const Sized<T>& size, const T& side, Pose<T>& pose) {
+Margin<T> circle_and_line(const Step& step, const Sized<T>& size, const T& side, Pose<T>& pose, DyadLinks<T>& links) {
     const CircleAndLine<T> met(pose.pins[step.first.centre], locus_line(step.second, size.second, pose),
                                size.first.length, side);
     pose.pins[step.pin] = met.at;
+    links.first = met.from_centre;
     swing(pose, step.first, size.first, met.from_centre);
     return met.margin;
 }
@@ -101,10 +116,10 @@ Sized<T> extended_sizes(const Step& step, Sized<T> size, std::span<const T> driv
 }
 
 template <class T>
-Margin<T> dyad(const Step& step, const Sized<T>& size, const T& side, Pose<T>& pose) {
-    if (step.second.kind == Locus::Kind::circle) return two_circles(step, size, side, pose);
+Margin<T> dyad(const Step& step, const Sized<T>& size, const T& side, Pose<T>& pose, DyadLinks<T>& links) {
+    if (step.second.kind == Locus::Kind::circle) return two_circles(step, size, side, pose, links);
     const Margin<T> margin = step.first.kind == Locus::Kind::circle
-                                 ? circle_and_line(step, size, side, pose)
+                                 ? circle_and_line(step, size, side, pose, links)
                                  : meet(locus_line(step.first, size.first, pose),
                                         locus_line(step.second, size.second, pose), pose.pins[step.pin]);
     for (const auto& [locus, part] : {std::pair(&step.first, &size.first), std::pair(&step.second, &size.second)})
@@ -190,9 +205,23 @@ void hold(const Step& step, const Sized<T>& size, Pose<T>& pose) {
     pose.turns[step.link] = pose.turns[step.other] + size.first.length;
 }
 
-/// One step that has no margin.
 template <class T>
-void place_plainly(const Step& step, const Sized<T>& size, const Input<T>& input, Pose<T>& pose) {
+void carry(const Step& step, const Sized<T>& size, const DyadLinks<T>& links, Pose<T>& pose) {
+    const LinkPlace<T>& link = pose.links[step.link];
+    if (step.from == CarriedFrom::origin) {
+        pose.pins[step.pin] = link.at(size.first.own);
+        return;
+    }
+    const Vector<T>& along = step.from == CarriedFrom::pin     ? link.along
+                             : step.from == CarriedFrom::first ? links.first
+                                                               : links.second;
+    pose.pins[step.pin] = pose.pins[step.first.centre] + turned(size.first.moved, along);
+}
+
+/// One step that has no margin. `links`: of the dyad before.
+template <class T>
+void place_plainly(const Step& step, const Sized<T>& size, const Input<T>& input, const DyadLinks<T>& links,
+                   Pose<T>& pose) {
     using Kind = Step::Kind;
     switch (step.kind) {
         case Kind::driven:
@@ -208,7 +237,7 @@ void place_plainly(const Step& step, const Sized<T>& size, const Input<T>& input
             break;
         }
         case Kind::pinned: hang(pose.links[step.link], size.first.own, pose.pins[step.pin]); break;
-        case Kind::carried: pose.pins[step.pin] = pose.links[step.link].at(size.first.own); break;
+        case Kind::carried: carry(step, size, links, pose); break;
         case Kind::unwound: unwind(step, input.near, pose); break;
         case Kind::tied:
         case Kind::dyad:
@@ -239,10 +268,11 @@ Margin<T> stop(const Step& step, const Sized<T>& size, const Input<T>& input, co
 /// `pose.margins` of the dyads up to and with it are right, and nothing after it is placed.
 template <class T>
 bool place(const Order& order, std::span<const Sized<T>> sizes, const Input<T>& input, Pose<T>& pose) {
+    detail::DyadLinks<T> links;
     for (std::size_t i = 0; i < order.steps.size(); ++i) {
         const Step& step = order.steps[i];
         if (step.margin == none) {
-            detail::place_plainly(step, sizes[i], input, pose);
+            detail::place_plainly(step, sizes[i], input, links, pose);
             continue;
         }
         const T side = step.choice == none ? T(1) : T(static_cast<int>(input.sides[step.choice]));
@@ -251,8 +281,8 @@ bool place(const Order& order, std::span<const Sized<T>> sizes, const Input<T>& 
             if (!input.groups[step.joint].place(input.master, input.drives, pose, margin)) return false;
         } else if (step.kind == Step::Kind::dyad)
             margin = step.is_extended()
-                         ? detail::dyad(step, detail::extended_sizes(step, sizes[i], input.drives), side, pose)
-                         : detail::dyad(step, sizes[i], side, pose);
+                         ? detail::dyad(step, detail::extended_sizes(step, sizes[i], input.drives), side, pose, links)
+                         : detail::dyad(step, sizes[i], side, pose, links);
         else if (step.kind == Step::Kind::through)
             margin = detail::through(step, sizes[i], side, pose);
         else if (step.kind == Step::Kind::stopped)

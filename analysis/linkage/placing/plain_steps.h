@@ -36,9 +36,12 @@ struct PlainStep {
         sum,           ///< a + b
         difference,    ///< a - b
         displacement,  ///< A . (B - C)
-        circles,  ///< centres A and B, radii c and d, side e: both directions to the pin, margins, sine between them
-        circle_line,  ///< centre A, line through B along C, radius d, side e: the pin, its direction, margins, run
-        meeting,      ///< lines through A along B, through C along D: where, margins
+        circles,     ///< centres A and B, radii c and d, side e: both directions to the pin, margins, sine between them
+        round_dyad,  ///< what a RoundDyad is: arm A, base B, lengths c and d; `first`: the first pin is fixed
+        round_circles,  ///< as circles, of a dyad that is carried round, with the crank's x axis F and the numbers g of
+                        ///< it
+        circle_line,    ///< centre A, line through B along C, radius d, side e: the pin, its direction, margins, run
+        meeting,        ///< lines through A along B, through C along D: where, margins
         passing,  ///< pins A and B, line's direction C, height d, side e: the x axis, margins, run, inverse distance
         geared_second,   ///< first a, second b, carrier c, ratio d, phase e of a gear: the turn of its second link
         geared_first,    ///< ... of its first
@@ -48,10 +51,12 @@ struct PlainStep {
         unwound          ///< the turn of a link by its x axis A
     };
     Kind kind = Kind::pair;
-    bool first = true, second = true;  ///< of `circles`: which of the two directions are needed
+    bool first = true, second = true;  ///< of circles: which of the two directions are needed
     std::uint32_t link = 0;            ///< of `unwound`
-    Spot in[5]{no_spot, no_spot, no_spot, no_spot, no_spot};
+    Spot in[7]{no_spot, no_spot, no_spot, no_spot, no_spot, no_spot, no_spot};
     Spot out = 0;
+
+    bool is_of_circles() const { return kind == Kind::circles || kind == Kind::round_circles; }
 };
 
 /// Both sides of one margin.

@@ -2,12 +2,14 @@
 /// \file
 /// What the steps of a linkage need of its dimensions, made once per design: places on links, lines, radii.
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "analysis/geometry/vector.h"
+#include "analysis/linkage/placing/dyads.h"
 #include "analysis/linkage/placing/pose.h"
 #include "analysis/linkage/structure/steps.h"
 #include "analysis/linkage/structure/structure.h"
@@ -18,9 +20,10 @@ namespace mechwright::linkage {
 /// What one half of a step needs of the dimensions.
 template <class T>
 struct Part {
-    Vector<T> own{};        ///< a pin on the link that is placed by it; of a circle its centre
-    Vector<T> moved{};      ///< what leads, on that link, from the base of its tie to the locus
-    Vector<T> through{};    ///< a line, on its link
+    Vector<T> own{};      ///< a pin on the link that is placed by it; of a circle its centre
+    Vector<T> moved{};    ///< what leads, on that link, from the base of its tie to the locus; of a pin that is carried
+                          ///< from another one from there, against the link of a dyad where it is that
+    Vector<T> through{};  ///< a line, on its link
     Vector<T> direction{};  ///< of the line; of a circle from its centre to the pin; unit vectors
     T length{};             ///< a radius, an offset, a ratio
 };
@@ -29,6 +32,7 @@ template <class T>
 struct Sized {
     Part<T> first{};
     Part<T> second{};
+    std::array<T, detail::RoundDyad<T>::count> round{};  ///< of a dyad that is carried round
 };
 
 namespace detail {
@@ -104,6 +108,34 @@ Part<T> locus_part(const Structure& s, const Locus& locus, std::size_t pin, std:
     return part;
 }
 
+/// A pin of a link, and from where it is carried.
+template <class T>
+Part<T> carried_part(const Structure& s, const Step& step, std::span<const T> numbers) {
+    const auto on_link = [&](std::size_t pin) { return place_of(coordinates_on(s.pins[pin], step.link), numbers); };
+    Part<T> part;
+    part.own = on_link(step.pin);
+    if (step.from == CarriedFrom::origin) return part;
+    part.moved = part.own - on_link(step.first.centre);
+    if (step.from == CarriedFrom::pin) return part;
+    part.moved = turned(part.moved, conjugate(locus_part(s, step.first, step.far_pin, numbers).direction));
+    return part;
+}
+
+template <class T>
+Sized<T> dyad_sizes(const Structure& s, const Step& step, std::span<const T> numbers) {
+    Sized<T> sized{locus_part(s, step.first, step.pin, numbers), locus_part(s, step.second, step.pin, numbers)};
+    if (!step.round.exists()) return sized;
+    const auto on_link = [&](std::size_t pin, std::size_t link) {
+        return place_of(coordinates_on(s.pins[pin], link), numbers);
+    };
+    const CarriedRound& round = step.round;
+    const Vector<T> arm = on_link(round.pin, round.link) - on_link(round.centre, round.link),
+                    base = on_link(round.fixed, 0) - on_link(round.centre, 0);
+    put_round_dyad(arm, base, sized.first.length, sized.second.length, step.first.centre == round.fixed,
+                   sized.round.data());
+    return sized;
+}
+
 template <class T>
 Sized<T> through_sizes(const Structure& s, const Step& step, std::span<const T> numbers) {
     Sized<T> sized;
@@ -158,13 +190,10 @@ Sized<T> sized(const Structure& s, const Step& step, std::span<const T> numbers)
             made.second.own = {numbers[s.racks[step.input].radius], numbers[s.racks[step.input].phase]};
             [[fallthrough]];
         case Kind::slid: made.first = line_part(s, true, step.joint, numbers); break;
-        case Kind::pinned:
-        case Kind::carried: made.first.own = place_of(coordinates_on(s.pins[step.pin], step.link), numbers); break;
+        case Kind::pinned: made.first.own = place_of(coordinates_on(s.pins[step.pin], step.link), numbers); break;
+        case Kind::carried: made.first = carried_part(s, step, numbers); break;
         case Kind::tied:
-        case Kind::dyad:
-            made.first = locus_part(s, step.first, step.pin, numbers);
-            made.second = locus_part(s, step.second, step.pin, numbers);
-            break;
+        case Kind::dyad: return dyad_sizes(s, step, numbers);
         case Kind::through: return through_sizes(s, step, numbers);
         case Kind::stopped: return stopped_sizes(s, step, numbers);
     }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/linkage/structure/carried_round.h"
 #include "analysis/linkage/structure/components.h"
 #include "analysis/linkage/structure/directions.h"
 #include "analysis/linkage/structure/mobility.h"
@@ -63,6 +64,7 @@ inline bool place_one(Ordering& o, std::size_t link) {
             Step& step = o.add(Step::Kind::pinned);
             step.link = link;
             step.pin = pin;
+            o.hang(link, pin);
         } else {
             const std::vector<Tie> ties = ties_of(o, link);
             if (ties.size() < 2) return false;
@@ -165,6 +167,12 @@ inline void join(Ordering& o, std::size_t pin, Locus first, Locus second) {
     o.known[pin] = true;
     for (const Locus& locus : {first, second}) {
         if (locus.kind == Locus::Kind::slot) continue;
+        if (locus.kind == Locus::Kind::line)
+            o.hang(locus.link, pin);
+        else if (locus.extended != none)
+            o.hang(locus.link, locus.centre);
+        else
+            o.hang(locus.link, locus.centre, locus.link == first.link ? CarriedFrom::first : CarriedFrom::second, pin);
         group.links.push_back(locus.link);
         o.turned[locus.link] = true;
         o.place(locus.link);
@@ -204,10 +212,12 @@ inline void pass(Ordering& o, std::size_t link, std::size_t pin, std::size_t far
     group.outer[0] = pin;
     name_joint(group, tie);
     o.turned[link] = true;
+    o.hang(link, pin);
     o.place(link);
     if (slider != none) {
         group.links.push_back(slider);
         o.turned[slider] = true;
+        o.hang(slider, far_pin);
         o.place(slider);
     }
     std::sort(group.links.begin(), group.links.end());
@@ -362,6 +372,8 @@ inline Order order_of(const Structure& s) {
             detail::place_together(o);
     detail::merge_held(o);
     detail::add_stops(s, o.order);
+    for (Step& step : o.order.steps)
+        step.round = detail::carried_round(o.order, step);
     return std::move(o.order);
 }
 

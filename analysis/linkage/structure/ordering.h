@@ -23,6 +23,7 @@ struct Ordering {
     std::vector<bool> unwound{};    ///< links whose turn is known, not their direction alone
     std::vector<std::size_t> by{};  ///< for links of known direction: the link that it came from by a slide, else none
     std::vector<Group::Kind> from{};  ///< for links of known direction: what turned them
+    std::vector<Step> hung{};         ///< for links: as the steps that carry their pins say it, from where
 
     explicit Ordering(const Structure& structure)
         : s(structure),
@@ -31,7 +32,8 @@ struct Ordering {
           known(s.pins.size(), false),
           unwound(s.links, false),
           by(s.links, none),
-          from(s.links, Group::Kind::guided) {
+          from(s.links, Group::Kind::guided),
+          hung(s.links) {
         turned[0] = unwound[0] = true;
         place(0);
     }
@@ -46,10 +48,17 @@ struct Ordering {
         for (std::size_t pin = 0; pin < s.pins.size(); ++pin) {
             if (known[pin] || !is_on(s.pins[pin], link)) continue;
             known[pin] = true;
-            Step& step = add(Step::Kind::carried);
+            Step& step = order.steps.emplace_back(hung[link]);
+            step.kind = Step::Kind::carried;
             step.link = link;
             step.pin = pin;
         }
+    }
+    /// A link is about to be placed by a pin of it.
+    void hang(std::size_t link, std::size_t pin, CarriedFrom how = CarriedFrom::pin, std::size_t far_pin = none) {
+        hung[link].first = {Locus::Kind::circle, link, pin, {}};
+        hung[link].from = how;
+        hung[link].far_pin = far_pin;
     }
     void turn(std::size_t link, Group::Kind kind, bool with_turn) {
         turned[link] = true;

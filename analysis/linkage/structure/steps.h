@@ -40,6 +40,26 @@ struct Locus {
 
 inline constexpr std::size_t none = static_cast<std::size_t>(-1);
 
+/// How a dyad of two links of constant lengths hangs between a pin that a driven link carries round and one of the
+/// frame.
+struct CarriedRound {
+    std::size_t pin = none;     ///< the outer pin that goes round
+    std::size_t centre = none;  ///< the pin of the frame about which it does
+    std::size_t link = none;    ///< what carries it, driven against the frame
+    std::size_t input = none;   ///< the drive
+    std::size_t fixed = none;   ///< the other outer pin, on the frame
+
+    bool exists() const { return pin != none; }
+};
+
+/// From where a link carries a pin.
+enum class CarriedFrom : std::uint8_t {
+    origin,  ///< of the link
+    pin,     ///< the placed pin on which the link hangs
+    first,   ///< the same, along the first link of the dyad before, which it is
+    second   ///< along the second one
+};
+
 struct Step {
     enum class Kind : std::uint8_t {
         driven,   ///< direction: against another link by an input
@@ -61,7 +81,7 @@ struct Step {
     std::size_t link = none;     ///< that is placed or turned
     std::size_t other = none;    ///< the link against which; of `through` the link that slides, if one does
     std::size_t pin = none;      ///< that is placed; of `pinned` and `through` the placed one
-    std::size_t far_pin = none;  ///< of `through` the pin that the line passes
+    std::size_t far_pin = none;  ///< of `through` the pin that the line passes; of `carried` the pin of the dyad before
     std::size_t joint = none;   ///< the slide, slot, gear or rack; of `stopped` with `pin` the slot, else the slide; of
                                 ///< `together` which larger group
     std::size_t input = none;   ///< the drive; of `racked` the rack
@@ -69,7 +89,10 @@ struct Step {
     std::size_t choice = none;  ///< which of the sides decides
     std::size_t margin = none;  ///< which of the margins it has
     Locus first{}, second{};  ///< of a dyad: a circle before a line; of a gear its two links (`other` is its carrier);
-                              ///< of `wheeled` slide and line, of `racked` wheel and carrier
+                              ///< of `wheeled` slide and line, of `racked` wheel and carrier; of `carried` about which
+                              ///< pin the link turns
+    CarriedFrom from = CarriedFrom::origin;  ///< of `carried`
+    CarriedRound round{};                    ///< of a dyad that hangs so
 
     /// Whether it places something where two lines meet: its margin is the sine of the angle between them, no length.
     bool is_of_lines() const { return kind == Kind::tied || (kind == Kind::dyad && first.kind != Locus::Kind::circle); }

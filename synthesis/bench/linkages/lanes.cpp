@@ -50,53 +50,66 @@ template <class T>
     }
 }
 
-/// The row stands on the stack: no more numbers than the linkages here have.
+/// Rows stand on the stack: no more numbers than the linkages here have.
+constexpr std::size_t most_numbers = 256;
+
 template <class T>
-[[gnu::always_inline]] inline void linkage_block(const PointOfLinkage& l, AngleBlock& block) {
-    constexpr std::size_t most = 256;
-    std::array<double, most> alike;
-    std::array<T, most> room;
-    const std::span<double> design(alike.data(), l.needed.size);
-    const std::span<T> row(room.data(), l.needed.size);
-    linkage::set_design<double, double>(l.needed, l.numbers, l.sides, design);
-    linkage::take_design<T>(l.needed, design, row);
+[[gnu::always_inline]] inline void linkage_block(const linkage::Needed& needed, std::span<const double> design,
+                                                 AngleBlock& block) {
+    std::array<T, most_numbers> room;
+    const std::span<T> row(room.data(), needed.size);
+    linkage::take_design<T>(needed, design, row);
     for (std::size_t i = 0; i < AngleBlock::count; i += lanes_of<T>()) {
-        linkage::set_input<T>(l.needed, 0, T(0.0), {read<T>(block.cosine.data() + i), read<T>(block.sine.data() + i)},
+        linkage::set_input<T>(needed, 0, T(0.0), {read<T>(block.cosine.data() + i), read<T>(block.sine.data() + i)},
                               row);
-        linkage::place_needed<T>(l.needed, row);
-        write(row[l.needed.point], block.x.data() + i);
-        write(row[l.needed.point + 1], block.y.data() + i);
+        linkage::place_needed<T>(needed, row);
+        write(row[needed.point], block.x.data() + i);
+        write(row[needed.point + 1], block.y.data() + i);
     }
 }
 
+/// The design is set outside of what is compiled for an instruction set: plain code that is called from there waits for
+/// the upper halves of registers.
+template <void (*place)(const linkage::Needed&, std::span<const double>, AngleBlock&)>
+void linkage_of_design(const PointOfLinkage& l, AngleBlock& block) {
+    std::array<double, most_numbers> room;
+    const std::span<double> design(room.data(), l.needed.size);
+    linkage::set_design<double, double>(l.needed, l.numbers, l.sides, design);
+    place(l.needed, design, block);
+}
+
 [[gnu::flatten]] void built_in_baseline(const Dimensions& d, AngleBlock& b) { built_in<BaselineLanes>(d, b); }
-[[gnu::flatten]] void linkage_baseline(const PointOfLinkage& l, AngleBlock& b) { linkage_block<BaselineLanes>(l, b); }
+[[gnu::flatten]] void linkage_baseline(const linkage::Needed& n, std::span<const double> d, AngleBlock& b) {
+    linkage_block<BaselineLanes>(n, d, b);
+}
 #if defined(__x86_64__)
 [[gnu::flatten, gnu::target("avx2")]] void built_in_avx2(const Dimensions& d, AngleBlock& b) {
     built_in<Avx2Lanes>(d, b);
 }
-[[gnu::flatten, gnu::target("avx2")]] void linkage_avx2(const PointOfLinkage& l, AngleBlock& b) {
-    linkage_block<Avx2Lanes>(l, b);
+[[gnu::flatten, gnu::target("avx2")]] void linkage_avx2(const linkage::Needed& n, std::span<const double> d,
+                                                        AngleBlock& b) {
+    linkage_block<Avx2Lanes>(n, d, b);
 }
 [[gnu::flatten, gnu::target("avx512f")]] void built_in_avx512(const Dimensions& d, AngleBlock& b) {
     built_in<Avx512Lanes>(d, b);
 }
-[[gnu::flatten, gnu::target("avx512f")]] void linkage_avx512(const PointOfLinkage& l, AngleBlock& b) {
-    linkage_block<WideAvx512Lanes>(l, b);
+[[gnu::flatten, gnu::target("avx512f")]] void linkage_avx512(const linkage::Needed& n, std::span<const double> d,
+                                                             AngleBlock& b) {
+    linkage_block<WideAvx512Lanes>(n, d, b);
 }
 #endif
 
 }  // namespace
 
-BlockOf block_one_by_one() { return {built_in<double>, linkage_block<double>}; }
+BlockOf block_one_by_one() { return {built_in<double>, linkage_of_design<linkage_block<double>>}; }
 
 BlockOf block_in_lanes(InstructionSet set) {
 #if defined(__x86_64__)
-    if (set == InstructionSet::avx512) return {built_in_avx512, linkage_avx512};
-    if (set == InstructionSet::avx2) return {built_in_avx2, linkage_avx2};
+    if (set == InstructionSet::avx512) return {built_in_avx512, linkage_of_design<linkage_avx512>};
+    if (set == InstructionSet::avx2) return {built_in_avx2, linkage_of_design<linkage_avx2>};
 #endif
     static_cast<void>(set);
-    return {built_in_baseline, linkage_baseline};
+    return {built_in_baseline, linkage_of_design<linkage_baseline>};
 }
 
 }  // namespace mechwright::bench

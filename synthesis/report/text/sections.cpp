@@ -184,9 +184,10 @@ std::string words_of_use(const Problem& problem) {
 
 std::string quantity_section(const Problem& problem, const Design& design, const TextStyle& style) {
     Table table{{Align::left, Align::point, Align::left}, {}};
+    QuantityValues values(problem, design);
     for (std::size_t i = 0; i < problem.mechanism->quantities.size(); ++i) {
         const Quantity& quantity = problem.mechanism->quantities[i];
-        if (const std::optional<double> value = quantity_value(problem, i, design))
+        if (const std::optional<double> value = values[i])
             table.rows.push_back({std::string(quantity.name),
                                   quantity_text(*value, quantity.unit, problem, design, style.digits),
                                   unit_label(quantity.unit, problem.units)});

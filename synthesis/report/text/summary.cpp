@@ -334,7 +334,7 @@ std::string motion_line(const Problem& problem, const Design& design, int digits
     if (!(motion.from <= motion.to)) return fmt::format("\nIt does not assemble at any {}.\n", input);
     if (const std::string apart = where_it_comes_apart(problem, design, digits); !apart.empty())
         return '\n' + folded("", "I" + apart.substr(1) + '.');
-    const auto found = circuit_of(problem, design);
+    const auto found = circuit_of(problem, motion, design);
     const std::string where = found ? fmt::format(", on branch {} of circuit {}", found->branch, found->circuit) : "";
     if (motion.full_turn) return problem.mechanism->profile ? "" : fmt::format("\nThe crank turns fully{}.\n", where);
     const std::string range =
@@ -360,8 +360,9 @@ std::string warning_section(const Problem& problem, const Design& design) {
 }  // namespace
 
 std::string where_it_comes_apart(const Problem& problem, const Design& design, int digits) {
+    if (assembles_over_range(problem, design)) return {};
     const Motion motion = motion_of(problem, design);
-    if (!(motion.from <= motion.to) || assembles_over_range(problem, design)) return {};
+    if (!(motion.from <= motion.to)) return {};
     const std::string_view input = input_word(*problem.mechanism);
     const auto range = [&](const Vector<double>& over) {
         const Unit unit = input_unit(*problem.mechanism);
