@@ -9,6 +9,7 @@
 #include "synthesis/document/claim_json.h"
 #include "synthesis/document/fields.h"
 #include "synthesis/document/kinds_in_documents.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/affine.h"
 #include "synthesis/problem/allowed_values.h"
@@ -241,10 +242,13 @@ void read_circuit(Reader& in, const Json& document, Claim& claim) {
     claim.circuit = CircuitAndBranch{count(of_finding("circuit")), count(of_finding("branch"))};
 }
 
+/// Whether inputs are angles, and not displacements.
+bool is_angle(const Claim& claim) { return input_unit(*claim.mechanism) == Unit::angle; }
+
 void read_crank_range(Reader& in, const Json& document, Claim& claim) {
     const Json* range = member(document, of_document("crank_range"));
     if (!range) return;
-    const auto ends = in.numbers(range, "crank_range", 2, true);
+    const auto ends = in.numbers(range, "crank_range", 2, is_angle(claim));
     if (ends.size() != 2) return in.fail("crank_range is not [from, to]");
     claim.crank_range = Vector<double>{ends[0], ends[1]};
     if (!(ends[0] < ends[1])) in.fail("crank_range does not rise");
@@ -256,15 +260,18 @@ void read_range_of_use(Reader& in, const Json& document, Claim& claim) {
     if (in.text(member(*json, of_use("from")), "range_of_use.from") != keys::use_begins[0] ||
         in.text(member(*json, of_use("to")), "range_of_use.to") != keys::use_ends[0])
         return in.fail("range_of_use is not from the first target to the last");
-    claim.use = RangeOfUse{in.angle(member(*json, of_use("before")), "range_of_use.before"),
-                           in.angle(member(*json, of_use("after")), "range_of_use.after")};
+    const auto margin = [&](const char* name) {
+        const std::string place = std::string("range_of_use.") + name;
+        return is_angle(claim) ? in.angle(member(*json, name), place) : in.number(member(*json, name), place);
+    };
+    claim.use = RangeOfUse{margin(of_use("before")), margin(of_use("after"))};
     if (claim.use->before < 0 || claim.use->after < 0) in.fail("range_of_use ends before its targets do");
     if (claim.crank_range) in.fail("there are both a crank_range and a range_of_use");
     if (!member(document, of_document("path")) && !member(document, of_document("poses")))
         return in.fail("range_of_use has neither path nor poses beside it");
     const Json* used = member(document, of_finding("used_crank_angles"));
     if (!used) return;
-    const auto ends = in.numbers(used, "used_crank_angles", 2, true);
+    const auto ends = in.numbers(used, "used_crank_angles", 2, is_angle(claim));
     if (ends.size() != 2) return in.fail("used_crank_angles is not [from, to]");
     claim.used_angles = Vector<double>{ends[0], ends[1]};
 }

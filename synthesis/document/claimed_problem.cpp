@@ -11,10 +11,11 @@ namespace mechwright {
 
 namespace {
 
-std::vector<double> radians(const std::vector<double>& angles, const Units& units) {
+/// Crank angles in radians, or displacements.
+std::vector<double> inputs(const std::vector<double>& stated, const Claim& claim) {
     std::vector<double> all;
-    for (const double angle : angles)
-        all.push_back(from_file_unit(angle, Unit::angle, units));
+    for (const double input : stated)
+        all.push_back(from_file_unit(input, input_unit(*claim.mechanism), claim.units));
     return all;
 }
 
@@ -62,7 +63,7 @@ std::optional<PathTarget> path_of(const Claim& claim) {
     PathTarget target{path.points,
                       path.prescribed_timing,
                       path.any_order,
-                      radians(path.prescribed_angles, claim.units),
+                      inputs(path.prescribed_angles, claim),
                       path.closed,
                       path.weights,
                       {},
@@ -100,7 +101,7 @@ ClaimedDesign claimed_design(const Claim& claim) {
         problem.crank_range =
             Vector<double>{from_file_unit(claim.crank_range->x, input_unit(*claim.mechanism), claim.units),
                            from_file_unit(claim.crank_range->y, input_unit(*claim.mechanism), claim.units)};
-    const auto inside = [&](double angle) { return from_file_unit(angle, Unit::angle, claim.units); };
+    const auto inside = [&](double input) { return from_file_unit(input, input_unit(*claim.mechanism), claim.units); };
     if (claim.use) problem.use = RangeOfUse{inside(claim.use->before), inside(claim.use->after)};
     for (std::size_t i = 0; i < claim.design.size(); ++i) {
         problem.dimensions.push_back(range_of(claim, i));
@@ -109,7 +110,7 @@ ClaimedDesign claimed_design(const Claim& claim) {
     }
     claimed.design.assembly = claim.assembly;
     if (claim.path && claim.path->crank_angles.size() == claim.path->points.size())
-        claimed.design.path_angles = radians(claim.path->crank_angles, claim.units);
+        claimed.design.path_angles = inputs(claim.path->crank_angles, claim);
     return claimed;
 }
 

@@ -132,7 +132,8 @@ Json alternative_of(const Problem& problem, const Solution& solution) {
     const std::vector<double>& path_angles = solution.design.path_angles;
     if (!path_angles.empty() &&
         std::all_of(path_angles.begin(), path_angles.end(), [](double a) { return std::isfinite(a); }))
-        one[of_alternative("path_angles")] = angles(solution.design.path_angles, problem.units);
+        one[of_alternative("path_angles")] =
+            in_file_units(solution.design.path_angles, input_unit(*problem.mechanism), problem.units);
     if (const std::optional<PathValues> values = path_values(problem, solution.design))
         one[of_alternative("distances")] = values->distances;
     return one;
@@ -188,7 +189,8 @@ void put_used_angles(Json& json, const Problem& problem, const Design& design) {
     if (!problem.use) return;
     const Motion motion = motion_of(problem, design);
     if (motion.from <= motion.to)
-        json[of_finding("used_crank_angles")] = angles({motion.from, motion.to}, problem.units);
+        json[of_finding("used_crank_angles")] =
+            in_file_units({motion.from, motion.to}, input_unit(*problem.mechanism), problem.units);
 }
 
 /// The members that are about one design.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "synthesis/document/fields.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/affine.h"
 #include "synthesis/problem/units.h"
 
@@ -65,7 +66,9 @@ Json units_document(const Units& units) {
 }
 
 Json given_range_of_use(const Problem& problem) {
-    const auto outside = [&](double angle) { return in_file_unit(angle, Unit::angle, problem.units); };
+    const auto outside = [&](double input) {
+        return in_file_unit(input, input_unit(*problem.mechanism), problem.units);
+    };
     return {{of_use("from"), keys::use_begins[0]},
             {of_use("to"), keys::use_ends[0]},
             {of_use("before"), outside(problem.use->before)},

@@ -19,11 +19,15 @@ Json pairs(const std::vector<Vector<double>>& points) {
     return list;
 }
 
-Json angles(const std::vector<double>& radians, const Units& units) {
+Json in_file_units(const std::vector<double>& values, Unit unit, const Units& units) {
     Json list = Json::array();
-    for (const double angle : radians)
-        list.push_back(std::isfinite(angle) ? Json(in_file_unit(angle, Unit::angle, units)) : Json());
+    for (const double value : values)
+        list.push_back(std::isfinite(value) ? Json(in_file_unit(value, unit, units)) : Json());
     return list;
+}
+
+Json angles(const std::vector<double>& radians, const Units& units) {
+    return in_file_units(radians, Unit::angle, units);
 }
 
 }  // namespace mechwright

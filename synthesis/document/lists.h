@@ -17,6 +17,9 @@ void put_number(nlohmann::ordered_json& object, std::string_view name, double nu
 /// [[x, y], ...]
 nlohmann::ordered_json pairs(const std::vector<Vector<double>>& points);
 
+/// Numbers of a unit in that of the file; null where one is not finite.
+nlohmann::ordered_json in_file_units(const std::vector<double>& values, Unit unit, const Units& units);
+
 /// Angles in the unit of the file; null where one is not finite.
 nlohmann::ordered_json angles(const std::vector<double>& radians, const Units& units);
 

@@ -6,8 +6,10 @@
 #include <numeric>
 
 #include "synthesis/mechanism/cycle.h"
+#include "synthesis/problem/input_tasks.h"
 #include "synthesis/program/condition_margin.h"
 #include "synthesis/program/program.h"
+#include "synthesis/target/path/rows/path_outputs.h"
 #include "synthesis/target/path/rows/path_rows.h"
 #include "synthesis/target/path/rows/stretch.h"
 
@@ -154,6 +156,9 @@ struct Builder {
             }
             add_row(std::string(condition.name), std::move(form), condition_margin, unlimited);
         }
+        if (const auto stroke = stroke_of(program))
+            for (const InputTask& task : input_tasks(problem))
+                keep_on_stroke(task.start, *stroke);
         const bool one_range = moves_over_targets(problem) && !covers_several(problem);
         if (one_range) add_margins(block_of(problem.mechanism->input->margin));
         if (moves_over_targets(problem) && family.full_turn) {
@@ -165,6 +170,17 @@ struct Builder {
                 const Quantity& margin = problem.mechanism->input->margin;
                 add_margins(add_block(margin, motion_for(margin, motion), true));
             }
+        }
+    }
+
+    /// Keeps an input range, which starts with a dimension, on the stroke of the slide that drives.
+    void keep_on_stroke(std::size_t start, const std::array<double, 2>& stroke) {
+        LinearForm form;
+        for (const std::size_t dimension : {start, start + 1}) {
+            form.variables.insert(form.variables.end(), program.follows[dimension].begin(),
+                                  program.follows[dimension].end());
+            form.constant += program.dimensions[dimension];
+            if (!form.variables.empty()) add_row("the input range is on the stroke", form, stroke[0], stroke[1]);
         }
     }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 
@@ -98,8 +99,8 @@ ErrorExtremes error_extremes_of(const Problem& problem, const InputTask& task, c
 
 double place_of(const Problem& problem, const InputTask& task, const Design& design, double share) {
     if (const FunctionTarget* f = task.asked.function.get()) return f->from + share * (f->to - f->from);
-    return in_file_unit(design.dimensions[task.start] + share * design.dimensions[task.start + 1], Unit::angle,
-                        problem.units);
+    return in_file_unit(design.dimensions[task.start] + share * design.dimensions[task.start + 1],
+                        input_unit(*problem.mechanism), problem.units);
 }
 
 }  // namespace mechwright

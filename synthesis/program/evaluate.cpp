@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/program/quantity_block.h"
 #include "synthesis/target/path/rows/path_outputs.h"
 
@@ -208,6 +209,21 @@ double unscaled(const Program& program, std::size_t dimension, double value) {
     return plain;
 }
 
+/// The crank angle at a point of a path, or the displacement in the user's lengths: at an end of the stroke, or beside
+/// it by rounding, at the very end.
+double input_at_point(const Program& program, const Design& design, const VectorXd& x, std::size_t point) {
+    const Problem& problem = *program.problem;
+    if (!program.untimed_path())
+        return design.dimensions[problem.mechanism->roles_of(problem.path->target_of(point)).start] +
+               problem.path->crank_angles[point];
+    const double input = x[static_cast<Index>(program.first_path_angle + point)] * unit_of_input(program);
+    constexpr double few_units = 4 * std::numeric_limits<double>::epsilon();
+    if (const auto reach = reach_of_input(*problem.mechanism))
+        for (const double end : *reach)
+            if (std::abs(input - end) <= few_units * std::abs(end)) return end;
+    return input;
+}
+
 }  // namespace
 
 Design design_at(const Program& program, const VectorXd& x) {
@@ -231,7 +247,7 @@ Design design_at(const Program& program, const VectorXd& x) {
             design.dimensions[i] = range.tie.at(std::span<const double>(design.dimensions));
     if (program.path)
         for (std::size_t i = 0; i < program.targets.size(); ++i)
-            design.path_angles.push_back(path_angle(program, design.dimensions, x, i).angle);
+            design.path_angles.push_back(input_at_point(program, design, x, i));
     return design;
 }
 
@@ -243,7 +259,7 @@ VectorXd point_of(const Program& program, const Design& design) {
             x[program.variable_of[i]] = design.dimensions[i] / (scales(kinds[i].kind) ? program.length : 1);
     if (program.untimed_path())
         for (std::size_t i = 0; i < program.targets.size(); ++i)
-            x[static_cast<Index>(program.first_path_angle + i)] = design.path_angles[i];
+            x[static_cast<Index>(program.first_path_angle + i)] = design.path_angles[i] / unit_of_input(program);
     settle_epigraphs(program, x);
     return x;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "synthesis/mechanism/cycle.h"
 #include "synthesis/problem/input_tasks.h"
 
 namespace mechwright {
@@ -63,10 +64,11 @@ std::vector<std::size_t> families_of(const Problem& problem) {
     return usable;
 }
 
-/// Whether it makes a difference which way the crank turns: two points are met in order either way.
-bool has_directions(const PathTarget& path) {
+/// Whether it makes a difference which way the crank turns, or the slide goes.
+bool has_directions(const Problem& problem) {
+    const PathTarget& path = *problem.path;
     for (std::size_t target = 0; target < path.targets(); ++target)
-        if (path.points_of(target).count > 2) return true;
+        if (path.points_of(target).count >= least_ordered(*problem.mechanism)) return true;
     return false;
 }
 
@@ -90,7 +92,7 @@ std::vector<std::vector<std::size_t>> all_choices(const std::vector<Disjunction>
 
 std::vector<Variant> variants(const Problem& problem) {
     std::vector<Variant> all;
-    const bool untimed = problem.path && !problem.path->prescribed_timing && has_directions(*problem.path);
+    const bool untimed = problem.path && !problem.path->prescribed_timing && has_directions(problem);
     for (const std::size_t family : families_of(problem))
         for (const std::size_t assembly : problem.assemblies)
             for (const int direction : untimed ? std::vector<int>{1, -1} : std::vector<int>{1})

@@ -128,10 +128,10 @@ std::optional<std::vector<double>> path_sensitivities(const Problem& problem, co
     return total;
 }
 
-/// Crank angles less or more whole cycles, each within half a cycle of the one beside it: a range of use is between
-/// them.
+/// Crank angles less or more whole cycles, where there are such, each within half a cycle of the one beside it: a range
+/// of use is between them.
 void count_on(const std::vector<double>& beside, double cycle, std::vector<double>& angles) {
-    for (std::size_t i = 0; i < angles.size(); ++i)
+    for (std::size_t i = 0; i < angles.size() && std::isfinite(cycle); ++i)
         angles[i] -= cycle * std::round((angles[i] - beside[i]) / cycle);
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "synthesis/document/claimed_problem.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/error_extremes.h"
 #include "synthesis/program/result.h"
@@ -42,11 +43,11 @@ struct Error {
     Digits50 rounding() const {
         return 8 * std::numeric_limits<double>::epsilon() * (unit() == Unit::angle ? Digits50(1) : design.longest);
     }
-    /// The place as a document has it: x of a function, else the crank angle.
+    /// The place as a document has it: x of a function, else the crank angle, or displacement.
     double place(double share) const {
         if (const FunctionTarget* f = task.asked.function.get()) return f->from + share * (f->to - f->from);
-        const Digits50 angle = design.dimensions[task.start] + design.dimensions[task.start + 1] * share;
-        return in_document(angle, Unit::angle, claim.units).convert_to<double>();
+        const Digits50 input = design.dimensions[task.start] + design.dimensions[task.start + 1] * share;
+        return in_document(input, input_unit(*claim.mechanism), claim.units).convert_to<double>();
     }
 };
 

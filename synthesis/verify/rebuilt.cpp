@@ -66,7 +66,7 @@ Digits50 moved_by_rounding(const Rebuilt& design, std::size_t target, const Digi
         const Digits50 square = dot(off, off);
         return isfinite(square) ? Digits50(sqrt(square)) : Digits50(0);
     };
-    const Digits50 turned = few_units * (1 + abs(crank_angle));
+    const Digits50 turned = few_units * (unit_of_input(design) + abs(crank_angle));
     Digits50 moved = std::max(way(point_again(mechanism, form, design.dimensions, crank_angle + turned)),
                               way(point_again(mechanism, form, design.dimensions, crank_angle - turned)));
     for (const std::size_t k : mechanism.point->reads) {
@@ -93,7 +93,7 @@ RebuiltPath rebuilt_path(const Rebuilt& design) {
         const Vector<Digits50> target{path.points[i].x, path.points[i].y};
         grow(target.x);
         grow(target.y);
-        result.crank_angles.push_back(from_document(path.crank_angles[i], Unit::angle, claim.units));
+        result.crank_angles.push_back(from_document(path.crank_angles[i], input_unit(*claim.mechanism), claim.units));
         const std::size_t guided = path.target_of(i);
         result.reached.push_back(point_again(*claim.mechanism, claim.mechanism->form(claim.assembly, guided),
                                              design.dimensions, result.crank_angles.back()));
@@ -122,7 +122,7 @@ void look_along_curve(Rebuilt& design, const Motion& whole) {
     path.motion = whole;
     for (std::size_t i = 0; i < path.crank_angles.size(); ++i) {
         Digits50 moved = 0;
-        if (is_beside_end(whole, plain(path.crank_angles[i])))
+        if (is_beside_end(design, whole, plain(path.crank_angles[i])))
             moved = moved_by_rounding(design, design.claim->path->target_of(i), path.crank_angles[i], path.reached[i]);
         // Where rounding says nothing at all of a point, nothing that is stated is taken for right.
         path.roundings.push_back(std::min(moved, Digits50(most_rounding * path.size)));
@@ -256,8 +256,12 @@ const Motion& motion_of(const Rebuilt& design, const Quantity& quantity) {
     return quantity.whole ? design.whole : design.motion;
 }
 
-bool is_beside_end(const Motion& motion, double input) {
-    constexpr double beside = 1e-6;
+Digits50 unit_of_input(const Rebuilt& design) {
+    return input_unit(*design.claim->mechanism) == Unit::angle ? Digits50(1) : design.longest;
+}
+
+bool is_beside_end(const Rebuilt& design, const Motion& motion, double input) {
+    const double beside = 1e-6 * plain(unit_of_input(design));
     return !motion.full_turn && input > motion.from && input < motion.to &&
            std::min(input - motion.from, motion.to - input) < beside;
 }

@@ -41,9 +41,12 @@ struct Rebuilt {
 
 Rebuilt rebuilt(const Claim& claim);
 
+/// What counts as much of an input as a radian does: of a driven slide the longest length.
+Digits50 unit_of_input(const Rebuilt& design);
+
 /// Whether a place of the motion is beside an end of it where no full turn is made. There points go by the root of the
 /// way from a limit, and the rounding of doubles decides where they are.
-bool is_beside_end(const Motion& motion, double input);
+bool is_beside_end(const Rebuilt& design, const Motion& motion, double input);
 
 /// The motion over which a quantity of the design is measured.
 const Motion& motion_of(const Rebuilt& design, const Quantity& quantity);

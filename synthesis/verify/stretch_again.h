@@ -19,6 +19,9 @@ struct SweptRange {
 /// The angle counted up from zero, in [0, period).
 Digits50 within_period(const Digits50& angle, const Digits50& period);
 
+/// The turns of the crank after which everything is where it was, radians; infinite where a slide drives.
+Digits50 cycle_again(const Mechanism& mechanism);
+
 /// The shortest range that holds several, each turned on by whole periods: it begins where one of them does, of such
 /// that are equally short to 1e-9 where the first does.
 SweptRange shortest_over(const std::vector<SweptRange>& ranges, const Digits50& period);

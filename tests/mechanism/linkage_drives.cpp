@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -254,8 +255,9 @@ TEST(DrivenSlides, AreToldWhatIsWrong) {
     expect_message(replaced(text, "min   = 300 ", "min   = 990\nmax   = 980 #"), "");
     expect_message(replaced(replaced(text, "min   = 300 ", "min   = 990 "), "\"arm - 50\"", "980"),
                    "'min' has to be less than 'max' in [drive]");
-    expect_message(text + "\n[path]\npoint = \"T\"\npoints = [[0, 900], [10, 800]]\ncrank_angles = [300, 400]\n",
-                   "the targets of this section are met at crank angles, and the linkage is driven by a slide");
+    expect_message(text + "\n[path]\npoint = \"T\"\ntiming = \"prescribed\"\npoints = [[0, 900], [10, 800]]\n" +
+                       "crank_angles = [200, 400]\n",
+                   "the displacement 200 is not on the stroke of the slide that drives, which goes from 300 to 950");
     expect_message(replaced(replaced(text, "min   = 300 ", "min   = 1300 "), "\"arm - 50\"", "1400"),
                    "with these dimensions");
     const std::string crank = text_of_linkage("stopped-slider");
@@ -264,6 +266,76 @@ TEST(DrivenSlides, AreToldWhatIsWrong) {
     expect_message(replaced(crank, "speed = 60 ", "min = 10\nspeed = 60 "),
                    "one stop does not end the turning of [drive]: give both 'min' and 'max'");
     expect_message(replaced(crank, "min       = 90", "min       = 400\n#"), "");
+}
+
+/// A crank-rocker whose rocker is a circular slot in the frame, about D.
+const std::string rocker_in_slot = R"(
+schema = 1
+mechanism = "linkage"
+[dimensions]
+radius = 50
+begin = 110
+[links]
+frame = { A = [0, 0], D = [70, 0] }
+crank = { A = [0, 0], B = [20, 0] }
+coupler = { B = [0, 0], C = [60, 0] }
+[[slot]]
+pin = "C"
+in = "frame"
+centre = "D"
+radius = "radius"
+min = "begin"
+max = "begin + 50"
+[drive]
+link = "crank"
+[assembly]
+C = "left"
+[signals]
+tilt = { angle = "coupler" }
+)";
+
+TEST(CircularSlots, EndTheMotionWhereTheirPinIsAtAnEnd) {
+    // Without an end the rocker swings from 98 to 146 deg.
+    const double end = 110 * degree_of_drive, x = 70 + 50 * std::cos(end), y = 50 * std::sin(end),
+                 far = std::hypot(x, y);
+    const double beside = std::acos((far * far + 20 * 20 - 60 * 60) / (2 * 20 * far)), to_pin = std::atan2(y, x);
+    const Problem problem = parse_problem(rocker_in_slot, "slot.toml").problem;
+    ASSERT_TRUE(problem.mechanism);
+    const Solution solution = evaluate_given(problem);
+    const Motion motion = motion_of(problem, solution.design);
+    EXPECT_FALSE(motion.full_turn);
+    EXPECT_NEAR(std::remainder(motion.from - to_pin - beside, 2 * std::numbers::pi), 0, 1e-12);
+    EXPECT_NEAR(std::remainder(motion.to - to_pin + beside, 2 * std::numbers::pi), 0, 1e-12);
+    EXPECT_NEAR(motion.to - motion.from, 2 * std::numbers::pi - 2 * beside, 1e-12);
+    const std::string text = analysis_document(problem, solution).dump();
+    for (const Check& check : verify(nlohmann::ordered_json::parse(text)))
+        EXPECT_TRUE(check.passed) << check.name << ": " << check.detail;
+    // An end elsewhere, and the motion is another.
+    const auto other = verify(nlohmann::ordered_json::parse(replaced(text, "begin + 50", "begin + 30")));
+    EXPECT_TRUE(std::any_of(other.begin(), other.end(), [](const Check& check) { return !check.passed; }));
+    // Both ends: at 140 deg, too, at two crank angles between the others.
+    const Problem both = parse_problem(replaced(rocker_in_slot, "begin + 50", "begin + 30"), "slot.toml").problem;
+    const Motion part = motion_of(both, evaluate_given(both).design);
+    const double last = 140 * degree_of_drive, across = 70 + 50 * std::cos(last), up = 50 * std::sin(last),
+                 away = std::hypot(across, up);
+    const double turned = std::atan2(up, across), besides = std::acos((away * away + 400 - 3600) / (40 * away));
+    EXPECT_NEAR(part.to - part.from,
+                std::max(std::remainder(turned + besides - to_pin - beside, 2 * std::numbers::pi),
+                         std::remainder(to_pin - beside - turned + besides, 2 * std::numbers::pi)),
+                1e-12);
+}
+
+TEST(CircularSlots, AreToldWhatTheirEndsHaveToBe) {
+    expect_message(
+        replaced(rocker_in_slot, "min = \"begin\"\n", "").replace(0, 1, "\n"),
+        "[[slot]] number 1 is circular and needs both ends, or none: give 'min' and 'max', directions from its centre");
+    expect_message(
+        replaced(rocker_in_slot, "\"begin + 50\"", "\"2 begin\""),
+        "[[slot]] number 1 is circular, and its arc has to be a number: write 'max' as 'min' and so much, like min = "
+        "\"start\" and max = \"start + 40\"");
+    expect_message(
+        replaced(rocker_in_slot, "begin + 50", "begin + 360"),
+        "[[slot]] number 1 is circular: its arc from 'min' to 'max' is more than 0 and less than a full turn");
 }
 
 }  // namespace

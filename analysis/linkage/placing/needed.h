@@ -84,12 +84,16 @@ private:
 
     /// As line_part.
     LineSpots line(bool of_slide, std::size_t joint) {
-        const Line& line = of_slide ? s.slides[joint].line : s.slots[joint].line;
+        const LineSpots spots = line(of_slide ? s.slides[joint].line : s.slots[joint].line);
+        if (!of_slide) return spots;
+        return {add(Kind::offset, 2, {spots.through, number(s.slides[joint].offset), spots.direction}),
+                spots.direction};
+    }
+    LineSpots line(const Line& line) {
         const Spot through = place(line.through);
         const Spot direction = line.by_angle ? unit(number(line.angle))
                                              : add(Kind::line, 3, {add(Kind::less, 2, {place(line.towards), through})});
-        if (!of_slide) return {through, direction};
-        return {add(Kind::offset, 2, {through, number(s.slides[joint].offset), direction}), direction};
+        return {through, direction};
     }
     /// A place that a link carries.
     Spot carried(std::size_t link, Spot own) {
@@ -268,7 +272,8 @@ private:
         if (step.input != none) {
             value = made.drive(step.input);
         } else {
-            const LineSpots placed = line_on(step.other, line(step.pin == none, step.joint));
+            const LineSpots placed = line_on(step.other, step.far_pin != none ? line(s.circular[step.joint].ends->line)
+                                                                              : line(step.pin == none, step.joint));
             value = add(Kind::displacement, 1,
                         {placed.direction, step.pin == none ? origins[step.link] : pins[step.pin], placed.through});
         }

@@ -152,6 +152,7 @@ Sized<T> through_sizes(const Structure& s, const Step& step, std::span<const T> 
 
 inline const Stops& stops_of(const Structure& s, const Step& step) {
     if (step.input != none) return s.drives[step.input].stops;
+    if (step.far_pin != none) return s.circular[step.joint].ends->stops;
     return step.pin != none ? s.slots[step.joint].stops : s.slides[step.joint].stops;
 }
 
@@ -159,7 +160,13 @@ template <class T>
 Sized<T> stopped_sizes(const Structure& s, const Step& step, std::span<const T> numbers) {
     const Stops& stops = stops_of(s, step);
     Sized<T> sized;
-    if (step.input == none) sized.first = line_part(s, step.pin == none, step.joint, numbers);
+    if (step.far_pin != none) {
+        const Line& line = s.circular[step.joint].ends->line;
+        sized.first.direction = direction_of(line, numbers);
+        sized.first.through = place_of(line.through, numbers);
+    } else if (step.input == none) {
+        sized.first = line_part(s, step.pin == none, step.joint, numbers);
+    }
     sized.second.length = numbers[step.reversed ? *stops.max : *stops.min];
     return sized;
 }

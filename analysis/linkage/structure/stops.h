@@ -40,6 +40,15 @@ inline void add_stops(const Structure& s, Order& order) {
         step.joint = i;
         add(s.slots[i].stops, step);
     }
+    for (std::size_t i = 0; i < s.circular.size(); ++i) {
+        if (!s.circular[i].ends) continue;
+        Step step;
+        step.pin = s.circular[i].pin;
+        step.far_pin = s.circular[i].centre;
+        step.other = s.circular[i].on;
+        step.joint = i;
+        add(s.circular[i].ends->stops, step);
+    }
 }
 
 }  // namespace mechwright::linkage::detail

@@ -80,6 +80,9 @@ struct CircularSlot {
     std::size_t on = 0;      ///< what has it
     std::size_t centre = 0;  ///< a pin of both
     std::size_t pin = 0;
+    /// Its ends, where it has some: from the centre in the direction of its middle the pin's displacement has a least
+    /// value, the radius times the cosine of half the arc. No joint.
+    std::optional<Slot> ends{};
 };
 
 /// The turn of `second` against `carrier` is `ratio` times that of `first`, plus `phase`: gears, and belts, which

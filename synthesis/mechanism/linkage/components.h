@@ -155,7 +155,7 @@ private:
     linkage::MovingEnds<T> moving_ends(const T& start, const T& range) const {
         const T first = start - T(number_as<double>(value_of(start)));
         const T last = first + (range - T(number_as<double>(value_of(range))));
-        const T per_rate = T(1 / over_.rate);
+        const T per_rate = T(over_.model.unit_of_input() / over_.rate);
         return value_of(range) < 0 ? linkage::MovingEnds<T>{per_rate * last, per_rate * first}
                                    : linkage::MovingEnds<T>{per_rate * first, per_rate * last};
     }

@@ -12,6 +12,7 @@ std::string stop_text(const linkage::Step& step, std::span<const std::string> pi
     if (step.input != linkage::none)
         return step.input == 0 ? fmt::format("the stop '{}' of the drive", which)
                                : fmt::format("the stop '{}' of drive {}", which, step.input + 1);
+    if (step.far_pin != linkage::none) return fmt::format("an end of the circular slot of '{}'", pins[step.pin]);
     if (step.pin != linkage::none) return fmt::format("the stop '{}' of the slot of '{}'", which, pins[step.pin]);
     const std::string& name = slides[step.joint];
     return name.empty() ? fmt::format("the stop '{}' of slide {}", which, step.joint + 1)

@@ -67,6 +67,8 @@ struct Over {
         const std::span<const T> scales = arguments.last(4);
         return {scales[0], scales[1], scales[2] + T(turn * whole_turns), scales[3], part};
     }
+    /// The input of the analysis for one among the arguments of a quantity.
+    double input_at(double argument) const { return model.input_of(argument * model.unit_of_input()); }
     const std::vector<std::int8_t>& sides() const { return model.sides[motion.assembly]; }
     linkage::Driven<double> driven(std::span<const double> dimensions) const {
         return mechwright::driven(model, dimensions, motion.assembly);

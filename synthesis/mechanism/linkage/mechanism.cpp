@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "analysis/linkage/motion/travel.h"
-#include "analysis/linkage/placing/needed.h"
 #include "synthesis/mechanism/linkage/again/again.h"
 #include "synthesis/mechanism/linkage/branches.h"
 #include "synthesis/mechanism/linkage/clearances.h"
@@ -252,8 +251,7 @@ Mechanism linkage_mechanism(LinkageModel model, std::vector<Dimension> dimension
     made.table = linkage_table(model);
     if (has_own_lengths(model)) made.model_over = linkage_over_unit;
     for (GuidedPoint& guided : model.guided)
-        guided.needed = linkage::needed_of(model.structure, model.order, model.numbers.size(), guided.pin,
-                                           guided.is_body ? guided.link : linkage::none, true);
+        guided.needed = needed_for_guidance(model, guided);
     if (!model.guided.empty() || !model.over_input.empty())
         made.input = input_range(made.quantities, made.dimensions.size());
     if (!model.guided.empty()) add_guidance(model, made);

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <type_traits>
 
+#include "synthesis/mechanism/input.h"
+
 namespace mechwright {
 
 LinkageModel over_unit(LinkageModel model, double unit) {
@@ -146,6 +148,11 @@ linkage::Inputs inputs_of(const LinkageModel& model, std::span<const double> dim
     inputs.from = model.input_of(inputs.from * model.unit);
     inputs.to = model.input_of(inputs.to * model.unit);
     return inputs;
+}
+
+std::optional<std::array<double, 2>> reach_of_input(const Mechanism& mechanism) {
+    const LinkageModel* model = mechanism.model.as<LinkageModel>();
+    return model == nullptr ? std::nullopt : model->reach;
 }
 
 LinkagePlacement placement_of(const LinkageModel& model, std::span<const double> dimensions) {

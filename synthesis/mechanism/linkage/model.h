@@ -86,6 +86,9 @@ struct LinkageModel {
     /// Of a driven slide the displacement, not divided, that counts as much as a radian does: a power of two, so that
     /// inputs of the analysis are of order one and no digit is lost. 1 where the master turns.
     double input_length = 1;
+    /// Between which displacements the slide that drives can be in any design, in the file's lengths; set where it
+    /// does.
+    std::optional<std::array<double, 2>> reach{};
     std::vector<std::size_t> redundant{};  ///< links that are left out of the order: the others place what they join
     std::vector<linkage::Assembled> starts{};  ///< [assembly] of larger groups, with the dimensions `sketched`
     std::vector<double> sketched{};
@@ -96,6 +99,10 @@ struct LinkageModel {
     /// The master's input as the analysis has it, for one of a motion, and back.
     double input_of(double of_motion) const { return of_motion / input_length; }
     double of_motion(double input) const { return input * input_length; }
+    /// An input among the arguments of quantities and targets is a length like others, over the unit of the model,
+    /// where a slide drives: so much of a motion's is one there, and so much of the analysis.
+    double unit_of_input() const { return driven_by_slide() ? unit : 1; }
+    double input_per_argument() const { return input_of(unit_of_input()); }
     /// Whether the master has stops, so that its motion is no cycle.
     bool has_stops() const { return structure.drives.front().stops.any(); }
 };

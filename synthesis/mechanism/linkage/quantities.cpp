@@ -88,10 +88,11 @@ void measure_over_motion(const Motion& motion, std::span<const double> dimension
 void measure_over_input(const Motion& motion, std::span<const double> arguments, const Measurement& out) {
     const std::size_t own = Over(motion, true).dimensions_of(arguments).size();
     const double start = arguments[own], end = start + arguments[own + 1];
+    const double unit = linkage_of(motion.model).unit_of_input();
     Motion over = motion;
     over.full_turn = false;
-    over.from = std::min(start, end);
-    over.to = std::max(start, end);
+    over.from = unit * std::min(start, end);
+    over.to = unit * std::max(start, end);
     measure(Over(over, true), arguments, out);
 }
 

@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
 
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
@@ -106,12 +110,58 @@ void read_points(LinkageReading& reading, const toml::table& table, std::size_t 
     }
 }
 
+/// A sum less another, if it is a number.
+std::optional<double> difference_of(const Affine& a, const Affine& b) {
+    std::map<std::size_t, double> terms;
+    for (const auto& [dimension, factor] : a.terms)
+        terms[dimension] += factor;
+    for (const auto& [dimension, factor] : b.terms)
+        terms[dimension] -= factor;
+    if (std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term.second != 0; })) return {};
+    return a.constant - b.constant;
+}
+
+/// Where a circular slot ends, 'min' and 'max' being directions of its pin from the centre, as CircularSlot::ends.
+/// Absent where they are none, which is reported.
+std::optional<linkage::Slot> read_ends(LinkageReading& reading, Section& section, std::size_t pin,
+                                       const linkage::Line& from_centre, const Affine& radius) {
+    const linkage::Stops stops = read_stops(reading, section, Measure::angle);
+    const auto fail = [&](const char* key, const char* why) -> std::optional<linkage::Slot> {
+        add_error(reading.messages, place_of(section, key), fmt::format("{} {}", section.title, why));
+        return {};
+    };
+    if (!has(section, "min") || !has(section, "max"))
+        return fail(has(section, "min") ? "min" : "max",
+                    "is circular and needs both ends, or none: give 'min' and 'max', directions from its centre");
+    if (!stops.min || !stops.max) return {};
+    const Affine least = reading.made.numbers[*stops.min].value;
+    const auto arc = difference_of(reading.made.numbers[*stops.max].value, least);
+    if (!arc)
+        return fail("max",
+                    "is circular, and its arc has to be a number: write 'max' as 'min' and so much, like min = "
+                    "\"start\" and max = \"start + 40\"");
+    const bool degrees = reading.made.units.degrees;
+    if (!(*arc > 0 && *arc < (degrees ? 360 : 2 * std::numbers::pi)))
+        return fail("max", "is circular: its arc from 'min' to 'max' is more than 0 and less than a full turn");
+    const double half = *arc / 2, cosine = std::cos(degrees ? half * std::numbers::pi / 180 : half);
+    LinkageNumber middle{least, Measure::angle}, reach{radius, Measure::length};
+    middle.value.constant += half;
+    reach.value.constant *= cosine;
+    for (auto& [dimension, factor] : reach.value.terms)
+        factor *= cosine;
+    linkage::Slot ends{pin, from_centre, false, {}};
+    ends.line.by_angle = true;
+    ends.line.angle = add_number(reading, std::move(middle));
+    ends.stops.min = add_number(reading, std::move(reach));
+    return ends;
+}
+
 /// A circular slot is a link from its centre to the pin.
 void read_circle(LinkageReading& reading, Section& section, std::size_t pin, std::size_t in) {
     Linkage& made = reading.made;
     const toml::node* centre = find(section, "centre");
     const toml::node* radius = find(section, "radius");
-    for (const char* key : {"along", "point", "direction", "min", "max"})
+    for (const char* key : {"along", "point", "direction"})
         if (find(section, key) != nullptr)
             add_error(reading.messages, place_of(section, key),
                       fmt::format("{} is circular: leave '{}' out", section.title, key));
@@ -126,6 +176,7 @@ void read_circle(LinkageReading& reading, Section& section, std::size_t pin, std
     made.links.push_back(name);
     reading.link_places.push_back(section.place);
     const linkage::Number zero = add_constant(reading, 0, Measure::length);
+    const Affine radius_of_it = length->value;
     const linkage::Number reach = add_number(reading, *length);
     std::size_t middle = 0;
     if (const auto named = centre->value_exact<std::string>()) {
@@ -136,7 +187,9 @@ void read_circle(LinkageReading& reading, Section& section, std::size_t pin, std
     }
     made.structure.pins[middle].points.push_back({link, {zero, zero}});
     made.structure.pins[pin].points.push_back({link, {reach, zero}});
-    made.structure.circular.push_back({link, in, middle, pin});
+    made.structure.circular.push_back({link, in, middle, pin, {}});
+    if (has(section, "min") || has(section, "max"))
+        made.structure.circular.back().ends = read_ends(reading, section, pin, {in, *at, {}, 0, false}, radius_of_it);
 }
 
 std::optional<std::size_t> read_pin(LinkageReading& reading, Section& section, std::string_view key) {

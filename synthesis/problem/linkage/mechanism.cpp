@@ -22,7 +22,6 @@
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/toml/made_table.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/target/names.h"
 #include "synthesis/target/with_targets.h"
 
 namespace mechwright {
@@ -144,6 +143,33 @@ bool covers_several(const Linkage& linkage) {
     return linkage.over_input.size() + (has_path ? 1 : 0) > 1 && !linkage.over_input.empty();
 }
 
+/// The least or the greatest value of a sum over ranges of its dimensions.
+double end_of(const Affine& sum, std::span<const DimensionRange> ranges, bool greatest) {
+    double end = sum.constant;
+    for (const auto& [dimension, factor] : sum.terms) {
+        const DimensionRange& range = ranges[dimension];
+        end += factor * ((factor > 0) == greatest ? range.max : range.min);
+    }
+    return end;
+}
+
+/// Between which displacements the slide that drives can be in any design: its stops where it has such, else the ends
+/// of the motion that the file gives, else as far as all lengths in a row reach.
+std::array<double, 2> reach_of_slide(const Linkage& linkage, const LinkageModel& model) {
+    const std::vector<DimensionRange> ranges = ranges_of(linkage);
+    double all = 0;
+    for (std::size_t i = 0; i < model.numbers.size(); ++i)
+        if (model.lengths[i])
+            all += std::max(std::abs(end_of(model.numbers[i], ranges, false)),
+                            std::abs(end_of(model.numbers[i], ranges, true)));
+    std::array<double, 2> reach{-all, all};
+    if (linkage.crank_range) reach = {linkage.crank_range->x, linkage.crank_range->y};
+    const linkage::Stops& stops = model.structure.drives.front().stops;
+    if (stops.min) reach[0] = end_of(model.numbers[*stops.min], ranges, false);
+    if (stops.max) reach[1] = end_of(model.numbers[*stops.max], ranges, true);
+    return {reach[0], std::max(reach[0], reach[1])};
+}
+
 bool has_targets(const Linkage& linkage) { return !linkage.guided.empty() || !linkage.over_input.empty(); }
 
 }  // namespace
@@ -190,6 +216,7 @@ std::shared_ptr<const Mechanism> mechanism_of(const Linkage& linkage, std::strin
             model.sketched_lengths.push_back(scales(dimension.kind));
     }
     model.turns = model.driven_by_slide() ? 1 : turns_of_cycle(model, usual(ranges_of(linkage)));
+    if (model.driven_by_slide()) model.reach = reach_of_slide(linkage, model);
     std::vector<NamedMeasure> asked;
     std::string fault;
     for (const std::string& name : quantities)
@@ -228,16 +255,6 @@ MadeAgain mechanism_of_sections(const Json& sections, std::span<const std::strin
 
 namespace reading {
 
-namespace {
-
-/// The section of the target.
-const toml::node* target_of(const toml::table& table) {
-    for (const std::string_view target : repeated_sections)
-        if (const toml::node* node = table.get(target)) return node;
-    return nullptr;
-}
-
-}  // namespace
 
 void require_regions(Problem& problem) {
     const LinkageModel* model = problem.mechanism ? problem.mechanism->model.as<LinkageModel>() : nullptr;
@@ -270,11 +287,6 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
             messages, place_of(*table.get("drive")),
             "nothing ends the motion of the slide that is driven: give it stops, 'min' and 'max' in [drive], "
             "or the motion an end, [motion] crank_range = [0, 100]");
-    if (model.driven_by_slide() && has_targets(linkage))
-        return add_error(messages, place_of(*target_of(table)),
-                         "the targets of this section are met at crank angles, and the linkage is driven by a slide: "
-                         "require values of signals at displacements instead, like quantity = \"height.at(20)\", or "
-                         "drive a link that turns, such as a wheel whose [[rack]] moves the slide");
     if (model.turns == 0 && !linkage.crank_range && !model.has_stops())
         return add_error(messages, place_of(*table.get("drive")),
                          fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "

@@ -49,7 +49,9 @@ inline constexpr std::array path{
         false, path_timings},
     Key{"closed", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
     Key{"weights", Shape::numbers, "Weight of each point. Preset: 1.", false, {}, {}, positive},
-    Key{"crank_angles", Shape::numbers, "Crank angle at each point, counted from crank-start; all rise or all fall."},
+    Key{"crank_angles", Shape::numbers,
+        "Crank angle at each point, or displacement of a driven slide, counted from crank-start; all rise or all "
+        "fall."},
     Key{"point", Shape::text, "Of a linkage: the point that is guided."},
     Key{"link", Shape::text, "Of a linkage: the link on which it is guided. Preset: the first that has it."},
     Key{"crank-start", Shape::range, "Of a linkage: the crank angle from which crank_angles are counted. Preset: 0."},
@@ -73,7 +75,8 @@ inline constexpr std::array poses{
         {},
         positive},
     Key{"weights", Shape::numbers, "Weight of each pose. Preset: 1.", false, {}, {}, positive},
-    Key{"crank_angles", Shape::numbers, "Crank angle at each pose, counted from crank-start; all rise or all fall."},
+    Key{"crank_angles", Shape::numbers,
+        "Crank angle at each pose, or displacement of a driven slide, counted from crank-start; all rise or all fall."},
     Key{"point", Shape::text, "Of a linkage: the point of the body that is guided."},
     Key{"link", Shape::text, "Of a linkage: the link that is the body, or carries it."},
     Key{"crank-start", Shape::range, "Of a linkage: the crank angle from which crank_angles are counted. Preset: 0."},
@@ -156,8 +159,8 @@ inline constexpr std::array function{
     weight_over_input};
 
 inline constexpr std::array line{
-    Key{"start", Shape::tied_range, "Crank angle at which the stretch begins.", true},
-    Key{"range", Shape::tied_range, "Crank angle that the stretch takes, with its sign.", true},
+    Key{"start", Shape::tied_range, "Crank angle, or displacement, at which the stretch begins.", true},
+    Key{"range", Shape::tied_range, "Crank angle, or displacement, that the stretch takes, with its sign.", true},
     Key{"angle", Shape::range, "Direction of the line. Preset: any."},
     Key{"offset", Shape::range, "Distance of the line from the origin, to the left of its direction. Preset: any."},
     Key{"full_turn", Shape::flag, "Whether the crank has to turn fully. Preset: false."},
@@ -167,8 +170,8 @@ inline constexpr std::array line{
     weight_over_input};
 
 inline constexpr std::array arc{
-    Key{"start", Shape::tied_range, "Crank angle at which the stretch begins.", true},
-    Key{"range", Shape::tied_range, "Crank angle that the stretch takes, with its sign.", true},
+    Key{"start", Shape::tied_range, "Crank angle, or displacement, at which the stretch begins.", true},
+    Key{"range", Shape::tied_range, "Crank angle, or displacement, that the stretch takes, with its sign.", true},
     Key{"centre-x", Shape::range, "Centre of the arc. Preset: any."},
     Key{"centre-y", Shape::range, "Centre of the arc. Preset: any."},
     Key{"radius", Shape::range, "Radius of the arc. Preset: any."},

@@ -50,8 +50,12 @@ inline constexpr std::array slot{
     line_of_slot[2],
     Key{"centre", Shape::place, "Of a circular slot: its centre, by name or as [x, y]."},
     Key{"radius", Shape::expression, "Of a circular slot: the same as a link of this length from centre to pin."},
-    Key{"min", Shape::expression, "Stop: the least displacement of the pin along the slot."},
-    Key{"max", Shape::expression, "Stop: its greatest displacement."}};
+    Key{"min", Shape::expression,
+        "Stop: the least displacement of the pin along the slot; of a circular one the direction from its centre, to "
+        "the "
+        "x axis of the link that has it, in which it begins."},
+    Key{"max", Shape::expression,
+        "Stop: its greatest displacement; of a circular one the direction in which it ends."}};
 
 inline constexpr std::array gear{
     Key{"links", Shape::texts, "The two links that turn.", true},

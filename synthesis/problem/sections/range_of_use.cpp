@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
@@ -49,9 +50,15 @@ std::string why_no_use(const Section& file, const Problem& problem, const Sectio
     return {};
 }
 
-/// A margin in radians; 0 where there is none.
+/// A margin in radians, or as a displacement; 0 where there is none.
 double read_margin(Section& motion, std::string_view key, const Problem& problem, Messages& messages) {
     const double margin = read_number(motion, key, messages).value_or(0);
+    if (input_unit(*problem.mechanism) == Unit::length) {
+        if (margin >= 0) return margin;
+        add_error(messages, place_of(motion, key),
+                  fmt::format("{} must be a displacement of 0 or more, not {}", name_of(motion, key), margin));
+        return 0;
+    }
     const double most = full_turn(problem.units) / 2;
     if (margin >= 0 && margin <= most) return to_radians(problem.units, margin);
     add_error(messages, place_of(motion, key),
@@ -114,8 +121,9 @@ void read_range_of_use(Section& file, Problem& problem, Messages& messages) {
         return add_error(messages, key_place(motion, *named), why);
     if (problem.path && problem.path->points.size() < 2 && !(use.before + use.after > 0))
         return add_error(messages, key_place(motion, *named),
-                         "there is one target, and the range of use would be a single crank angle: give more targets, "
-                         "or 'before' and 'after'");
+                         "there is one target, and the range of use would be a single " +
+                             std::string(input_word(*problem.mechanism)) +
+                             ": give more targets, or 'before' and 'after'");
     if (from && to && problem.path) problem.use = use;
 }
 

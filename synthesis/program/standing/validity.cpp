@@ -35,17 +35,17 @@ double margin_at_targets(const Problem& problem, const Design& design) {
 }
 
 /// Whether a target has points whose order counts.
-bool has_order(const PathTarget& path, const PointRange& points) {
-    return !path.prescribed_timing && !path.any_order && points.count > 2;
+bool has_order(const Mechanism& mechanism, const PathTarget& path, const PointRange& points) {
+    return !path.prescribed_timing && !path.any_order && points.count >= least_ordered(mechanism);
 }
 
 /// The least turn of the crank from a point to the next of any target, all in the direction from the first to the last
 /// of one of them.
-double least_advance(const PathTarget& path, const std::vector<double>& angles) {
+double least_advance(const Mechanism& mechanism, const PathTarget& path, const std::vector<double>& angles) {
     double least = endless, direction = 0;
     for (std::size_t target = 0; target < path.targets(); ++target) {
         const PointRange points = path.points_of(target);
-        if (!has_order(path, points)) continue;
+        if (!has_order(mechanism, path, points)) continue;
         if (direction == 0) direction = angles[points.end() - 1] > angles[points.first] ? 1 : -1;
         for (std::size_t i = points.first + 1; i < points.end(); ++i)
             least = std::min(least, direction * (angles[i] - angles[i - 1]));
@@ -54,11 +54,12 @@ double least_advance(const PathTarget& path, const std::vector<double>& angles) 
 }
 
 /// By how much less than a turn, or a longer cycle, the crank meets all points of any target.
-double least_rest_of_cycle(const PathTarget& path, double cycle, const std::vector<double>& angles) {
+double least_rest_of_cycle(const Mechanism& mechanism, const PathTarget& path, const std::vector<double>& angles) {
+    const double cycle = cycle_of(mechanism);
     double least = endless;
     for (std::size_t target = 0; target < path.targets(); ++target) {
         const PointRange points = path.points_of(target);
-        if (has_order(path, points))
+        if (has_order(mechanism, path, points))
             least = std::min(least, cycle - std::abs(angles[points.end() - 1] - angles[points.first]));
     }
     return least;
@@ -89,11 +90,12 @@ void add_margins_of_path(const Problem& problem, const Design& design, std::vect
     add_margin_between_targets(problem, design, all);
     const PathTarget& path = *problem.path;
     if (design.path_angles.size() != path.points.size()) return;
-    const double advance = least_advance(path, design.path_angles);
+    const double advance = least_advance(*problem.mechanism, path, design.path_angles);
     if (advance == endless) return;
     all.push_back({"the targets are met in their order", advance, true});
+    if (!comes_round(*problem.mechanism)) return;
     all.push_back({"the targets are met within " + cycle_words(*problem.mechanism) + " of the crank",
-                   least_rest_of_cycle(path, cycle_of(*problem.mechanism), design.path_angles), true});
+                   least_rest_of_cycle(*problem.mechanism, path, design.path_angles), true});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/csv/csv_text.h"
 
@@ -29,8 +30,10 @@ std::string header(const Problem& problem) {
             line += "," + csv_column(std::string(dimension.name), unit_of(dimension.kind), problem.units);
     }
     if (!problem.mechanism->assemblies.empty()) line += ",assembly";
+    const Unit unit = input_unit(*problem.mechanism);
     for (std::size_t i = 1; i <= targets_of(problem); ++i)
-        line += "," + csv_column("crank-angle-" + std::to_string(i), Unit::angle, problem.units);
+        line += "," + csv_column((unit == Unit::angle ? "crank-angle-" : "displacement-") + std::to_string(i), unit,
+                                 problem.units);
     return line + '\n';
 }
 
@@ -48,9 +51,10 @@ std::string row(const Problem& problem, std::size_t number, const Solution& solu
     if (!problem.mechanism->assemblies.empty())
         line += "," + std::string(problem.mechanism->assemblies[design.assembly]);
     for (std::size_t i = 0; i < targets_of(problem); ++i)
-        line += "," + (i < design.path_angles.size()
-                           ? number_field(in_file_unit(design.path_angles[i], Unit::angle, problem.units))
-                           : std::string());
+        line += "," +
+                (i < design.path_angles.size()
+                     ? number_field(in_file_unit(design.path_angles[i], input_unit(*problem.mechanism), problem.units))
+                     : std::string());
     return line + '\n';
 }
 

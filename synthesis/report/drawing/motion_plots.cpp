@@ -118,11 +118,13 @@ void add_levels(MotionPlots& plots, const nlohmann::ordered_json& document, bool
         add(document["objective"], "value", "reached");
 }
 
-/// Where a crank angle is in an input range, as a share of that; it may be whole turns further on.
-double share_of(double angle, double start, double range) {
+/// Where a crank angle is in an input range, as a share of that; it may be whole turns further on, which a displacement
+/// never is.
+double share_of(double input, double start, double range, bool turns) {
     constexpr double end_within = 1e-12, turn = 2 * std::numbers::pi;
     const auto inside = [](double share) { return share >= -end_within && share <= 1 + end_within; };
-    const double away = angle - start;
+    const double away = input - start;
+    if (!turns) return inside(away / range) ? away / range : std::nan("");
     const double turned = away - turn * (range > 0 ? std::floor(away / turn) : std::ceil(away / turn));
     return inside(away / range) ? away / range : inside(turned / range) ? turned / range : std::nan("");
 }
@@ -131,7 +133,8 @@ double share_of(double angle, double start, double range) {
 /// a function, or the distance from a line or an arc. NaN where there is none.
 double error_at(const FinishedDesign& design, const InputTask& task, const MotionRow& row) {
     const double angle = row.values().front();
-    const double share = share_of(angle, design.dimensions[task.start], design.dimensions[task.start + 1]);
+    const double share = share_of(angle, design.dimensions[task.start], design.dimensions[task.start + 1],
+                                  input_unit(design) == Unit::angle);
     if (std::isnan(share)) return share;
     return task.is_function() ? function_error(design, task, share) : distance_from_followed(design, task, angle);
 }

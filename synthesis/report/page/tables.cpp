@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/report/drawing/svg.h"
@@ -66,6 +67,9 @@ struct UnitsOf {
         const int i = mechanism ? find_dimension(*mechanism, name) : -1;
         return i < 0 ? "" : unit_label(unit_of(mechanism->dimensions[static_cast<std::size_t>(i)].kind), units);
     }
+    std::string of_input() const { return unit_label(mechanism ? input_unit(*mechanism) : Unit::angle, units); }
+    /// "crank angle" or "displacement".
+    std::string input_name() const { return mechanism ? std::string(input_word(*mechanism)) : "crank angle"; }
 };
 
 /// "given", "least", "greatest" or empty: where a dimension lies in what the file allows.
@@ -166,7 +170,7 @@ std::string pair_text(const Json& pair) {
 }
 
 /// The points of one path, or its poses.
-std::string points_table(const Json& path) {
+std::string points_table(const Json& path, const UnitsOf& units) {
     const Json &points = list_in(path, "points"), &reached = list_in(path, "reached"),
                &distances = list_in(path, "distances"), &angles = list_in(path, "crank_angles");
     const std::string name = text_in(path, "name");
@@ -178,17 +182,17 @@ std::string points_table(const Json& path) {
     const std::string title = name.empty() ? "Targets" : fmt::format("Targets of '{}'", name);
     return rows.empty()
                ? ""
-               : in_details(title, table_of(title, {"", "target", "reached", "crank angle", "distance"}, rows));
+               : in_details(title, table_of(title, {"", "target", "reached", units.input_name(), "distance"}, rows));
 }
 
-std::string targets_table(const Json& document) {
+std::string targets_table(const Json& document, const UnitsOf& units) {
     std::string text;
     for (const char* kind : {"path", "poses"}) {
         if (const Json& list = list_in(document, kind); !list.empty())
             for (const Json& path : list)
-                text += points_table(path);
+                text += points_table(path, units);
         else
-            text += points_table(object_in(document, kind));
+            text += points_table(object_in(document, kind), units);
     }
     return text;
 }
@@ -252,11 +256,11 @@ namespace {
 std::string range_of_use_text(const Json& document, const UnitsOf& units) {
     const Json& used = list_in(document, "used_crank_angles");
     if (used.size() != 2) return {};
-    const std::string unit = unit_label(Unit::angle, units.units);
+    const std::string unit = units.of_input();
     return fmt::format(
-        "<p>Range of use: crank angles from {} {} to {} {}. Quantities, plots and motion are over it; NAME{} is the "
+        "<p>Range of use: {}s from {} {} to {} {}. Quantities, plots and motion are over it; NAME{} is the "
         "quantity NAME over the whole motion.</p>",
-        cell_text(used[0]), unit, cell_text(used[1]), unit, whole_suffix);
+        units.input_name(), cell_text(used[0]), unit, cell_text(used[1]), unit, whole_suffix);
 }
 
 /// Where the design stands close to a singular position, or why there is none like it.
@@ -284,7 +288,7 @@ std::string tables_of(const Json& document) {
            table_of("First, in this order", {"", "value", "unit", "best", "allowed"}, wish_rows(document, units)) +
            table_of("Objective", {"", "value", "unit"}, objective_rows(object_in(document, "objective"), units)) +
            requirements_table(document, units) + in_details("Quantities", quantities_table(document, units)) +
-           targets_table(document) + verification_table(document) + search_table(document);
+           targets_table(document, units) + verification_table(document) + search_table(document);
 }
 
 }  // namespace mechwright

@@ -7,6 +7,7 @@
 
 #include "synthesis/document/document.h"
 #include "synthesis/document/kinds_in_documents.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/mechanism/whole_quantities.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/problem/units.h"
@@ -174,7 +175,8 @@ std::string requirement_section(const Problem& problem, const Design& design, co
 
 std::string words_of_use(const Problem& problem) {
     const auto beyond = [&](double margin, std::string_view which) {
-        return margin > 0 ? fmt::format("{} {} the ", given_with_unit(margin, Unit::angle, problem.units), which)
+        return margin > 0 ? fmt::format("{} {} the ",
+                                        given_with_unit(margin, input_unit(*problem.mechanism), problem.units), which)
                           : "the ";
     };
     return fmt::format(

@@ -1,11 +1,13 @@
 #include "synthesis/search/path/path_timing.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <span>
 
 #include "synthesis/mechanism/cycle.h"
+#include "synthesis/target/path/rows/path_outputs.h"
 
 namespace mechwright {
 
@@ -40,14 +42,28 @@ double swept(const Points& points, bool closed, double span, double cycle) {
     return 0.5 * (by_way + (n - 1) / n) * cycle;
 }
 
+/// Where the points of a target are met: the first, and how much further the last.
+struct Way {
+    double first, whole;
+};
+
+Way way_round(const Points& points, bool closed, double cycle, const PathTiming& timing) {
+    return {(timing.start - 0.5) * cycle, swept(points, closed, timing.span, cycle)};
+}
+
+/// On the stroke of a slide, in and out.
+Way way_along(const std::array<double, 2>& stroke, int direction, const PathTiming& timing) {
+    const double width = stroke[1] - stroke[0], whole = (0.1 + 0.9 * timing.span) * width;
+    const double before = timing.start * (width - whole);
+    return {direction > 0 ? stroke[0] + before : stroke[1] - before, whole};
+}
+
 /// Those of one target.
-void set_angles(const Points& points, bool closed, int direction, double cycle, const PathTiming& timing,
+void set_angles(const Points& points, int direction, const Way& way, const PathTiming& timing,
                 std::span<double> angles) {
     const std::size_t n = points.size();
     std::vector<double> parts = parts_of_way(points);
 
-    const double whole = swept(points, closed, timing.span, cycle);
-    const double first = (timing.start - 0.5) * cycle;
     // A swell keeps the ends and the order: its slope is less than one.
     const double swell = 0.9 * timing.swell / turn;
     const double phase = timing.where * turn;
@@ -55,7 +71,7 @@ void set_angles(const Points& points, bool closed, int direction, double cycle, 
         const double even = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0;
         const double part = timing.evenness * even + (1 - timing.evenness) * parts[i];
         const double swelled = part + swell * (std::sin(turn * part + phase) - std::sin(phase));
-        angles[i] = first + direction * whole * swelled;
+        angles[i] = way.first + direction * way.whole * swelled;
     }
 }
 
@@ -77,12 +93,16 @@ PathTiming timing_of_target(const PathTiming& timing, std::size_t target) {
 std::vector<double> path_angles(const Program& program, const PathTiming& timing) {
     const PathTarget& path = *program.problem->path;
     const double cycle = cycle_of(*program.problem->mechanism);
+    const auto stroke = stroke_of(program);
     std::vector<double> angles(program.targets.size());
     for (std::size_t target = 0; target < path.targets(); ++target) {
         const PointRange points = path.points_of(target);
         const bool closed = path.parts.empty() ? path.closed : path.parts[target].closed;
-        set_angles(Points(program.targets).subspan(points.first, points.count), closed, program.variant.direction,
-                   cycle, timing_of_target(timing, target), std::span(angles).subspan(points.first, points.count));
+        const Points own = Points(program.targets).subspan(points.first, points.count);
+        const PathTiming drawn = timing_of_target(timing, target);
+        const int direction = program.variant.direction;
+        set_angles(own, direction, stroke ? way_along(*stroke, direction, drawn) : way_round(own, closed, cycle, drawn),
+                   drawn, std::span(angles).subspan(points.first, points.count));
     }
     return angles;
 }
@@ -109,7 +129,7 @@ std::vector<double> random_path_angles(const Program& program, const LowDiscrepa
     }
     std::vector<double> angles;
     for (std::size_t i = 0; i < path.crank_angles.size(); ++i)
-        angles.push_back(begins[path.target_of(i)] + path.crank_angles[i]);
+        angles.push_back(begins[path.target_of(i)] + path.crank_angles[i] / unit_of_input(program));
     return angles;
 }
 

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "synthesis/mechanism/cycle.h"
 #include "synthesis/problem/sections/sections.h"
 
 namespace mechwright::reading {
@@ -58,6 +59,9 @@ void read_shape(OverInputSection& of, Followed followed, Problem& problem, Messa
     AskedOverInput asked;
     asked.followed = followed;
     asked.full_turn = read_bool(section, "full_turn", messages).value_or(false);
+    if (asked.full_turn && !comes_round(mechanism))
+        add_error(messages, place_of(section, "full_turn"),
+                  "the linkage is driven by a slide, which goes to and fro and never round: leave 'full_turn' out");
     report_unknown_keys(section, messages);
     add_over_input(of, std::move(asked), problem);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/program/error_extremes.h"
 #include "synthesis/report/text/error_sections.h"
 #include "synthesis/report/text/sections.h"
@@ -13,10 +14,11 @@ std::string followed_section(const Problem& problem, const InputTask& task, cons
                              const TextStyle& style) {
     const std::string called = task.asked.name.empty() ? "" : fmt::format(" '{}'", task.asked.name);
     const auto place = [&](double share) { return rounded_text(place_of(problem, task, design, share), style.digits); };
+    const std::string input(input_word(*problem.mechanism));
     std::string text = heading(
-        fmt::format("{}{} from crank angle {} to {}", task.is_line() ? "Line" : "Arc", called, place(0), place(1)),
+        fmt::format("{}{} from {} {} to {}", task.is_line() ? "Line" : "Arc", called, input, place(0), place(1)),
         style);
-    return text + extremes_text(problem, task, design, "distance at crank angle", style.digits);
+    return text + extremes_text(problem, task, design, "distance at " + input, style.digits);
 }
 
 }  // namespace mechwright

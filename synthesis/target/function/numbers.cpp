@@ -1,5 +1,7 @@
 #include "synthesis/target/function/numbers.h"
 
+#include "synthesis/mechanism/input.h"
+
 namespace mechwright {
 
 void add_input_range(Mechanism& m) {
@@ -8,10 +10,11 @@ void add_input_range(Mechanism& m) {
     input.margin.reads = input.reads.and_then(input.start, 2);
     for (Quantity& q : input.quantities)
         q.reads = q.reads.and_then(input.start, 2);
-    m.dimensions.push_back(number_of_target("input-start", DimensionKind::angle,
-                                            "crank angle at the start of a function's, line's or arc's range"));
+    const DimensionKind kind = kind_of_input(m);
+    const std::string word(input_word(m));
     m.dimensions.push_back(
-        number_of_target("input-range", DimensionKind::angle, "crank angle over the range of a function, line or arc"));
+        number_of_target("input-start", kind, word + " at the start of a function's, line's or arc's range"));
+    m.dimensions.push_back(number_of_target("input-range", kind, word + " over the range of a function, line or arc"));
 }
 
 void add_output_range(Mechanism& m) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/sections/sections.h"
 #include "synthesis/target/function/function_target.h"
 
@@ -133,6 +134,21 @@ void read_scale_of(Section& function, std::string_view key, std::size_t first, P
     report_unknown_keys(*scale, messages);
 }
 
+/// An input range that is given lies on the stroke of the slide that drives, where one does.
+void check_stroke(const Section& scale, std::size_t first, const Problem& problem, Messages& messages) {
+    const auto reach = reach_of_input(*problem.mechanism);
+    const DimensionRange &start = problem.dimensions[first], &range = problem.dimensions[first + 1];
+    const bool is_input = problem.mechanism->dimensions[first].name.ends_with("input-start");
+    if (!reach || !is_input || !start.fixed() || !range.fixed()) return;
+    const double end = start.min + range.min;
+    if (std::min(start.min, end) >= (*reach)[0] && std::max(start.min, end) <= (*reach)[1]) return;
+    add_error(
+        messages, scale.place,
+        fmt::format("the range from {} to {} is not on the stroke of the slide that drives, which goes from {} to "
+                    "{}: keep it between the stops, or give other stops",
+                    start.min, end, (*reach)[0], (*reach)[1]));
+}
+
 }  // namespace
 
 void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& messages) {
@@ -154,6 +170,7 @@ void read_scale(Section& scale, std::size_t first, Problem& problem, Messages& m
                       fmt::format("the range of the {} must not be 0{}", scale.title,
                                   read->fixed() ? "" : ": let min and max have the same sign"));
     }
+    check_stroke(scale, first, problem, messages);
 }
 
 void set_crank_range(Problem& problem) {

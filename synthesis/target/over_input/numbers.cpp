@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/target/over_input/together.h"
 
 namespace mechwright {
@@ -51,11 +52,12 @@ constexpr std::array<OfAll, 4> of_all{
 }  // namespace
 
 void add_numbers_over_input(Mechanism& m) {
-    const DimensionKind input = DimensionKind::angle;
+    const DimensionKind input = kind_of_input(m);
+    const std::string word(input_word(m));
     for (std::size_t i = 0; i < m.over_input.size(); ++i) {
         InputTarget& target = m.over_input[i];
-        std::vector<Dimension> own{number_of_target("input-start", input, "crank angle at the start of the range"),
-                                   number_of_target("input-range", input, "crank angle over the range")};
+        std::vector<Dimension> own{number_of_target("input-start", input, word + " at the start of the range"),
+                                   number_of_target("input-range", input, word + " over the range")};
         if (target.function) {
             const OutputScale& output = target.function->output;
             own.push_back(number_of_target("output-start", output.kind, output.start));

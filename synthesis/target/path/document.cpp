@@ -7,6 +7,7 @@
 
 #include "synthesis/document/fields.h"
 #include "synthesis/document/lists.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/text.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/target/path/read_parts.h"
@@ -29,6 +30,7 @@ std::vector<T> at(const std::vector<T>& all, const PointRange& points) {
 Json target_document(const Problem& problem, const Design* design, const std::optional<PathValues>& values,
                      const PathPart& part) {
     const PathTarget& target = *problem.path;
+    const Unit input = input_unit(*problem.mechanism);
     Json json = Json::object();
     if (!part.name.empty()) json = {{of_path("name"), part.name}, {of_path("weight"), part.weight}};
     json[of_path("points")] = pairs(at(target.points, part.points));
@@ -41,12 +43,12 @@ Json target_document(const Problem& problem, const Design* design, const std::op
     if (std::any_of(part.weights.begin(), part.weights.end(), [](double w) { return w != 1; }))
         json[of_path("weights")] = part.weights;
     if (target.prescribed_timing)
-        json[of_path("prescribed_angles")] = angles(at(target.crank_angles, part.points), problem.units);
+        json[of_path("prescribed_angles")] = in_file_units(at(target.crank_angles, part.points), input, problem.units);
     if (!values) return json;
     json[of_path("reached")] = pairs(at(values->reached, part.points));
     if (part.guides_body)
         json[of_poses("reached_directions")] = angles(at(values->directions, part.points), problem.units);
-    json[of_path("crank_angles")] = angles(at(design->path_angles, part.points), problem.units);
+    json[of_path("crank_angles")] = in_file_units(at(design->path_angles, part.points), input, problem.units);
     json[of_path("distances")] = at(values->distances, part.points);
     return json;
 }
@@ -124,7 +126,9 @@ std::vector<std::optional<double>> read_directions(Reader& in, const Json* json,
 }
 
 /// One target, as it would stand alone. `path` and `poses` are the places that messages name.
-ClaimedPath read_target(Reader& in, const Json& json, bool is_body, const std::string& path, const std::string& poses) {
+ClaimedPath read_target(Reader& in, const Json& json, const Mechanism& mechanism, bool is_body, const std::string& path,
+                        const std::string& poses) {
+    const bool by_angles = input_unit(mechanism) == Unit::angle;
     ClaimedPath target;
     target.points = in.points(member(json, of_path("points")), path + ".points", most_points);
     if (target.points.empty()) in.fail(path + ".points is empty");
@@ -153,14 +157,14 @@ ClaimedPath read_target(Reader& in, const Json& json, bool is_body, const std::s
     if (target.weights.size() != count) in.fail(path + ".weights has not one weight for each point");
     if (target.prescribed_timing) {
         target.prescribed_angles =
-            in.numbers(member(json, of_path("prescribed_angles")), path + ".prescribed_angles", most_points, true);
+            in.numbers(member(json, of_path("prescribed_angles")), path + ".prescribed_angles", most_points, by_angles);
         if (target.prescribed_angles.size() != count)
             in.fail(path + ".prescribed_angles has not one angle for each point");
     }
     if (const Json* reached = member(json, of_path("reached")))
         target.reached = in.points(reached, path + ".reached", most_points);
     if (const Json* angles = member(json, of_path("crank_angles")))
-        target.crank_angles = in.numbers(angles, path + ".crank_angles", most_points, true);
+        target.crank_angles = in.numbers(angles, path + ".crank_angles", most_points, by_angles);
     if (const Json* distances = member(json, of_path("distances")))
         target.distances = in.numbers(distances, path + ".distances", most_points, false);
     return target;
@@ -178,7 +182,7 @@ void check_length(Reader& in, const Json& json, const char* name, const std::vec
 void add_target(Reader& in, const Json& json, bool is_body, const std::string& place, Claim& claim, PathTarget& whole,
                 ClaimedPath& all) {
     if (!in.object(&json, place)) return;
-    ClaimedPath one = read_target(in, json, is_body, place, place);
+    ClaimedPath one = read_target(in, json, *claim.mechanism, is_body, place, place);
     const std::string name = in.text(member(json, of_path("name")), place + ".name");
     const double weight = in.number(member(json, of_path("weight")), place + ".weight");
     const std::size_t count = one.points.size(), number = whole.parts.size();
@@ -252,7 +256,7 @@ void read_path(Reader& in, const Json& document, Claim& claim) {
     if (!claim.mechanism->point)
         return in.fail(fmt::format("a {} guides no point along a path", claim.mechanism->name));
     if (poses && !claim.mechanism->body) return in.fail(fmt::format("a {} guides no body", claim.mechanism->name));
-    claim.path = read_target(in, *json, poses != nullptr, "path", "poses");
+    claim.path = read_target(in, *json, *claim.mechanism, poses != nullptr, "path", "poses");
 }
 
 }  // namespace claims

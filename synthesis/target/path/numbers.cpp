@@ -4,13 +4,15 @@
 #include <string>
 #include <utility>
 
+#include "synthesis/mechanism/input.h"
+
 namespace mechwright {
 
 namespace {
 
 /// A number in the section of a target, where the file names what it guides.
-std::size_t add_angle(Mechanism& m, std::string name, std::string meaning) {
-    m.dimensions.push_back({std::move(name), DimensionKind::angle, false, std::move(meaning), false, m.point->named});
+std::size_t add_number(Mechanism& m, std::string name, std::string meaning, DimensionKind kind = DimensionKind::angle) {
+    m.dimensions.push_back({std::move(name), kind, false, std::move(meaning), false, m.point->named});
     return m.dimensions.size() - 1;
 }
 
@@ -29,10 +31,14 @@ std::vector<Quantity> named_quantities(std::vector<Quantity> quantities, const M
 }  // namespace
 
 void add_crank_start(Mechanism& m) {
-    const std::string meaning = "crank angle from which prescribed crank angles are counted";
+    const DimensionKind kind = kind_of_input(m);
+    const std::string meaning = kind == DimensionKind::angle
+                                    ? "crank angle from which prescribed crank angles are counted"
+                                    : "displacement from which prescribed ones are counted";
     for (GuidedTarget& target : m.guided)
-        target.roles.start = add_angle(m, target.name + ".crank-start", meaning + of_target(target));
-    m.point->roles.start = m.guided.empty() ? add_angle(m, "crank-start", meaning) : m.guided.front().roles.start;
+        target.roles.start = add_number(m, target.name + ".crank-start", meaning + of_target(target), kind);
+    m.point->roles.start =
+        m.guided.empty() ? add_number(m, "crank-start", meaning, kind) : m.guided.front().roles.start;
 }
 
 void add_body_angle(Mechanism& m) {
@@ -40,14 +46,14 @@ void add_body_angle(Mechanism& m) {
     const auto read = [](BodyGuidance& body, std::size_t angle) { body.reads = body.reads.and_then(angle, 1); };
     for (GuidedTarget& target : m.guided) {
         if (!target.body) continue;
-        target.roles.body = add_angle(m, target.name + ".body-angle", meaning(*target.body) + of_target(target));
+        target.roles.body = add_number(m, target.name + ".body-angle", meaning(*target.body) + of_target(target));
         read(*target.body, target.roles.body);
         if (m.point->roles.body != no_dimension) continue;
         m.point->roles.body = target.roles.body;
         m.body = target.body;
     }
     if (!m.guided.empty()) return;
-    m.point->roles.body = add_angle(m, "body-angle", meaning(*m.body));
+    m.point->roles.body = add_number(m, "body-angle", meaning(*m.body));
     read(*m.body, m.point->roles.body);
 }
 

@@ -40,9 +40,14 @@ std::vector<double> read_weights(Section& path, const PointList& list, Messages&
     return *weights;
 }
 
-/// The mechanism passes the points in one turn, or as many as its cycle has, in one direction.
-void check_order(const Section& path, const std::vector<double>& angles, double turn, int turns, Messages& messages) {
-    if (angles.size() < 2) return;
+/// Whether the problem's mechanism is one that a slide drives: crank angles then are its displacements.
+bool is_driven_by_slide(const Problem& problem) {
+    return problem.mechanism != nullptr && !comes_round(*problem.mechanism);
+}
+
+/// The mechanism passes the points in one direction; false where it does not.
+bool check_order(const Section& path, const std::vector<double>& angles, Messages& messages) {
+    if (angles.size() < 2) return true;
     const bool rising = angles[1] > angles[0];
     for (std::size_t i = 1; i < angles.size(); ++i) {
         const bool follows = rising ? angles[i] > angles[i - 1] : angles[i] < angles[i - 1];
@@ -50,9 +55,14 @@ void check_order(const Section& path, const std::vector<double>& angles, double 
         add_error(messages, element_place(path, "crank_angles", i),
                   fmt::format("crank angle {} ({}) breaks the order: crank_angles must all rise or all fall", i + 1,
                               angles[i]));
-        return;
+        return false;
     }
-    if (std::abs(angles.back() - angles.front()) > turns * turn)
+    return true;
+}
+
+/// It passes them in one turn, or as many as its cycle has.
+void check_turns(const Section& path, const std::vector<double>& angles, double turn, int turns, Messages& messages) {
+    if (angles.size() > 1 && std::abs(angles.back() - angles.front()) > turns * turn)
         add_error(messages, place_of(path, "crank_angles"),
                   fmt::format("crank_angles go from {} to {}: they must stay within {}", angles.front(), angles.back(),
                               turns == 1 ? "one full turn" : fmt::format("{} turns", turns)));
@@ -67,7 +77,11 @@ std::vector<double> read_crank_angles(Section& path, const Problem& problem, con
     auto angles = read_numbers(path, "crank_angles", messages);
     if (!angles) return {};
     same_length(path, "crank_angles", angles->size(), list, messages);
-    check_order(path, *angles, full_turn(units), problem.mechanism ? turns_of_cycle(*problem.mechanism) : 1, messages);
+    const bool ordered = check_order(path, *angles, messages);
+    if (is_driven_by_slide(problem)) return *angles;
+    if (ordered)
+        check_turns(path, *angles, full_turn(units), problem.mechanism ? turns_of_cycle(*problem.mechanism) : 1,
+                    messages);
     for (double& angle : *angles)
         angle = to_radians(units, angle);
     return *angles;
@@ -147,6 +161,31 @@ bool is_one_target(const std::vector<Section>& sections, const Problem& problem,
     return false;
 }
 
+/// Displacements that are counted from where the file says are on the stroke of the slide that drives.
+void check_stroke(const Section& target, const PathTarget& path, std::size_t number, const Problem& problem,
+                  Messages& messages) {
+    if (!path.prescribed_timing || path.crank_angles.empty() || !is_driven_by_slide(problem)) return;
+    const DimensionRange& start = problem.dimensions[problem.mechanism->roles_of(number).start];
+    const auto reach = reach_of_input(*problem.mechanism);
+    if (!start.fixed() || !reach) return;
+    for (const double displacement : path.crank_angles) {
+        const double at = start.min + displacement;
+        if (at >= (*reach)[0] && at <= (*reach)[1]) continue;
+        return add_error(
+            messages, place_of(target, "crank_angles"),
+            fmt::format("the displacement {} is not on the stroke of the slide that drives, which goes from "
+                        "{} to {}: give displacements between its stops, or other stops",
+                        at, (*reach)[0], (*reach)[1]));
+    }
+}
+
+/// Nothing goes round that a slide drives.
+void check_closed(const Section& path, const PathTarget& target, const Problem& problem, Messages& messages) {
+    if (target.closed && is_driven_by_slide(problem))
+        add_error(messages, place_of(path, "closed"),
+                  "the linkage is driven by a slide, which goes to and fro and never round: leave 'closed' out");
+}
+
 }  // namespace
 
 namespace {
@@ -169,6 +208,8 @@ void read_one_path(Section& path, Problem& problem, Messages& messages) {
         check_free_timing(path, list, messages);
     find(path, "crank_angles");
     report_unknown_keys(path, messages);
+    check_closed(path, target, problem, messages);
+    check_stroke(path, target, next_target(problem), problem, messages);
     target.points = std::move(list.points);
     add_target(std::move(target), path, problem, messages);
 }
@@ -273,6 +314,7 @@ void read_these_poses(Section& poses, Problem& problem, Messages& messages) {
                   fmt::format("'crank_angles' in {} need timing = \"prescribed\"; with free timing leave them out",
                               poses.title));
     report_unknown_keys(poses, messages);
+    check_stroke(poses, target, next_target(problem), problem, messages);
     target.points = std::move(list.points);
     add_target(std::move(target), poses, problem, messages);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/report/text/sections.h"
@@ -25,24 +26,32 @@ int decimals_of(const std::vector<Vector<double>>& points, int digits) {
     return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(greatest))), 0, 9);
 }
 
+/// The crank angle at a point, or the displacement.
+std::string place_text(const Problem& problem, const Design& design, std::size_t point, int digits) {
+    const double input = design.path_angles[point];
+    const Unit unit = input_unit(*problem.mechanism);
+    if (unit == Unit::length) return quantity_text(input, unit, problem, design, digits);
+    return fixed_text(in_file_unit(input, unit, problem.units), problem.units.degrees ? 2 : 4);
+}
+
 std::string point_table(const Problem& problem, const Design& design, const PathValues& values,
                         const PointRange& points, int digits) {
     const bool body = problem.path->guides_body_at(points.first);
     Table table{{Align::right, Align::point, Align::point, Align::right, Align::right, Align::right, Align::point}, {}};
-    table.rows.push_back({"#", "target x", "y", "reached x", "y", "crank", "distance"});
+    const char* input = input_unit(*problem.mechanism) == Unit::angle ? "crank" : "drive";
+    table.rows.push_back({"#", "target x", "y", "reached x", "y", input, "distance"});
     if (body) {
         table.columns = {Align::right, Align::point, Align::point, Align::point, Align::right,
                          Align::right, Align::right, Align::right, Align::point};
-        table.rows.front() = {"#", "target x", "y", "angle", "reached x", "y", "angle", "crank", "distance"};
+        table.rows.front() = {"#", "target x", "y", "angle", "reached x", "y", "angle", input, "distance"};
     }
     const int decimals = decimals_of(problem.path->points, digits + 1);
     for (std::size_t i = points.first; i < points.end(); ++i) {
         const Vector<double>& target = problem.path->points[i];
         const Vector<double>& reached = values.reached[i];
-        const double angle = in_file_unit(design.path_angles[i], Unit::angle, problem.units);
         table.rows.push_back({std::to_string(i - points.first + 1), number_text(target.x, 6), number_text(target.y, 6),
                               fixed_text(reached.x, decimals), fixed_text(reached.y, decimals),
-                              fixed_text(angle, problem.units.degrees ? 2 : 4),
+                              place_text(problem, design, i, digits),
                               quantity_text(values.distances[i], Unit::length, problem, design, digits)});
         if (!body) continue;
         auto& row = table.rows.back();

@@ -16,8 +16,8 @@ namespace mechwright {
 
 namespace {
 
-constexpr double angular = 1e-9;      // radians, of stated crank angles
-constexpr double least_step = 1e-12;  // radians from point to point
+constexpr double angular = 1e-9;      // radians, of stated crank angles and over the size of stated displacements
+constexpr double least_step = 1e-12;  // the same, from point to point
 
 double plain(const Digits50& value) { return value.convert_to<double>(); }
 
@@ -32,8 +32,17 @@ const Digits50& full_turn() { return boost::math::constants::two_pi<Digits50>();
 
 Digits50 within_turn(const Digits50& angle) { return within_period(angle, full_turn()); }
 
-/// The turns of the crank after which everything is where it was.
-Digits50 cycle(const Rebuilt& design) { return full_turn() * turns_of_cycle(*design.claim->mechanism); }
+/// The turns of the crank after which everything is where it was; infinite where a slide drives.
+Digits50 cycle(const Rebuilt& design) { return cycle_again(*design.claim->mechanism); }
+
+/// An input of the document as it counts inside, and in words with its unit.
+Digits50 input_of(const Rebuilt& design, double stated) {
+    return from_document(stated, input_unit(*design.claim->mechanism), design.claim->units);
+}
+std::string input_text(const Rebuilt& design, const Digits50& input) {
+    return value_text(input, input_unit(*design.claim->mechanism), design.claim->units);
+}
+std::string inputs_word(const Rebuilt& design) { return std::string(input_word(*design.claim->mechanism)) + "s"; }
 
 /// The error of each point against a limit; passes if every error is finite and within it.
 template <class Error>
@@ -95,12 +104,12 @@ Check check_prescribed(const Rebuilt& design) {
     const auto start = [&](std::size_t i) -> const Digits50& {
         return design.dimensions[claim.mechanism->roles_of(claim.path->target_of(i)).start];
     };
-    return check_each(
-        "meets the points at the prescribed crank angles", *claim.path, angular, [&](std::size_t i) -> Digits50 {
-            const Digits50 due = start(i) + from_document(claim.path->prescribed_angles[i], Unit::angle, claim.units);
-            const Digits50 off = within_period(design.path->crank_angles[i] - due, cycle(design));
-            return std::min(off, Digits50(cycle(design) - off));
-        });
+    return check_each("meets the points at the prescribed " + inputs_word(design), *claim.path,
+                      angular * unit_of_input(design), [&](std::size_t i) -> Digits50 {
+                          const Digits50 due = start(i) + input_of(design, claim.path->prescribed_angles[i]);
+                          const Digits50 off = within_period(design.path->crank_angles[i] - due, cycle(design));
+                          return std::min<Digits50>(abs(off), cycle(design) - off);
+                      });
 }
 
 /// The crank angles that are swept if the points of a target are met in order in a direction; nothing if they cannot
@@ -115,7 +124,7 @@ std::optional<SweptRange> swept_in_order(const Rebuilt& design, const PointRange
     Digits50 swept = 0;
     for (std::size_t i = points.first + 1; i < points.end(); ++i) {
         const Digits50 step = within_period(direction * (angles[i] - angles[i - 1]), whole);
-        if (step < least_step) return std::nullopt;
+        if (step < least_step * unit_of_input(design)) return std::nullopt;
         swept += step;
     }
     if (swept > whole + (ends_meet ? angular : -least_step)) return std::nullopt;
@@ -139,7 +148,7 @@ std::vector<SweptRange> sweeps(const Rebuilt& design) {
         std::vector<Digits50> due;
         for (std::size_t i = 0; i < path.points.size(); ++i)
             due.push_back(design.dimensions[claim.mechanism->roles_of(path.target_of(i)).start] +
-                          from_document(path.prescribed_angles[i], Unit::angle, claim.units));
+                          input_of(design, path.prescribed_angles[i]));
         for (std::size_t target = 0; target < path.targets(); ++target)
             ranges.push_back(range_of(due, path.points_of(target)));
         return {shortest_over(ranges, cycle(design))};
@@ -178,8 +187,8 @@ bool met_clockwise(const Rebuilt& design) {
 }
 
 std::string range_text(const Rebuilt& design, const SweptRange& range) {
-    return fmt::format("crank angles {} to {}", value_text(range.from, Unit::angle, design.claim->units),
-                       value_text(range.to, Unit::angle, design.claim->units));
+    return fmt::format("{} {} to {}", inputs_word(design), input_text(design, range.from),
+                       input_text(design, range.to));
 }
 
 /// The curve of the guided point over the motion: evenly spaced samples in double, of which those are left out that the
@@ -206,7 +215,7 @@ Motion motion_of_curve(const Rebuilt& design, std::size_t target) {
     const PointRange points = design.claim->path->points_of(target);
     for (std::size_t i = points.first; i < points.end(); ++i) {
         const double at = plain(design.path->crank_angles[i]);
-        if (!is_beside_end(design.path->motion, at)) continue;
+        if (!is_beside_end(design, design.path->motion, at)) continue;
         if (at - design.path->motion.from < design.path->motion.to - at)
             motion.from = std::max(motion.from, at);
         else
@@ -294,10 +303,11 @@ Check check_closed(const Rebuilt& design) {
 
 Check check_order(const Rebuilt& design, const std::vector<SweptRange>& possible) {
     const bool passed = !possible.empty();
-    const std::string cycle = cycle_words(*design.claim->mechanism);
-    return {"meets the points in order within " + cycle + " of the crank", passed,
+    const Mechanism& mechanism = *design.claim->mechanism;
+    const std::string within = comes_round(mechanism) ? " within " + cycle_words(mechanism) : "";
+    return {"meets the points in order" + (within.empty() ? " along the stroke" : within + " of the crank"), passed,
             passed ? range_text(design, possible.front())
-                   : "the crank angles neither rise nor fall from point to point within " + cycle};
+                   : "the " + inputs_word(design) + " neither rise nor fall from point to point" + within};
 }
 
 /// One of the sweeps must lie on one branch in one assembled range.
@@ -324,8 +334,8 @@ std::optional<Vector<Digits50>> range_of_use_again(const Rebuilt& design) {
     const Claim& claim = *design.claim;
     if (!design.path) return Vector<Digits50>{1, 0};
     const SweptRange between = stretch_between(design);
-    Digits50 before = from_document(claim.use->before, Unit::angle, claim.units);
-    Digits50 after = from_document(claim.use->after, Unit::angle, claim.units);
+    Digits50 before = input_of(design, claim.use->before);
+    Digits50 after = input_of(design, claim.use->after);
     if (met_clockwise(design)) std::swap(before, after);
     return Vector<Digits50>{between.from - before, between.to + after};
 }
@@ -338,10 +348,9 @@ Check check_range_of_use(const Rebuilt& design, Stated parts) {
     check.detail = range_text(design, {used.x, used.y});
     if (parts != Stated::everything) return check.passed = true, check;
     if (!claim.used_angles) return check.detail += ", which is not stated", check;
-    const Digits50 off =
-        std::max<Digits50>(abs(from_document(claim.used_angles->x, Unit::angle, claim.units) - used.x),
-                           abs(from_document(claim.used_angles->y, Unit::angle, claim.units) - used.y));
-    check.passed = off <= angular;
+    const Digits50 off = std::max<Digits50>(abs(input_of(design, claim.used_angles->x) - used.x),
+                                            abs(input_of(design, claim.used_angles->y) - used.y));
+    check.passed = off <= angular * unit_of_input(design);
     if (!check.passed) check.detail += fmt::format(", stated are {} to {}", claim.used_angles->x, claim.used_angles->y);
     return check;
 }

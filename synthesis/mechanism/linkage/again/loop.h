@@ -172,13 +172,15 @@ public:
             if (!holds(s_.drives[i].stops, [&] { return inputs[i]; })) return false;
         for (std::size_t i = 0; i < s_.slides.size(); ++i)
             if (!holds(s_.slides[i].stops, [&] { return displacement(i, pose); })) return false;
-        for (const linkage::Slot& slot : s_.slots)
-            if (!holds(slot.stops, [&] {
-                    const Vector<T> way = pin(slot.pin, pose) - pose.at(slot.line.on, place(slot.line.through));
-                    return dot(direction(slot.line, pose), way);
-                }))
-                return false;
-        return true;
+        const auto is_within = [&](const linkage::Slot& slot) {
+            return holds(slot.stops, [&] {
+                const Vector<T> way = pin(slot.pin, pose) - pose.at(slot.line.on, place(slot.line.through));
+                return dot(direction(slot.line, pose), way);
+            });
+        };
+        return std::all_of(s_.slots.begin(), s_.slots.end(), is_within) &&
+               std::all_of(s_.circular.begin(), s_.circular.end(),
+                           [&](const linkage::CircularSlot& slot) { return !slot.ends || is_within(*slot.ends); });
     }
 
     /// Velocities of all links for unit speeds of the drives as given: origins and turns. To predict with: doubles say

@@ -31,8 +31,10 @@ std::vector<ErrorExtreme> extremes_of_distance(Form form, std::span<const double
     const measuring::Over sized(motion, true);
     const std::size_t own = sized.dimensions_of(arguments).size();
     const double start = arguments[own], range = arguments[own + 1];
-    motion.from = std::min(start, start + range);
-    motion.to = std::max(start, start + range);
+    const LinkageModel& model = linkage_of(form.model);
+    const double unit = model.unit_of_input(), input = model.input_per_argument();
+    motion.from = unit * std::min(start, start + range);
+    motion.to = unit * std::max(start, start + range);
     const measuring::Over over(motion, true);
     const auto dimensions = over.dimensions_of(arguments), shape = over.shape_of(arguments);
     const auto signals = measuring::own_signals(over.model, measure);
@@ -45,7 +47,7 @@ std::vector<ErrorExtreme> extremes_of_distance(Form form, std::span<const double
     for (const linkage::Extreme& place :
          linkage::extremes(plain, {0, 0}, course, course.travel.from, course.travel.to)) {
         if (std::isnan(place.value)) return {};
-        const double share = (place.at - start) / range;
+        const double share = (place.at - input * start) / (input * range);
         all.push_back({share, share, place.value - radius, place.stationary});
     }
     if (range < 0) std::reverse(all.begin(), all.end());

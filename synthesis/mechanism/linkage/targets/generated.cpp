@@ -55,8 +55,9 @@ private:
         made.model = form.model;
         made.of = &measure;
         made.full_turn = false;
-        made.from = std::min(scales[0], scales[0] + scales[1]);
-        made.to = std::max(scales[0], scales[0] + scales[1]);
+        const double unit = linkage_of(form.model).unit_of_input();
+        made.from = unit * std::min(scales[0], scales[0] + scales[1]);
+        made.to = unit * std::max(scales[0], scales[0] + scales[1]);
         made.function = &function;
         return made;
     }
@@ -72,12 +73,13 @@ private:
 std::vector<ErrorExtreme> extremes(const FunctionTarget& function, Form form, std::span<const double> arguments) {
     const std::vector<measuring::Term> errors = Generating(function, form, arguments).errors();
     const auto scales = arguments.last(4);
+    const double input = linkage_of(form.model).input_per_argument();
     std::vector<ErrorExtreme> all;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const measuring::Extreme& place = errors[i].place;
         if (!std::isfinite(place.value)) return {};
         if (function.parts.empty())
-            all.push_back({(place.at - scales[0]) / scales[1], 0, place.value, place.stationary});
+            all.push_back({(place.at - input * scales[0]) / (input * scales[1]), 0, place.value, place.stationary});
         else
             all.push_back({function.parts[i].x, function.parts[i].y, place.value, false});
     }

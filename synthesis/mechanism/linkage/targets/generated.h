@@ -30,7 +30,7 @@ double whole_turns_of_error(const Over& over, linkage::Measured<double, K>& plai
     const std::size_t output = over.measure.signals[over.measure.asked.signal].of;
     if (!linkage::turns_are_alike(over.measure.signals, output)) return 0;
     const auto scales = arguments.last(4);
-    const double start = scales[0];
+    const double start = over.input_at(scales[0]);
     const linkage::Limit& limit = start == course.travel.from ? course.travel.first : course.travel.last;
     const double here = plain.value(output, start, course.turns.near(start), limit).c[0];
     return std::isfinite(here) ? std::round((here - scales[2]) / turn) : 0;
@@ -45,7 +45,7 @@ std::vector<Term> errors_at_samples(const Over& over, linkage::Measured<double, 
     for (const Vector<double>& sample : over.motion.function->parts) {
         plain.ask(over.wanted_of(arguments, whole_turns, {&sample.y, 1}));
         // The ends of the range are those of the motion to the last bit.
-        const double at = sample.x == 1 ? scales[0] + scales[1] : scales[0] + scales[1] * sample.x;
+        const double at = over.input_at(sample.x == 1 ? scales[0] + scales[1] : scales[0] + scales[1] * sample.x);
         const auto& travel = course.travel;
         const linkage::Limit limit = at == travel.from ? travel.first
                                      : at == travel.to ? travel.last

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "analysis/linkage/motion/driven.h"
+#include "analysis/linkage/placing/needed.h"
 #include "synthesis/mechanism/linkage/again/follow.h"
 #include "synthesis/mechanism/linkage/targets/needed_guidance.h"
 #include "synthesis/mechanism/linkage/targets/seeded.h"
@@ -26,11 +28,20 @@ struct Guided {
     double margin;                 ///< the least of all dyads
 };
 
-double least_margin(const linkage::Pose<double>& pose) {
+/// Whether a margin is to a stop of the slide that drives which no dimension changes. Displacements of targets are kept
+/// on the stroke by what asks for them (input.h), and may be its ends, where rounding would decide of a margin.
+bool is_end_of_stroke(const LinkageModel& model, std::size_t margin) {
+    if (!model.driven_by_slide() || !model.order.is_stop(margin)) return false;
+    const linkage::Step& step = linkage::step_of(model.order, margin);
+    const linkage::Stops& stops = model.structure.drives.front().stops;
+    return step.input == 0 && model.numbers[step.reversed ? *stops.max : *stops.min].terms.empty();
+}
+
+double least_margin(const LinkageModel& model, const linkage::Pose<double>& pose) {
     double least = std::numeric_limits<double>::infinity();
-    for (const linkage::Margin<double>& margin : pose.margins)
-        for (const double one : {margin.outer, margin.inner})
-            if (!(one >= least)) least = one;
+    for (std::size_t i = 0; i < pose.margins.size(); ++i)
+        for (const double one : {pose.margins[i].outer, pose.margins[i].inner})
+            if (!(one >= least) && !is_end_of_stroke(model, i)) least = one;
     return least;
 }
 
@@ -54,7 +65,7 @@ Guided<T> guided(const LinkageModel& model, const Form& form, const Ways& ways, 
     Guided<T> made{{model.placement[0].at(dimensions) + scale * at.x, model.placement[1].at(dimensions) + scale * at.y,
                     facing.x, facing.y},
                    0};
-    if constexpr (std::is_same_v<T, double>) made.margin = least_margin(driven.pose);
+    if constexpr (std::is_same_v<T, double>) made.margin = least_margin(model, driven.pose);
     return made;
 }
 
@@ -104,17 +115,31 @@ std::optional<double> miss_needed(const LinkageModel& model, const Form& form, s
     return at.least_margin();
 }
 
-/// What is missed of the first of four coordinates, with its derivatives by the dimensions, the angle of the body where
-/// it is guided, and the crank angle.
+/// Makes derivatives by the last of so many arguments, which was multiplied by a factor, those by what it was.
 template <std::size_t Count>
-double miss(Form form, std::span<const double> dimensions, double crank_angle, const std::array<double, Count>& wanted,
-            std::array<double, Count>& missed, const std::array<Into, Count>& into) {
+void by_factor(const std::array<Into, Count>& into, std::size_t arguments, double factor) {
+    const std::size_t last = arguments - 1;
+    for (const Into& one : into) {
+        if (!one.gradient.empty()) one.gradient[last] *= factor;
+        if (one.hessian.empty()) continue;
+        const std::size_t row = last * (last + 1) / 2;
+        for (std::size_t i = 0; i <= last; ++i)
+            one.hessian[row + i] *= i < last ? factor : factor * factor;
+    }
+}
+
+/// What is missed of the first of four coordinates, with its derivatives by the dimensions, the angle of the body where
+/// it is guided, and the input of the analysis.
+template <std::size_t Count>
+double miss_at_input(Form form, std::span<const double> dimensions, double input,
+                     const std::array<double, Count>& wanted, std::array<double, Count>& missed,
+                     const std::array<Into, Count>& into) {
     const LinkageModel& model = linkage_of(form.model);
     constexpr bool faces = Count == 4;
     WorkingRow<double, most_arguments> room;
     const std::span<double> arguments = room.of(dimensions.size() + 1);
     std::copy(dimensions.begin(), dimensions.end(), arguments.begin());
-    arguments.back() = crank_angle;
+    arguments.back() = input;
     if (const auto margin = miss_needed(model, form, arguments, wanted, missed, into)) return *margin;
     const std::size_t n = arguments.size(), lengths = n - (faces ? 2 : 1);
     const Ways ways = ways_of(model, arguments.first(lengths), form.assembly);
@@ -143,6 +168,16 @@ double miss(Form form, std::span<const double> dimensions, double crank_angle, c
                     into[c].gradient[from + i] = -at.coordinates[c].partial[i];
         });
     return here.margin;
+}
+
+/// The same for a crank angle, or a displacement among the arguments, and by that.
+template <std::size_t Count>
+double miss(Form form, std::span<const double> dimensions, double crank_angle, const std::array<double, Count>& wanted,
+            std::array<double, Count>& missed, const std::array<Into, Count>& into) {
+    const double factor = linkage_of(form.model).input_per_argument();
+    const double margin = miss_at_input<Count>(form, dimensions, factor * crank_angle, wanted, missed, into);
+    if (factor != 1) by_factor(into, dimensions.size() + 1, factor);
+    return margin;
 }
 
 void miss_point(Form form, std::span<const double> dimensions, double crank_angle, const Vector<double>& target,
@@ -174,7 +209,7 @@ std::optional<LoopPose<Digits50>> pose_again(Form form, std::span<const Digits50
         plain.push_back(d.convert_to<double>());
     linkage::Driven<double> moving = driven(model, plain, form.assembly);
     moving.shortfall = 1e-13 * size_of(moving);
-    const auto near = pose_of_dyads(moving, crank_angle.convert_to<double>());
+    const auto near = pose_of_dyads(moving, model.input_of(crank_angle.convert_to<double>()));
     if (!near) return {};
     Follower<Digits50> precise(model, numbers_of(model, dimensions));
     if (!precise.start(crank_angle, pose_as<Digits50>(*near))) return {};
@@ -214,6 +249,15 @@ std::size_t uses_of(const LinkageModel& model, std::size_t dimension) {
 
 }  // namespace
 
+linkage::Needed needed_for_guidance(const LinkageModel& model, const GuidedPoint& guided) {
+    linkage::Needed needed = linkage::needed_of(model.structure, model.order, model.numbers.size(), guided.pin,
+                                                guided.is_body ? guided.link : linkage::none, true);
+    assert(needed.margins.empty() || needed.margins.size() == model.order.margins);
+    for (std::size_t i = needed.margins.size(); i-- > 0;)
+        if (is_end_of_stroke(model, i)) needed.margins.erase(needed.margins.begin() + static_cast<std::ptrdiff_t>(i));
+    return needed;
+}
+
 PathRoles linkage_path_roles(const LinkageModel& model, const GuidedPoint& guided) {
     PathRoles roles{no_dimension, no_dimension, dimension_of(model.placement[0]), dimension_of(model.placement[1]),
                     dimension_of(model.placement[2])};
@@ -243,7 +287,8 @@ PointGuidance linkage_point_guidance(const LinkageModel& model, std::size_t dime
 Vector<double> guided_point_of_linkage(Form form, std::span<const double> dimensions, double crank_angle) {
     const LinkageModel& model = linkage_of(form.model);
     const Ways ways = ways_of(model, dimensions, form.assembly);
-    const auto at = guided(model, form, ways, dimensions, crank_angle, 0.0).coordinates;
+    const double input = model.input_per_argument() * crank_angle;
+    const auto at = guided(model, form, ways, dimensions, input, 0.0).coordinates;
     return {at[0], at[1]};
 }
 

@@ -17,6 +17,10 @@ namespace mechwright {
 PointGuidance linkage_point_guidance(const LinkageModel& model, std::size_t dimensions);
 BodyGuidance linkage_body_guidance(const LinkageModel& model, const GuidedPoint& guided, std::size_t dimensions);
 
+/// What a guided point or body depends on, with the margins that keep it assembled: all but those to ends of the
+/// stroke.
+linkage::Needed needed_for_guidance(const LinkageModel& model, const GuidedPoint& guided);
+
 /// Which dimensions play which part for a guided point: its own coordinates only where nothing else depends on them.
 PathRoles linkage_path_roles(const LinkageModel& model, const GuidedPoint& guided);
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "synthesis/mechanism/input.h"
+
 namespace mechwright {
 
 using Eigen::Index;
@@ -208,13 +210,24 @@ std::vector<double> dimensions_at(const Program& program, const VectorXd& x) {
     return dimensions;
 }
 
+double unit_of_input(const Program& program) {
+    return input_unit(*program.problem->mechanism) == Unit::length ? program.length : 1;
+}
+
+std::optional<std::array<double, 2>> stroke_of(const Program& program) {
+    const auto reach = reach_of_input(*program.problem->mechanism);
+    if (!reach) return {};
+    return std::array{(*reach)[0] / program.length, (*reach)[1] / program.length};
+}
+
 PathAngle path_angle(const Program& program, std::span<const double> dimensions, const VectorXd& x, std::size_t point) {
     if (program.untimed_path()) {
         const auto variable = static_cast<std::ptrdiff_t>(program.first_path_angle + point);
         return {x[variable], variable};
     }
     const std::size_t start = program.problem->mechanism->roles_of(program.problem->path->target_of(point)).start;
-    return {dimensions[start] + program.problem->path->crank_angles[point], program.variable_of[start]};
+    return {dimensions[start] + program.problem->path->crank_angles[point] / unit_of_input(program),
+            program.variable_of[start]};
 }
 
 bool evaluate_path(const Program& program, const VectorXd& x, bool derivatives, Outputs& out) {

@@ -2,7 +2,9 @@
 /// \file
 /// The outputs that a path adds to a program, and their derivatives.
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,7 +16,13 @@ namespace mechwright {
 void set_dimensions(const Program& program, const Eigen::VectorXd& x, std::vector<double>& dimensions);
 std::vector<double> dimensions_at(const Program& program, const Eigen::VectorXd& x);
 
-/// The crank angle at a point of the path, and the variable it depends on (-1: none).
+/// What inputs are divided by in the program: displacements of a driven slide as all lengths, crank angles by nothing.
+double unit_of_input(const Program& program);
+
+/// The stroke of the slide that drives, in the program's lengths; absent where a crank does, which may turn on.
+std::optional<std::array<double, 2>> stroke_of(const Program& program);
+
+/// The crank angle at a point of the path, or the displacement, and the variable it depends on (-1: none).
 struct PathAngle {
     double angle;
     std::ptrdiff_t variable;

@@ -67,7 +67,8 @@ Spans spans_of(const Problem& problem, std::span<const double> dimensions, const
     return spans;
 }
 
-/// The shortest stretch that holds all, each turned on by whole cycles: it begins where one of them does.
+/// The shortest stretch that holds all, each turned on by whole cycles, where there are such: it begins where one of
+/// them does.
 StretchEnds shortest_stretch(const Spans& all, double cycle) {
     constexpr double as_short = 1e-9;
     const std::span<const Span> spans = all.those();
@@ -78,7 +79,7 @@ StretchEnds shortest_stretch(const Spans& all, double cycle) {
         StretchEnds ends{begins.first, begins.first, 0};
         double least = begin, greatest = begin;
         for (const Span& span : spans) {
-            const bool stays = &span == &begins || !span.turns;
+            const bool stays = &span == &begins || !span.turns || !std::isfinite(cycle);
             const double turns = stays ? 0 : cycle * std::ceil((begin - span.from) / cycle - as_short);
             if (span.from + turns < least) {
                 least = span.from + turns;
@@ -155,7 +156,8 @@ namespace {
 double angle_at_point(const Program& program, std::span<const double> dimensions, const VectorXd& x, std::size_t i) {
     const PathTarget& path = *program.problem->path;
     if (program.untimed_path()) return x[static_cast<Eigen::Index>(program.first_path_angle + i)];
-    return path.crank_angles[i] + dimensions[program.problem->mechanism->roles_of(path.target_of(i)).start];
+    return path.crank_angles[i] / unit_of_input(program) +
+           dimensions[program.problem->mechanism->roles_of(path.target_of(i)).start];
 }
 
 StretchEnds ends_at(const Program& program, std::span<const double> dimensions, const VectorXd& x) {
@@ -231,9 +233,10 @@ void add_stretch(const Program& program, std::span<const double> dimensions, con
     if (problem.use) {
         const auto [less, more] =
             beyond_ends(problem, [&](std::size_t i) { return angle_at_point(program, dimensions, x, i); });
+        const double unit = unit_of_input(program);
         // The first of an ordered path is at the greater crank angle where the crank turns clockwise.
-        start.value += range.value < 0 ? more : -less;
-        range.value += range.value < 0 ? -(less + more) : less + more;
+        start.value += (range.value < 0 ? more : -less) / unit;
+        range.value += (range.value < 0 ? -(less + more) : less + more) / unit;
     }
     start.finish();
     range.finish();
