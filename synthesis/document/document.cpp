@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/document/dwell_document.h"
 #include "synthesis/document/fields.h"
 #include "synthesis/document/given_document.h"
 #include "synthesis/document/kinds_in_documents.h"
@@ -203,6 +204,7 @@ void put_findings(Json& json, const Problem& problem, const Solution& solution) 
     if (!problem.requirements.empty()) json[of_finding("requirements")] = requirements_of(problem, &solution.design);
     json[of_finding("quantities")] = quantities_of(problem, solution.design);
     put_targets(json, problem, &solution);
+    put_dwells(json, problem, solution.design);
     put_warnings(json, problem, solution.design);
 }
 

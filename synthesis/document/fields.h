@@ -183,6 +183,23 @@ inline constexpr std::array followed = joined(
                Key{"free", Shape::whole_number, "Dimensions that were free to make the distance small."}},
     name_and_weight);
 
+inline constexpr std::array dwell_extreme{
+    Key{"input", Shape::number, "Crank angle, or displacement of the slide that drives, where it is.", true},
+    Key{"value", Shape::number, "The signal there.", true},
+    Key{"off", Shape::number, "By how much it is more than the middle value there.", true}};
+
+inline constexpr std::array dwell{
+    Key{"quantity", Shape::text, "The deviation that is to be least.", true},
+    Key{"middle", Shape::number, "Halfway between the least and the greatest value of the signal.", true},
+    Key{"extremes", Shape::tables, "Where the signal is extreme.", true, {}, dwell_extreme},
+    Key{"alternating", Shape::whole_number,
+        "Extremes as far from the middle as the farthest, on alternating sides of it.", true},
+    Key{"free", Shape::whole_number, "Numbers that were free to make it still: dimensions left open, and the middle.",
+        true},
+    Key{"held", Shape::whole_number,
+        "Limits at which the design stands: requirements, and ends of the ranges of dimensions.", true},
+    Key{"balanced", Shape::flag, "Extremes and limits balance: to first order no design near is as still.", true}};
+
 inline constexpr std::array warning{
     Key{"name", Shape::text, "Why the mechanism is close to a singular position.", true},
     Key{"margin", Shape::number, "By how much, a length."},
@@ -287,6 +304,7 @@ inline constexpr std::array finding{
     Key{"function", Shape::table, "The function that is generated.", false, {}, function},
     Key{"line", Shape::table, "The line that is followed.", false, {}, followed},
     Key{"arc", Shape::table, "The arc that is followed.", false, {}, followed},
+    Key{"dwells", Shape::tables, "Signals that are to be as still as can be.", false, {}, dwell},
     Key{"warnings", Shape::tables, "Margins of a design close to a singular position.", false, {}, warning},
     Key{"verification",
         Shape::table,
@@ -355,6 +373,8 @@ inline constexpr NamesOf<fields::design> of_design;
 inline constexpr NamesOf<fields::discrete> of_discrete;
 inline constexpr NamesOf<fields::distance> of_distance;
 inline constexpr NamesOf<fields::document> of_document;
+inline constexpr NamesOf<fields::dwell> of_dwell;
+inline constexpr NamesOf<fields::dwell_extreme> of_dwell_extreme;
 inline constexpr NamesOf<fields::error> of_error;
 inline constexpr NamesOf<fields::finding> of_finding;
 inline constexpr NamesOf<fields::followed> of_followed;

@@ -1,6 +1,5 @@
 #include "synthesis/program/error_extremes.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
+#include "synthesis/program/free_columns.h"
 #include "synthesis/program/quantity_value.h"
 
 namespace mechwright {
@@ -31,9 +31,6 @@ double rounding_of_error(const Problem& problem, const InputTask& task, const De
     return units * std::numeric_limits<double>::epsilon() * size;
 }
 
-/// Columns of sensitivities are independent if they differ by more than this.
-constexpr double independent_beyond = 1e-7;
-
 /// How many of the dimensions left open the error depends on independently: the size of a linkage does not count where
 /// only angles matter.
 int free_dimensions(const Problem& problem, const InputTask& task, const Design& design) {
@@ -44,23 +41,7 @@ int free_dimensions(const Problem& problem, const InputTask& task, const Design&
     measure(q, motion, design.dimensions, {value, gradient, {}});
     const auto slopes = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
         gradient.data(), static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(q.reads.size()));
-    if (!slopes.allFinite()) return 0;
-    Eigen::MatrixXd by_dimension =
-        Eigen::MatrixXd::Zero(slopes.rows(), static_cast<Eigen::Index>(problem.dimensions.size()));
-    for (std::size_t i = 0; i < q.reads.size(); ++i) {
-        const DimensionRange& range = problem.dimensions[q.reads[i]];
-        const auto slope = slopes.col(static_cast<Eigen::Index>(i));
-        for (const auto& [other, times] : range.tie.terms)
-            by_dimension.col(static_cast<Eigen::Index>(other)) += times * slope;
-        if (!range.fixed() && !range.tied()) by_dimension.col(static_cast<Eigen::Index>(q.reads[i])) += slope;
-    }
-    for (Eigen::Index k = 0; k < by_dimension.cols(); ++k) {
-        const double norm = by_dimension.col(k).norm();
-        by_dimension.col(k) *= problem.dimensions[static_cast<std::size_t>(k)].fixed() || norm == 0 ? 0 : 1 / norm;
-    }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> columns(by_dimension);
-    columns.setThreshold(independent_beyond);
-    return static_cast<int>(columns.rank());
+    return slopes.allFinite() ? independent_columns(by_free_dimensions(problem, q.reads, slopes)) : 0;
 }
 
 }  // namespace

@@ -12,13 +12,13 @@
 #include "synthesis/program/error_extremes.h"
 #include "synthesis/program/result.h"
 #include "synthesis/verify/error_again.h"
+#include "synthesis/verify/slopes_again.h"
 
 namespace mechwright {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Row = std::vector<Digits50>;
 
 constexpr std::size_t most_listed = 40;  // extremes of a document
 
@@ -96,107 +96,17 @@ std::vector<ExtremeAgain> alternating(const Error& error) {
 }
 
 /// How the errors at some extremes, with the signs that make them positive, change with each free dimension.
-std::vector<Row> slopes(const Error& error, const std::vector<ExtremeAgain>& at) {
-    const Claim& claim = error.claim;
-    const Digits50 part_of_size("1e-18");
-    std::vector<Row> rows(at.size());
-    for (std::size_t k = 0; k < claim.design.size(); ++k) {
-        const auto& given = claim.given[k];
-        if (!given || given->tied() || given->min == given->max) continue;
-        const Digits50 step = part_of_size * std::max<Digits50>(abs(error.design.dimensions[k]), 1);
-        std::vector<Digits50> more = error.design.dimensions, less = more;
-        for (std::size_t i = 0; i < more.size(); ++i) {
-            Digits50 change = i == k ? step : Digits50(0);
-            if (claim.given[i])
-                for (const auto& [other, times] : claim.given[i]->tie.terms)
-                    if (other == k) change = times * step;
-            more[i] += change;
-            less[i] -= change;
-        }
-        for (std::size_t i = 0; i < at.size(); ++i) {
-            const Digits50 slope = (error.curve.at(at[i].share, more) - error.curve.at(at[i].share, less)) / (2 * step);
-            rows[i].push_back(at[i].error < 0 ? Digits50(-slope) : slope);
-        }
-    }
+std::vector<RowAgain> slopes(const Error& error, const std::vector<ExtremeAgain>& at) {
+    std::vector<RowAgain> rows = slopes_again(error.design, [&](const std::vector<Digits50>& dimensions) {
+        std::vector<Digits50> values;
+        for (const ExtremeAgain& e : at)
+            values.push_back(error.curve.at(e.share, dimensions));
+        return values;
+    });
+    for (std::size_t i = 0; i < at.size(); ++i)
+        for (Digits50& slope : rows[i])
+            if (at[i].error < 0) slope = -slope;
     return rows;
-}
-
-/// Columns of unit length, or none: what is that much smaller than the greatest is rounding of the differences, where
-/// nothing depends on a dimension.
-void scale_columns(std::vector<Row>& rows) {
-    const Digits50 nothing("1e-20");
-    std::vector<Digits50> lengths(rows.empty() ? 0 : rows[0].size());
-    for (std::size_t k = 0; k < lengths.size(); ++k) {
-        for (const Row& row : rows)
-            lengths[k] += row[k] * row[k];
-        lengths[k] = sqrt(lengths[k]);
-    }
-    const Digits50 least = lengths.empty() ? nothing : nothing * *std::max_element(lengths.begin(), lengths.end());
-    for (Row& row : rows)
-        for (std::size_t k = 0; k < lengths.size(); ++k)
-            row[k] = lengths[k] > least ? Digits50(row[k] / lengths[k]) : Digits50(0);
-}
-
-/// Brings rows to echelon form, the greatest pivot first, and returns the number of independent columns and, in
-/// `pivots`, which they are.
-std::size_t rank_of(std::vector<Row> rows, double independent_beyond, std::vector<std::size_t>& pivots) {
-    Digits50 first = 0;
-    for (std::size_t rank = 0; rank < rows.size() && !rows.empty() && rank < rows[0].size(); ++rank) {
-        std::size_t r = rank, c = 0;
-        Digits50 pivot = 0;
-        for (std::size_t i = rank; i < rows.size(); ++i)
-            for (std::size_t k = 0; k < rows[i].size(); ++k)
-                if (abs(rows[i][k]) > pivot) {
-                    pivot = abs(rows[i][k]);
-                    r = i;
-                    c = k;
-                }
-        if (rank == 0) first = pivot;
-        if (!(pivot > independent_beyond * first)) return rank;
-        std::swap(rows[rank], rows[r]);
-        pivots.push_back(c);
-        for (std::size_t i = rank + 1; i < rows.size(); ++i) {
-            const Digits50 factor = rows[i][c] / rows[rank][c];
-            for (std::size_t k = 0; k < rows[i].size(); ++k)
-                rows[i][k] -= factor * rows[rank][k];
-            rows[i][c] = 0;
-        }
-    }
-    return pivots.size();
-}
-
-/// The determinant of a square matrix.
-Digits50 determinant(std::vector<Row> rows) {
-    Digits50 product = 1;
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        const auto pivot = std::max_element(rows.begin() + static_cast<std::ptrdiff_t>(k), rows.end(),
-                                            [&](const Row& a, const Row& b) { return abs(a[k]) < abs(b[k]); });
-        if ((*pivot)[k] == 0) return 0;
-        if (pivot != rows.begin() + static_cast<std::ptrdiff_t>(k)) {
-            std::swap(*pivot, rows[k]);
-            product = -product;
-        }
-        product *= rows[k][k];
-        for (std::size_t i = k + 1; i < rows.size(); ++i) {
-            const Digits50 factor = rows[i][k] / rows[k][k];
-            for (std::size_t j = k; j < rows.size(); ++j)
-                rows[i][j] -= factor * rows[k][j];
-        }
-    }
-    return product;
-}
-
-/// Of n + 1 rows in n columns: whether they balance with weights of one sign. These are the determinants of the other
-/// rows, with alternating signs.
-bool balances(const std::vector<Row>& rows) {
-    bool positive = false, negative = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        std::vector<Row> others = rows;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-        const Digits50 weight = i % 2 == 0 ? determinant(others) : Digits50(-determinant(others));
-        (weight > 0 ? positive : negative) = true;
-    }
-    return positive != negative;
 }
 
 /// How many free dimensions the error depends on independently, which they are, and between which numbers that lies
@@ -212,30 +122,26 @@ FreeDimensions free_dimensions(const Error& error) {
     std::sort(at.begin(), at.end(),
               [](const ExtremeAgain& a, const ExtremeAgain& b) { return abs(a.error) > abs(b.error); });
     at.resize(std::min(at.size(), most));
-    std::vector<Row> rows = slopes(error, at);
+    std::vector<RowAgain> rows = slopes(error, at);
     scale_columns(rows);
     constexpr double independent_beyond = 1e-7, doubtful = 30;
     FreeDimensions free;
-    std::vector<std::size_t> of_least, of_most;
-    free.count = rank_of(rows, independent_beyond, free.columns);
-    free.least = rank_of(rows, independent_beyond * doubtful, of_least);
-    free.most = rank_of(rows, independent_beyond / doubtful, of_most);
+    free.columns = independent_columns(rows, independent_beyond);
+    free.count = free.columns.size();
+    free.least = independent_columns(rows, independent_beyond * doubtful).size();
+    free.most = independent_columns(rows, independent_beyond / doubtful).size();
     return free;
 }
 
 Check check_balance(const Error& error, const std::vector<ExtremeAgain>& equal,
                     const std::vector<std::size_t>& columns) {
-    std::vector<Row> rows;
-    for (const Row& row : slopes(error, equal)) {
-        rows.emplace_back();
-        for (const std::size_t k : columns)
-            rows.back().push_back(row[k]);
-    }
+    std::vector<RowAgain> rows = in_columns(slopes(error, equal), columns);
     scale_columns(rows);
     const std::size_t needed = columns.size() + 1;
     for (std::size_t first = 0; first + needed <= rows.size(); ++first)
         if (balances({rows.begin() + static_cast<std::ptrdiff_t>(first),
-                      rows.begin() + static_cast<std::ptrdiff_t>(first + needed)}))
+                      rows.begin() + static_cast<std::ptrdiff_t>(first + needed)},
+                     std::vector<bool>(needed, false)))
             return {"alternation shows that no design near is better", true,
                     fmt::format("{} extremes balance in {} free dimensions, with positive weights", needed,
                                 columns.size())};

@@ -9,6 +9,7 @@
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/program/standing/singular.h"
 #include "synthesis/verify/alternation.h"
+#include "synthesis/verify/dwells.h"
 #include "synthesis/verify/rebuilt.h"
 
 namespace mechwright {
@@ -56,6 +57,9 @@ std::vector<Check> check_derived(const Json& document) {
         for (Check& check : check_alternation(stated, claim, task))
             checks.push_back(std::move(check));
     }
+    if (document.contains("dwells"))
+        for (Check& check : check_dwells(document["dwells"], claim))
+            checks.push_back(std::move(check));
     // A design that comes apart needs no warning.
     if (document.contains("warnings") ||
         (!singular_margins(claimed.problem, claimed.design).empty() && all_passed(rebuilt(claim).of_motion)))

@@ -193,6 +193,7 @@ GIVEN = {
     "cam": CAM,
     "no cam": NO_CAM,
     "links of one's own": OWN_LINKS,
+    "dwell": OWN_LINKS + '[objective]\nminimize = "swing.deviation(30, 60)"\n',
     "several targets": OWN_LINKS + SEVERAL_TARGETS,
 }
 

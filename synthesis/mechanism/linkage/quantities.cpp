@@ -26,8 +26,9 @@ ComponentsOfKind components_of(Kind kind) {
         case Kind::total_length: return {1, Reduce::only};
         case Kind::function_greatest: return {most_errors, Reduce::greatest};
         case Kind::time_ratio: return {2, Reduce::greatest};
+        case Kind::sampled: return {most_samples, Reduce::greatest};
+        case Kind::deviation: return {most_of_deviation * most_of_deviation, Reduce::greatest};
         case Kind::range:
-        case Kind::deviation:
         case Kind::room_width:
         case Kind::room_height:
         case Kind::link_ratio: return {most_of_range * most_of_range, Reduce::greatest};
@@ -65,7 +66,8 @@ void measure(const Over& over, std::span<const double> arguments, const Measurem
     // A time ratio needs one derivative more for its second ones; what is given where it is, needs none.
     if (kind == Kind::time_ratio) ++order;
     // What divides is looked at for zeros, at its extremes.
-    const bool of_values = full_turn && (kind == Kind::mean || kind == Kind::rms || kind == Kind::at);
+    const bool of_values =
+        full_turn && (kind == Kind::mean || kind == Kind::rms || kind == Kind::at || kind == Kind::sampled);
     const auto divides = [](std::size_t) { return true; };
     const auto is_divided = [&] {
         return linkage::any_divisor(over.measure.signals, over.measure.asked.signal, divides) ||

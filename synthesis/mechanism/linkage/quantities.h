@@ -26,6 +26,7 @@ struct LinkageMeasure {
         rms,         ///< root of the mean of squares
         deviation,   ///< half of the range
         at,          ///< at one input
+        sampled,     ///< at inputs all along the stretch, each a component
         time_ratio,  ///< of the two parts of a full cycle between the global extremes, the longer over the shorter
         // Of every linkage:
         transmission_angle_worst,  ///< of all dyads, folded at 90 degrees

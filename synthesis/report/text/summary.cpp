@@ -16,6 +16,7 @@
 #include "synthesis/program/standing/singular.h"
 #include "synthesis/program/standing/standing.h"
 #include "synthesis/report/drawing/finished.h"
+#include "synthesis/report/text/dwell_section.h"
 #include "synthesis/report/text/error_sections.h"
 #include "synthesis/report/text/sections.h"
 #include "synthesis/report/text/table.h"
@@ -390,8 +391,8 @@ std::string summary(const Problem& problem, const Result& result, const TextStyl
                 objective_section(problem, best, style) +
                 (problem.use ? motion_line(problem, best.design, style.digits) : "") +
                 requirement_section(problem, best.design, style) + path_section(problem, best.design, style) +
-                error_section(problem, best.design, style) + warning_section(problem, best.design) +
-                verification_section(result.verification, style);
+                error_section(problem, best.design, style) + dwell_section(problem, best.design, style) +
+                warning_section(problem, best.design) + verification_section(result.verification, style);
     }
     return text + front_section(problem, result, style) + excluded_section(problem, result, style) +
            search_section(result.search, style) + alternatives_section(problem, result, style.digits) +
@@ -403,7 +404,8 @@ std::string analysis_summary(const Problem& problem, const Solution& solution, c
     return title_section(problem, style) + design_section(problem, design, style) +
            motion_line(problem, design, style.digits) + quantity_section(problem, design, style) +
            requirement_section(problem, design, style) + path_section(problem, design, style) +
-           error_section(problem, design, style) + warning_section(problem, design);
+           error_section(problem, design, style) + dwell_section(problem, design, style) +
+           warning_section(problem, design);
 }
 
 }  // namespace mechwright

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -324,6 +326,61 @@ Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, dou
         if (beside.most() < sign * found.value) continue;
         const Extreme one = greatest_beside(beside, sign);
         if (!isnan(one.value) && sign * one.value > sign * found.value) found = one;
+    }
+    return found;
+}
+
+namespace {
+
+/// What is seen on a piece at many inputs, close together at its ends.
+std::vector<Seen> seen_on(const Measured& f, const Vector<double>& piece) {
+    constexpr int steps = 600;
+    std::vector<Seen> all;
+    for (int i = 1; i < steps; ++i) {
+        const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * i / steps);
+        const Seen next = seen_at(f, piece.x + (piece.y - piece.x) * share, 1);
+        if (next.exists()) all.push_back(next);
+    }
+    return all;
+}
+
+Extreme extreme_between(const Measured& f, const Seen& left, const Seen& right) {
+    return measured_at(f, left, right, left.slope > 0 ? 1 : -1);
+}
+
+}  // namespace
+
+std::vector<Extreme> every_extreme(const Measured& f, const std::vector<Vector<double>>& parts, bool is_cycle) {
+    const std::vector<Vector<double>> pieces = between_corners(f, parts);
+    const std::vector<Measured> on_pieces = on_each(f, parts, pieces);
+    std::vector<Extreme> found;
+    const auto add_end = [&](std::size_t k, double input) { found.push_back({input, on_pieces[k].at(input)}); };
+    const double period = f.scan.to() - f.scan.from();
+    // Where the cycle begins anew nothing breaks.
+    const auto is_seam = [&](std::size_t k) {
+        return !on_pieces[k].is_on_piece() && pieces[k].x == f.scan.from() && pieces[k - 1].y == f.scan.to();
+    };
+    std::optional<Seen> first, last;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        if (k == 0 && !is_cycle) add_end(k, pieces[k].x);
+        const std::vector<Seen> seen = seen_on(on_pieces[k], pieces[k]);
+        if (seen.empty()) return {};
+        if (last && last->slope * seen.front().slope < 0) {
+            last->at -= is_seam(k) ? period : 0;
+            is_seam(k) ? found.push_back(extreme_between(f, *last, seen.front())) : add_end(k, pieces[k].x);
+        }
+        for (std::size_t i = 0; i + 1 < seen.size(); ++i)
+            if (seen[i].slope * seen[i + 1].slope < 0)
+                found.push_back(extreme_between(on_pieces[k], seen[i], seen[i + 1]));
+        if (!first) first = seen.front();
+        last = seen.back();
+    }
+    if (!last) return {};
+    if (!is_cycle) {
+        add_end(pieces.size() - 1, pieces.back().y);
+    } else if (last->slope * first->slope < 0) {
+        first->at += period;
+        found.push_back(extreme_between(f, *last, *first));
     }
     return found;
 }

@@ -83,6 +83,12 @@ private:
     }
 };
 
+/// A derivative of a signal of the model by the time.
+Measured measured(const Scan& scan, std::size_t signal, int derivative);
+/// A stretch as parts of the motion: one, or two where it runs through the end of a full turn; none where it is not in
+/// the motion. All of the motion where none is given.
+std::vector<Vector<double>> parts_of(const Scan& scan, const std::optional<std::array<double, 2>>& stretch);
+
 /// Whether what it goes by the sizes of vanishes at an input.
 bool has_corner_at(const Measured& f, double input);
 /// Parts of the motion as those between the breaks of drives' motions.
@@ -101,6 +107,10 @@ struct Extreme {
 
 /// The greatest value over parts of the motion, of f or, with a negative sign, of its negative.
 Extreme extreme(const Measured& f, const std::vector<Vector<double>>& parts, double sign);
+
+/// Every extreme over parts of the motion that follow each other, the ends of these parts among them; of a cycle, which
+/// is one part, the end is none.
+std::vector<Extreme> every_extreme(const Measured& f, const std::vector<Vector<double>>& parts, bool is_cycle);
 
 /// Something that a pose has, along the motion.
 template <class OfPose>

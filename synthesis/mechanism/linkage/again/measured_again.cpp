@@ -22,32 +22,8 @@ namespace mechwright {
 
 namespace {
 
-using again::extreme, again::least_of_poses, again::Measured, again::missing, again::of_poses;
-
-/// A quantity's stretch as parts of the motion: one, or two where it runs through the end of a full turn; none where it
-/// is not in the motion.
-std::vector<Vector<double>> parts_of(const Scan& scan, const std::optional<std::array<double, 2>>& stretch) {
-    if (!stretch) return {{scan.from(), scan.to()}};
-    constexpr double turn = 2 * std::numbers::pi;
-    double first = (*stretch)[0], last = (*stretch)[1];
-    if (last < first && !scan.model.driven_by_slide()) last += turn * std::ceil((first - last) / turn);
-    if (!scan.full_turn()) {
-        if (!scan.model.driven_by_slide() && (first < scan.from() || first > scan.to())) {
-            const double shift = turn * std::ceil((scan.from() - first) / turn - 1e-12);
-            first += shift;
-            last += shift;
-        }
-        if (first < scan.from() || last > scan.to()) return {};
-        return {{first, last}};
-    }
-    const double period = scan.to() - scan.from();
-    const auto inside = [&](double x) { return x - period * std::floor((x - scan.from()) / period); };
-    if (last - first == period) return {{scan.from(), scan.to()}};
-    first = inside(first);
-    last = inside(last);
-    if (first <= last) return {{first, last}};
-    return {{first, scan.to()}, {scan.from(), last}};
-}
+using again::extreme, again::least_of_poses, again::Measured, again::measured, again::missing, again::of_poses,
+    again::parts_of;
 
 Digits50 reduced(const Measured& f, const LinkageMeasure& q) {
     using Kind = LinkageMeasure::Kind;
@@ -102,20 +78,15 @@ void add_sizes(const std::vector<linkage::Signal>& signals, std::size_t signal, 
 }
 
 /// A derivative of a signal by the time.
-Measured measured(const Scan& scan, const linkage::Signal& signal, int derivative) {
+Measured of_one(const Scan& scan, const linkage::Signal& signal, int derivative) {
     return {scan, [signal, derivative](const SeriesSignals& s) { return s.by_time(signal, derivative); },
             [signal, derivative](SignalsAgain<Digits50>& s, int order, const Digits50& x) {
                 return Digits50(s.by_input(signal, derivative + order, x) / pow(s.rate(), order));
             }};
 }
-Measured measured(const Scan& scan, std::size_t signal, int derivative) {
-    Measured f = measured(scan, scan.model.signals[signal], derivative);
-    add_sizes(scan.model.signals, signal, derivative == 0, f.sizes);
-    return f;
-}
 /// The speed of the point of whose path a signal is the curvature.
 Measured speed_of(const Scan& scan, std::size_t curvature) {
-    Measured f = measured(scan, {.kind = linkage::Signal::Kind::speed, .of = scan.model.signals[curvature].of}, 0);
+    Measured f = of_one(scan, {.kind = linkage::Signal::Kind::speed, .of = scan.model.signals[curvature].of}, 0);
     f.sizes.push_back(curvature);
     return f;
 }
@@ -283,6 +254,39 @@ Digits50 full_turn_margin(const LinkageModel& model, std::size_t assembly, std::
 }
 
 }  // namespace
+
+namespace again {
+
+std::vector<Vector<double>> parts_of(const Scan& scan, const std::optional<std::array<double, 2>>& stretch) {
+    if (!stretch) return {{scan.from(), scan.to()}};
+    constexpr double turn = 2 * std::numbers::pi;
+    double first = (*stretch)[0], last = (*stretch)[1];
+    if (last < first && !scan.model.driven_by_slide()) last += turn * std::ceil((first - last) / turn);
+    if (!scan.full_turn()) {
+        if (!scan.model.driven_by_slide() && (first < scan.from() || first > scan.to())) {
+            const double shift = turn * std::ceil((scan.from() - first) / turn - 1e-12);
+            first += shift;
+            last += shift;
+        }
+        if (first < scan.from() || last > scan.to()) return {};
+        return {{first, last}};
+    }
+    const double period = scan.to() - scan.from();
+    const auto inside = [&](double x) { return x - period * std::floor((x - scan.from()) / period); };
+    if (last - first == period) return {{scan.from(), scan.to()}};
+    first = inside(first);
+    last = inside(last);
+    if (first <= last) return {{first, last}};
+    return {{first, scan.to()}, {scan.from(), last}};
+}
+
+Measured measured(const Scan& scan, std::size_t signal, int derivative) {
+    Measured f = of_one(scan, scan.model.signals[signal], derivative);
+    add_sizes(scan.model.signals, signal, derivative == 0, f.sizes);
+    return f;
+}
+
+}  // namespace again
 
 Digits50 measure_linkage_again(const Motion& motion, std::span<const Digits50> dimensions) {
     using Kind = LinkageMeasure::Kind;

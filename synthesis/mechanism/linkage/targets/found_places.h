@@ -25,6 +25,10 @@ using linkage::Extreme;
 
 inline constexpr std::size_t most_extremes = 6;  ///< components of a least or greatest value
 inline constexpr std::size_t most_of_range = 3;  ///< extremes of either sort in a range
+/// The same in a deviation: where that is least, so many are equal as there are free numbers, and one.
+inline constexpr std::size_t most_of_deviation = 5;
+
+inline constexpr std::size_t most_samples = 32;  ///< of a signal along a stretch
 
 /// One smooth part of a component: what is asked at an extreme, times a factor, plus a constant.
 struct Term {
@@ -152,12 +156,31 @@ Found found_of_all(const Over& over, linkage::Measured<double, K>& plain, const 
     return found;
 }
 
+/// What is asked at inputs all along a stretch, closer together towards its ends; evenly over a whole cycle.
+template <std::size_t K>
+Found found_of_samples(const Over& over, linkage::Measured<double, K>& plain, const Course& course, double from,
+                       double to) {
+    const Asked& asked = over.measure.asked;
+    const bool whole = course.travel.whole && !over.measure.stretch;
+    Found found;
+    for (std::size_t i = 0; i < most_samples; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(most_samples - (whole ? 0 : 1));
+        const double share = whole ? part : 0.5 - 0.5 * std::cos(std::numbers::pi * part);
+        const double at = from + (to - from) * share;
+        const double value = plain.value(asked.signal, at, course.turns.near(at)).derivative(asked.derivative);
+        found.plus.push_back({asked, {at, value, false}});
+        found.possible = found.possible && std::isfinite(value);
+    }
+    return found;
+}
+
 /// `radius`: of the arc whose centre the signal is a distance from. Not possible where what is asked jumps at a
 /// singular position inside the motion: beside it the linkage goes on in more than one way.
 template <std::size_t K>
 Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, const Course& course,
                       std::span<const double> dimensions, double from, double to, double radius) {
     const LinkageMeasure& m = over.measure;
+    if (m.kind == Kind::sampled) return found_of_samples(over, plain, course, from, to);
     Found found;
     const bool of_mean = m.kind == Kind::mean || m.kind == Kind::rms;
     const Asked whole{m.asked.signal, of_mean ? 0 : m.asked.derivative};
@@ -199,7 +222,9 @@ Found found_of_signal(const Over& over, linkage::Measured<double, K>& plain, con
         keep_greatest(found.plus, most_extremes);
     } else {
         found.minus = found.plus;
-        const std::size_t count = m.kind == Kind::time_ratio ? 1 : most_of_range;
+        const std::size_t count = m.kind == Kind::time_ratio  ? 1
+                                  : m.kind == Kind::deviation ? most_of_deviation
+                                                              : most_of_range;
         keep_greatest(found.plus, count);
         keep_least(found.minus, count);
     }
