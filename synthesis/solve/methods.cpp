@@ -213,8 +213,10 @@ constexpr std::array<Method, 7> every_method{{
      "ratio and stroke, with the best transmission angle; the smallest cams: the global optimum",
      why_no_closed_form, closed_form},
     {"exact",
-     "mechanisms that meet their targets exactly, every one where there are finitely many: nine points of a path, eight "
-     "of a slider-crank, poses and points, five poses or timed points, up to five points of a function, velocities of an "
+     "mechanisms that meet their targets exactly, every one where there are finitely many: nine points of a path, "
+     "eight "
+     "of a slider-crank, poses and points, five poses or timed points, up to five points of a function, velocities of "
+     "an "
      "instant; with fewer targets the best of the family",
      why_not_exact, every_solution},
     {"least-squares",

@@ -78,8 +78,8 @@ struct SliderPlaces {
 class SliderCrankPlaces : public ::testing::TestWithParam<SliderPlaces> {};
 
 INSTANTIATE_TEST_SUITE_P(Of, SliderCrankPlaces,
-                         ::testing::Values(SliderPlaces{0, 8}, SliderPlaces{1, 7}, SliderPlaces{2, 5}, SliderPlaces{3, 3},
-                                         SliderPlaces{4, 1}),
+                         ::testing::Values(SliderPlaces{0, 8}, SliderPlaces{1, 7}, SliderPlaces{2, 5},
+                                           SliderPlaces{3, 3}, SliderPlaces{4, 1}),
                          [](const auto& tested) {
                              return fmt::format("{}Poses{}Points", tested.param.poses, tested.param.points);
                          });
@@ -133,8 +133,8 @@ struct FewPlaces {
 class SliderCrankFamily : public ::testing::TestWithParam<FewPlaces> {};
 
 INSTANTIATE_TEST_SUITE_P(Of, SliderCrankFamily,
-                         ::testing::Values(FewPlaces{0, 7, 1}, FewPlaces{0, 5, 3}, FewPlaces{0, 4, 4}, FewPlaces{2, 3, 2},
-                                         FewPlaces{1, 2, 5}),
+                         ::testing::Values(FewPlaces{0, 7, 1}, FewPlaces{0, 5, 3}, FewPlaces{0, 4, 4},
+                                           FewPlaces{2, 3, 2}, FewPlaces{1, 2, 5}),
                          [](const auto& tested) {
                              return fmt::format("{}Poses{}Points", tested.param.poses, tested.param.points);
                          });

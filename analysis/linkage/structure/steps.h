@@ -78,11 +78,11 @@ struct Step {
         together  ///< the links of a larger group (Order::larger)
     };
     Kind kind = Kind::driven;
-    std::size_t link = none;     ///< that is placed or turned
-    std::size_t other = none;    ///< the link against which; of `through` the link that slides, if one does
-    std::size_t pin = none;      ///< that is placed; of `pinned` and `through` the placed one
-    /// Of `through` the pin that the line passes; of `carried` the pin of the dyad before; of `stopped` the centre of an
-    /// arc.
+    std::size_t link = none;   ///< that is placed or turned
+    std::size_t other = none;  ///< the link against which; of `through` the link that slides, if one does
+    std::size_t pin = none;    ///< that is placed; of `pinned` and `through` the placed one
+    /// Of `through` the pin that the line passes; of `carried` the pin of the dyad before; of `stopped` the centre of
+    /// an arc.
     std::size_t far_pin = none;
     std::size_t joint = none;   ///< the slide, slot, gear or rack; of `stopped` with `pin` the slot, with `far_pin` the
                                 ///< circular one, else the slide; of `together` which larger group

@@ -255,7 +255,6 @@ MadeAgain mechanism_of_sections(const Json& sections, std::span<const std::strin
 
 namespace reading {
 
-
 void require_regions(Problem& problem) {
     const LinkageModel* model = problem.mechanism ? problem.mechanism->model.as<LinkageModel>() : nullptr;
     if (model == nullptr) return;
