@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "synthesis/command_line/commands/start_system.h"
 #include "synthesis/command_line/new/task.h"
-#include "synthesis/exact/homotopy/guidance_start.h"
 #include "synthesis/report/names.h"
 #include "synthesis/report/section_words.h"
 #include "synthesis/solve/solve.h"
@@ -40,13 +40,6 @@ std::vector<std::string> task_names() {
     std::vector<std::string> names;
     for (const Task& task : tasks())
         if (std::find(names.begin(), names.end(), task.name) == names.end()) names.emplace_back(task.name);
-    return names;
-}
-
-std::vector<std::string> start_system_names() {
-    std::vector<std::string> names;
-    for (const homotopy::GuidanceSystem& system : homotopy::every_system())
-        names.push_back(homotopy::name_of(system));
     return names;
 }
 

@@ -27,8 +27,13 @@ bool has_poses_alone(const Problem& p) {
     return p.path && p.path->guides_body() && p.path->poses() == p.path->points.size();
 }
 
+bool has_ram_or_block(const Problem& p) {
+    const auto second = second_dyad(p);
+    return second && *second != homotopy::SecondDyad::rocker;
+}
+
 constexpr std::array<ExactKind, 8> kinds{{
-    {[](const Problem& p) { return is_slider_crank(*p.mechanism) && has_poses_alone(p); }, why_no_slider_crank_poses,
+    {[](const Problem& p) { return has_poses_alone(p) && has_ram_or_block(p); }, why_no_slider_crank_poses,
      slider_crank_pose_designs},
     {has_poses_alone, why_no_poses, pose_designs},
     {[](const Problem& p) { return is_slider_crank(*p.mechanism) && p.path && p.path->prescribed_timing; },

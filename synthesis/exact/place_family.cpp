@@ -7,15 +7,10 @@
 #include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/exact/poses/poses.h"
 #include "synthesis/exact/poses/slider_crank_poses.h"
-#include "synthesis/mechanism/slider_crank/slider_crank.h"
 
 namespace mechwright {
 
 namespace {
-
-homotopy::SecondDyad second_dyad(const Problem& problem) {
-    return is_slider_crank(*problem.mechanism) ? homotopy::SecondDyad::ram : homotopy::SecondDyad::rocker;
-}
 
 /// Of points alone one counts as a pose: its direction is what others are counted from.
 std::size_t poses_of(const PathTarget& path) { return std::max<std::size_t>(path.poses(), 1); }
@@ -108,7 +103,7 @@ ExactDesigns through_many(const Problem& problem, const RunOptions& options, con
     constexpr std::size_t most_paths =
         24000;  // of all members that are examined: about as many seconds for each system
     const std::size_t count = free_directions(problem);
-    const homotopy::GuidanceSystem system{poses_of(*problem.path) + count, second_dyad(problem)};
+    const homotopy::GuidanceSystem system{poses_of(*problem.path) + count, *second_dyad(problem)};
     const GuidedFamily guided{problem, end, chosen_directions(*problem.path, count), homotopy::start_system(system)};
     DesignFamily family;
     family.numbers = count;
@@ -125,18 +120,18 @@ ExactDesigns through_many(const Problem& problem, const RunOptions& options, con
 /// With directions at all of a few places they are poses, and dyads through them have numbers of their own.
 ExactDesigns through_few(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PathTarget& path = *problem.path;
-    const bool with_ram = is_slider_crank(*problem.mechanism);
+    const bool with_rocker = second_dyad(problem) == homotopy::SecondDyad::rocker;
     const std::size_t places = path.points.size(), count = places - poses_of(path);
     const ChosenDirections directions = chosen_directions(path, count);
     DesignFamily family;
-    family.numbers = count + (with_ram ? numbers_of_slider_crank(places) : 2 * numbers_of_dyad(places));
+    family.numbers = count + (with_rocker ? 2 * numbers_of_dyad(places) : numbers_of_slider_crank(places));
     family.member = [&](std::span<const double> numbers) {
         std::vector<double> all;
         for (const std::optional<double>& direction : directions.at(numbers.first(count)))
             all.push_back(*direction);
         const PoseTargets targets = pose_targets(problem, all);
         const auto of_dyads = numbers.subspan(count);
-        return with_ram ? slider_crank_of_poses(targets, of_dyads) : member_of_poses(targets, of_dyads);
+        return with_rocker ? member_of_poses(targets, of_dyads) : slider_crank_of_poses(targets, of_dyads);
     };
     return search_family(problem, family, options, end);
 }
@@ -145,14 +140,9 @@ ExactDesigns through_few(const Problem& problem, const RunOptions& options, cons
 
 std::optional<ExactDesign> exact_design(const Problem& problem, const homotopy::GuidanceTarget& target,
                                         const homotopy::GuidanceValues& solution) {
-    if (target.system.has_ram())
-        return slider_crank_design(problem, homotopy::place_of(target), homotopy::crank_of(solution),
-                                   homotopy::ram_of(solution), homotopy::displacements_of(solution, target));
-    const auto linkage = homotopy::linkage_of(solution, target);
-    return linkage ? std::optional(exact_design(problem, *linkage)) : std::nullopt;
+    return exact_design(problem, homotopy::parts_of(solution, target.system),
+                        homotopy::displacements_of(solution, target), homotopy::place_of(target));
 }
-
-std::size_t conditions_of(const Problem& problem) { return is_slider_crank(*problem.mechanism) ? 9 : 10; }
 
 std::size_t conditions_said_by(const PathTarget& path) { return path.points.size() + poses_of(path); }
 

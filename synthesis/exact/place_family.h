@@ -1,23 +1,20 @@
 #pragma once
 /// \file
-/// Four-bars or slider-cranks that pass fewer places than say which it is. The directions in which the coupler or rod
-/// may face at some of the points choose a member of their family: with these given the linkages are finitely many
-/// again.
+/// Four-bars, slider-cranks and inverted slider-cranks that pass fewer places than say which it is. The directions in
+/// which the coupler may face at some of the points choose a member of their family: with these given the linkages are
+/// finitely many again.
 
 #include <cstddef>
 
 #include "synthesis/exact/exact_designs.h"
+#include "synthesis/exact/guided_parts.h"
 #include "synthesis/exact/homotopy/guidance_solutions.h"
 #include "synthesis/program/run_end.h"
 #include "synthesis/program/run_options.h"
 
 namespace mechwright {
 
-/// As many dimensions as places can say of a linkage that guides a body: a pose says two, a point one. 10 of a
-/// four-bar, 9 of a slider-crank.
-std::size_t conditions_of(const Problem& problem);
-
-/// How many of them the places of a path say. Of points alone the first takes the place of a pose.
+/// How many conditions (guided_parts.h) the places of a path say. Of points alone the first takes the place of a pose.
 std::size_t conditions_said_by(const PathTarget& path);
 
 /// How many directions can be chosen; 0 where the linkages are finitely many.

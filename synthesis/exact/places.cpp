@@ -5,7 +5,6 @@
 #include "synthesis/exact/homotopy/certify.h"
 #include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/exact/place_family.h"
-#include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/mechanism/slider_crank/slider_crank.h"
 #include "synthesis/program/work_sharing.h"
 
@@ -19,9 +18,12 @@ struct Words {
 };
 
 Words words_of(const Problem& problem) {
-    return is_slider_crank(*problem.mechanism)
-               ? Words{"slider-cranks", "eight", "4 poses and 1 point, 3 and 3, 2 and 5, or 1 and 7"}
-               : Words{"four-bars", "nine", "4 poses and 2 points, 3 and 4, 2 and 6, or 1 and 8"};
+    const std::string_view linkages = is_linkage(problem)                   ? "linkages"
+                                      : is_slider_crank(*problem.mechanism) ? "slider-cranks"
+                                                                            : "four-bars";
+    if (second_dyad(problem) == homotopy::SecondDyad::rocker)
+        return {linkages, "nine", "4 poses and 2 points, 3 and 4, 2 and 6, or 1 and 8"};
+    return {linkages, "eight", "4 poses and 1 point, 3 and 3, 2 and 5, or 1 and 7"};
 }
 
 std::string why_not_so_many_points(const Problem& problem) {
@@ -55,6 +57,7 @@ std::string why_not_these(const Problem& problem) {
 /// What is given beside too few places to say all of it: a member of the family that has it is not found by chance.
 std::string why_not_given(const Problem& problem) {
     if (free_directions(problem) == 0) return {};
+    if (is_linkage(problem)) return why_no_family(problem);
     const Mechanism& own = problem.mechanism->plain ? *problem.mechanism->plain : *problem.mechanism;
     for (std::size_t i = 0; i < own.dimensions.size(); ++i)
         if (problem.dimensions[i].fixed())
@@ -111,27 +114,27 @@ std::vector<RealSolution> real_solutions(const std::vector<homotopy::GuidanceVal
 std::string argument(const Problem& problem, const homotopy::GuidanceSystem& system, const SolutionCounts& counts) {
     const PathTarget& path = *problem.path;
     const std::size_t points = path.points.size() - path.poses();
-    const bool with_ram = system.has_ram();
-    const std::string_view orbits = system.poses > 1 ? with_ram ? "slider-cranks" : "pairs of dyads"
-                                    : with_ram       ? "cognate pairs of slider-cranks"
-                                                     : "cognate triplets";
+    const auto named = [&](std::string_view rockers, std::string_view rams, std::string_view blocks) {
+        if (system.second == homotopy::SecondDyad::ram) return rams;
+        return system.second == homotopy::SecondDyad::block ? blocks : rockers;
+    };
+    const std::string_view orbits =
+        system.poses > 1 ? named("pairs of dyads", "slider-cranks", "inverted slider-cranks")
+                         : named("cognate triplets", "cognate pairs of slider-cranks", "inverted slider-cranks");
     std::string text = fmt::format(
         "homotopy: all {} {} through {} are accounted for, {} of them real", counts.tracked, orbits,
         path.guides_body() ? counted(system.poses, points) : fmt::format("{} points", words_of(problem).most_points),
         counts.real);
-    if (with_ram) text += "; that there are no more is known from monodromy and a trace test, in doubles";
-    return text;
+    return text + fmt::format("; that there are no more is known from {}", homotopy::evidence_of(system));
 }
 
 }  // namespace
 
 std::string why_no_places(const Problem& problem) {
-    if (!is_four_bar(*problem.mechanism) && !is_slider_crank(*problem.mechanism))
-        return "it guides by four-bars and slider-cranks alone";
+    if (const std::string no_parts = why_no_parts(problem); !no_parts.empty()) return no_parts;
     if (!problem.path) return "it needs a [path] or [poses]";
     if (problem.path->prescribed_timing || problem.path->any_order)
         return "it needs points that are met in their order at any crank angle: timing = \"free\"";
-    if (has_ties(problem)) return "dimensions are tied to others";
     const PathTarget& path = *problem.path;
     const std::string why = path.guides_body() ? why_not_these(problem) : why_not_so_many_points(problem);
     if (!why.empty()) return why;
@@ -142,8 +145,7 @@ std::string why_no_places(const Problem& problem) {
 ExactDesigns place_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     if (free_directions(problem) > 0) return place_family_designs(problem, options, end);
     const std::vector<homotopy::GuidedPlace> places = places_of(*problem.path);
-    const homotopy::GuidanceTarget target = homotopy::guidance_target(
-        places, is_slider_crank(*problem.mechanism) ? homotopy::SecondDyad::ram : homotopy::SecondDyad::rocker);
+    const homotopy::GuidanceTarget target = homotopy::guidance_target(places, *second_dyad(problem));
     const homotopy::GuidanceSystem& system = target.system;
     const bool given = options.start_system && options.start_system->system == system;
     const homotopy::StartSystem& start = given ? *options.start_system : homotopy::start_system(system);

@@ -214,10 +214,8 @@ constexpr std::array<Method, 7> every_method{{
      why_no_closed_form, closed_form},
     {"exact",
      "mechanisms that meet their targets exactly, every one where there are finitely many: nine points of a path, "
-     "eight "
-     "of a slider-crank, poses and points, five poses or timed points, up to five points of a function, velocities of "
-     "an "
-     "instant; with fewer targets the best of the family",
+     "eight of a slider-crank, poses and points, five poses or timed points, up to five points of a function, "
+     "velocities of an instant; with fewer targets the best of the family",
      why_not_exact, every_solution},
     {"least-squares",
      "paths: candidates screened many at a time, Levenberg-Marquardt from the best; slsqp where limits are active",

@@ -5,9 +5,10 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "analysis/slider_crank.h"
-#include "synthesis/document/document.h"
+#include "synthesis/exact/exact.h"
 #include "synthesis/exact/homotopy/guidance_linkages.h"
 #include "synthesis/exact/place_family.h"
 #include "synthesis/problem/reader.h"
@@ -60,7 +61,7 @@ ReadProblem slider_crank_through(const std::string& more, const std::string& tar
     for (const char* coordinate : {"offset", "point-along", "point-across", "origin-x", "origin-y"})
         text += fmt::format("{} = {{ min = -100, max = 100 }}\n", coordinate);
     text += "tilt = { min = -180, max = 180 }\n" + more + targets + "\n[objective]\n" + objective +
-            "\n[solver]\nmethod = \"exact\"\nstarts = 4\n";
+            "\n[solver]\nmethod = \"exact\"\nstarts = 2\n";
     return parse_problem(text, "p.toml");
 }
 
@@ -69,6 +70,12 @@ const std::string best_transmission = "maximize = \"transmission-angle-worst\"";
 double off(const MadeRod& made, const Design& design) {
     const auto& d = design.dimensions;
     return std::abs(d[0] - made.links.crank) + std::abs(d[1] - made.links.rod) + std::abs(d[2] - made.links.offset);
+}
+
+/// As exactly as the longest of the links lets rounding do it.
+void expect_met(const Problem& problem, const Design& design) {
+    const double longest = std::max({1.0, design.dimensions[0], design.dimensions[1]});
+    EXPECT_LT(path_values(problem, design)->greatest, 1e-9 * longest);
 }
 
 struct SliderPlaces {
@@ -87,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Of, SliderCrankPlaces,
 TEST_P(SliderCrankPlaces, AreMetByTheSliderCrankThatMadeThemAmongAll) {
     const auto [poses, points] = GetParam();
     std::mt19937_64 random(61 + poses);
-    for (int k = 0; k < cases_to_try(2, 10); ++k) {
+    for (int k = 0; k < cases_to_try(1, 10); ++k) {
         const MadeRod made = random_rod(random, poses, points);
         const std::string body = poses > 0 ? "body-angle = { min = -180, max = 180 }\n" : "";
         const ReadProblem read = slider_crank_through(body, made.targets, best_transmission);
@@ -104,7 +111,7 @@ TEST_P(SliderCrankPlaces, AreMetByTheSliderCrankThatMadeThemAmongAll) {
         for (const auto& other : result.alternatives)
             nearest = std::min(nearest, off(made, other.solution.design));
         EXPECT_LT(nearest, 1e-6);
-        EXPECT_LT(path_values(read.problem, result.best->design)->greatest, 1e-9);
+        expect_met(read.problem, result.best->design);
     }
 }
 
@@ -143,6 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Of, SliderCrankFamily,
 TEST_P(SliderCrankFamily, HasAMemberNoLargerThanTheSliderCrankThatMadeThePlaces) {
     std::mt19937_64 random(67);
     const auto& [poses, points, free] = GetParam();
+    if (!(points == 4 && poses == 0) && !in_long_form()) GTEST_SKIP() << "of the long form";
     for (int k = 0; k < cases_to_try(1, 5); ++k) {
         const MadeRod made = random_rod(random, poses, points);
         const std::string body = poses > 0 ? "body-angle = { min = -180, max = 180 }\n" : "";
@@ -153,7 +161,7 @@ TEST_P(SliderCrankFamily, HasAMemberNoLargerThanTheSliderCrankThatMadeThePlaces)
         ASSERT_EQ(result.status, Status::solved);
         EXPECT_TRUE(result.verified());
         EXPECT_FALSE(result.search.complete());
-        EXPECT_LT(path_values(read.problem, result.best->design)->greatest, 1e-9);
+        expect_met(read.problem, result.best->design);
         EXPECT_LT(result.best->objective, (made.links.crank + made.links.rod) * (1 + 1e-6));
     }
 }
@@ -161,7 +169,9 @@ TEST_P(SliderCrankFamily, HasAMemberNoLargerThanTheSliderCrankThatMadeThePlaces)
 /// Four points leave one number beside the crank's start, fewer more.
 TEST(SliderCrankTimedPoints, AreMetByMembersOfAFamily) {
     std::mt19937_64 random(71);
-    for (const std::size_t count : {4, 3, 2}) {
+    const std::vector<std::size_t> counts =
+        in_long_form() ? std::vector<std::size_t>{4, 3, 2} : std::vector<std::size_t>{4};
+    for (const std::size_t count : counts) {
         const MadeRod made = random_rod(random, 0, count, true);
         const ReadProblem read =
             slider_crank_through("crank-start = { min = 0, max = 360 }\n", made.targets, "minimize = \"total-length\"");
@@ -170,7 +180,7 @@ TEST(SliderCrankTimedPoints, AreMetByMembersOfAFamily) {
         ASSERT_EQ(result.status, Status::solved) << count;
         EXPECT_TRUE(result.verified());
         EXPECT_FALSE(result.search.complete());
-        EXPECT_LT(path_values(read.problem, result.best->design)->greatest, 1e-9);
+        expect_met(read.problem, result.best->design);
         EXPECT_LT(result.best->objective, (made.links.crank + made.links.rod) * (1 + 1e-6)) << count;
     }
 }
@@ -201,8 +211,8 @@ TEST(SliderCrankPlaces, ThatAreTooManyAreCounted) {
                                  (timed ? "crank-start = { min = 0, max = 360 }\n" : "");
         const ReadProblem read =
             slider_crank_through(more, random_rod(random, poses, points, timed).targets, best_transmission);
-        EXPECT_FALSE(read.ok());
-        return read.messages.empty() ? std::string{} : read.messages.front().text;
+        EXPECT_TRUE(read.ok());
+        return why_not_exact(read.problem);
     };
     EXPECT_NE(why(0, 9, false).find("up to eight points, and there are 9"), std::string::npos);
     EXPECT_NE(why(4, 2, false).find("there are 4 poses and 2 points"), std::string::npos);

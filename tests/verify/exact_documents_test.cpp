@@ -66,5 +66,16 @@ TEST(VerifyExact, MeasuresAnInstantAgain) {
     EXPECT_FALSE(failures(json).empty());
 }
 
+/// A count that is whole in itself, and not that of all solutions that there are.
+TEST(VerifyExact, KnowsHowManySolutionsThereAre) {
+    const Json whole = solved_document("slider-crank-four-poses-one-point.toml");
+    EXPECT_EQ(failures(whole), Names{});
+    EXPECT_EQ(whole["search"]["solutions"]["tracked"], 6);
+    Json one_less = whole;
+    for (const char* count : {"tracked", "distinct"})
+        one_less["search"]["solutions"][count] = 5;
+    EXPECT_EQ(failures(one_less), Names{"that no design is better is shown"});
+}
+
 }  // namespace
 }  // namespace mechwright

@@ -30,11 +30,9 @@ int make(const StartOptions& options, Console& console) {
     constexpr int most_loops = 100;
     const auto system = homotopy::find_system(options.problem);
     if (!system) {
-        std::vector<std::string> names;
-        for (const homotopy::GuidanceSystem& known : homotopy::every_system())
-            names.push_back(homotopy::name_of(known));
         complain(console, fmt::format("there is no start system for {}; known are {}",
-                                      reading::quoted(std::string_view(options.problem)), fmt::join(names, ", ")));
+                                      reading::quoted(std::string_view(options.problem)),
+                                      fmt::join(start_system_names(), ", ")));
         return exit_code::wrong_usage;
     }
     const std::size_t expected = homotopy::orbits_of(*system);
@@ -55,6 +53,13 @@ int make(const StartOptions& options, Console& console) {
 
 }  // namespace
 
+std::vector<std::string> start_system_names() {
+    std::vector<std::string> names;
+    for (const homotopy::GuidanceSystem& system : homotopy::every_system())
+        names.push_back(homotopy::name_of(system));
+    return names;
+}
+
 int read_start_system(const std::string& file, Console& console, std::optional<homotopy::StartSystem>& start) {
     constexpr std::size_t most_bytes = 16 << 20;
     const reading::Bytes bytes = reading::read_bytes(file, most_bytes, true);
@@ -74,10 +79,7 @@ int read_start_system(const std::string& file, Console& console, std::optional<h
 Command add_start_system(CLI::App& program) {
     const auto options = std::make_shared<StartOptions>();
     CLI::App* command = program.add_subcommand("start-system", "Make the start system of an exact method anew");
-    command
-        ->add_option("PROBLEM", options->problem,
-                     "nine-point, or P-poses-Q-points (4 2, 3 4, 2 6); slider-crank-eight-point, or as many "
-                     "poses and a point less (slider-crank-4-poses-1-point)")
+    command->add_option("PROBLEM", options->problem, fmt::format("{}", fmt::join(start_system_names(), ", ")))
         ->required()
         ->option_text(" ");
     add_whole_number(*command, "--seed", options->seed, 0, INT64_MAX, "Seed of the random parameters (1)");

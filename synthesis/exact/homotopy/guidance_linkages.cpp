@@ -50,22 +50,23 @@ GuidanceValues cognate_with_ram(const GuidanceValues& u) {
     return v;
 }
 
-/// A dyad at a displacement d, A T + A'/T + C = 0; without the terms free of its fixed pivot if that is infinitely far
-/// away.
+/// A dyad at a displacement d, A T + A'/T + C = 0 (guidance_system.h).
 struct TurnEquation {
     Number A, Ac, C;
 };
 
-TurnEquation turn_equation(const GuidanceValues& u, std::size_t first, const Number& d, double near) {
+TurnEquation turn_equation(SecondDyad kind, const GuidanceValues& u, std::size_t first, const Number& d) {
     const Number x = number(u[first]), xc = number(u[first + 1]), a = number(u[first + 2]), ac = number(u[first + 3]);
-    const Number dc = std::conj(d);
-    return {x * (near * dc - ac), xc * (near * d - a), near * d * dc - d * ac - dc * a + x * ac + xc * a};
+    const Number by_turn = kind == SecondDyad::ram ? 0 : d, free = kind == SecondDyad::block ? 0 : d;
+    const Number square = kind == SecondDyad::rocker ? d * std::conj(d) : 0;
+    return {x * (std::conj(by_turn) - ac), xc * (by_turn - a),
+            square - free * ac - std::conj(free) * a + x * ac + xc * a};
 }
 
 /// How far the coupler has turned at a displacement d: both dyads are linear in T and 1/T.
 Number turn_at(const GuidanceSystem& system, const GuidanceValues& u, const Number& d) {
-    const auto [A, Ac, C] = turn_equation(u, S::x, d, 1);
-    const auto [B, Bc, D] = turn_equation(u, S::y, d, system.has_ram() ? 0 : 1);
+    const auto [A, Ac, C] = turn_equation(SecondDyad::rocker, u, S::x, d);
+    const auto [B, Bc, D] = turn_equation(system.second, u, S::y, d);
     const Number turn = (Ac * D - Bc * C) / (A * Bc - Ac * B);
     return turn / std::abs(turn);
 }
@@ -73,7 +74,9 @@ Number turn_at(const GuidanceSystem& system, const GuidanceValues& u, const Numb
 }  // namespace
 
 std::vector<GuidanceValues> orbit_members(const GuidanceSystem& system, const GuidanceValues& u) {
-    if (system.has_ram()) return system.poses > 1 ? std::vector{u} : std::vector{u, cognate_with_ram(u)};
+    if (system.second == SecondDyad::block) return {u};
+    if (system.second == SecondDyad::ram)
+        return system.poses > 1 ? std::vector{u} : std::vector{u, cognate_with_ram(u)};
     if (system.poses > 1) return {u, exchanged(u)};
     const GuidanceValues left = cognate(u), right = cognate(exchanged(u));
     return {u, exchanged(u), left, exchanged(left), right, exchanged(right)};
@@ -96,12 +99,13 @@ std::vector<Displacement> displacements_of(const GuidanceValues& u, const Guidan
 
 DrawingPlace place_of(const GuidanceTarget& target) { return {number(target.origin), target.size}; }
 
-Dyad crank_of(const GuidanceValues& u) { return {number(u[S::a]), number(u[S::x])}; }
-SliderDyad ram_of(const GuidanceValues& u) { return {number(u[S::y]), number(u[S::b])}; }
+GuidedParts parts_of(const GuidanceValues& u, const GuidanceSystem& system) {
+    return {{number(u[S::a]), number(u[S::x])}, system.second, {number(u[S::b]), number(u[S::y])}};
+}
 
 std::optional<GuidedLinkage> linkage_of(const GuidanceValues& u, const GuidanceTarget& target) {
-    return mechwright::linkage_of(crank_of(u), Dyad{number(u[S::b]), number(u[S::y])}, displacements_of(u, target),
-                                  place_of(target));
+    const GuidedParts parts = parts_of(u, target.system);
+    return mechwright::linkage_of(parts.crank, parts.second, displacements_of(u, target), place_of(target));
 }
 
 }  // namespace mechwright::homotopy

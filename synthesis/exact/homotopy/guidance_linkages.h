@@ -5,13 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "synthesis/exact/guided_parts.h"
 #include "synthesis/exact/homotopy/guidance_solutions.h"
 #include "synthesis/exact/poses/guided_linkage.h"
 
 namespace mechwright::homotopy {
 
-/// A solution with its dyads both ways round; of points alone its two cognates too. One with a ram alone; of points
-/// alone with its cognate.
+/// A solution with its dyads both ways round; of points alone its two cognates too. One with a ram of
+/// points alone with its cognate; others with a ram or block alone.
 std::vector<GuidanceValues> orbit_members(const GuidanceSystem& system, const GuidanceValues& solution);
 
 /// How the body has moved at each of the target's places, in their order, by a real solution.
@@ -20,9 +21,8 @@ std::vector<Displacement> displacements_of(const GuidanceValues& solution, const
 /// Where the target is in the drawing.
 DrawingPlace place_of(const GuidanceTarget& target);
 
-/// The crank of a real solution, and the ram of one that has it.
-Dyad crank_of(const GuidanceValues& solution);
-SliderDyad ram_of(const GuidanceValues& solution);
+/// What a real solution consists of.
+GuidedParts parts_of(const GuidanceValues& solution, const GuidanceSystem& system);
 
 /// The four-bar of a real solution of the target; nothing where a link has no length.
 std::optional<GuidedLinkage> linkage_of(const GuidanceValues& solution, const GuidanceTarget& target);

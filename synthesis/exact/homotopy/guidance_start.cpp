@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <complex>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 
@@ -40,6 +41,18 @@ constexpr char slider_three_poses[] = {
 };
 constexpr char slider_four_poses[] = {
 #include "slider_four_pose_start.inc"
+};
+constexpr char inverted_eight_points[] = {
+#include "block_eight_point_start.inc"
+};
+constexpr char inverted_two_poses[] = {
+#include "block_two_pose_start.inc"
+};
+constexpr char inverted_three_poses[] = {
+#include "block_three_pose_start.inc"
+};
+constexpr char inverted_four_poses[] = {
+#include "block_four_pose_start.inc"
 };
 
 std::string first_line(const GuidanceSystem& system) {
@@ -97,10 +110,15 @@ std::array<Number, 2> displacement(SecondDyad second, const GuidanceValues& u, c
     const Number sigma = (at(S::y) - at(S::b)) * (at(S::y_conjugate) - at(S::b_conjugate));
     const Number k = alpha * alpha_c - rho;
     Number along = alpha_c - beta_c, across = alpha - beta, rest = k - (beta * beta_c - sigma);
+    const Number y = at(S::y), yc = at(S::y_conjugate), b = at(S::b), bc = at(S::b_conjugate);
     if (second == SecondDyad::ram) {
-        along = at(S::b_conjugate);
-        across = at(S::b);
-        rest = at(S::y) * (turn - 1.0) * along + at(S::y_conjugate) * (1.0 / turn - 1.0) * across;
+        along = bc;
+        across = b;
+        rest = y * (turn - 1.0) * bc + yc * (1.0 / turn - 1.0) * b;
+    } else if (second == SecondDyad::block) {
+        along = yc / turn;
+        across = y * turn;
+        rest = y * (1.0 - turn) * bc + yc * (1.0 - 1.0 / turn) * b;
     }
     const Number p = -along / across, q = -rest / across;  // d' = p d + q
     const Number half = 0.5 * (q + alpha_c + alpha * p);
@@ -115,7 +133,8 @@ StartSystem random_linkage(const GuidanceSystem& system, RandomNumbers& random) 
     GuidanceValues u;
     for (Complex<double>& z : u)
         z = plain(random.next());
-    if (system.has_ram()) u[GuidanceSystem::b_conjugate] = inverse(u[GuidanceSystem::b]);
+    if (system.second == SecondDyad::ram) u[GuidanceSystem::b_conjugate] = inverse(u[GuidanceSystem::b]);
+    if (system.second == SecondDyad::block) u[GuidanceSystem::y_conjugate] = inverse(u[GuidanceSystem::y]);
     for (std::size_t j = 0; j < system.displacements(); ++j) {
         const Number turn = std::exp(random.next());
         const auto [d, conjugate] = displacement(system.second, u, turn);
@@ -136,18 +155,26 @@ std::vector<GuidanceValues> reached_ends(const std::vector<GuidancePath>& paths)
 
 }  // namespace
 
+std::string_view evidence_of(const GuidanceSystem& system) {
+    if (system.poses == 1 && system.second != SecondDyad::block) return "the literature";
+    const bool traced =
+        system.second == SecondDyad::ram ? system.poses >= 3 : system == GuidanceSystem{4, SecondDyad::block};
+    return traced ? "monodromy and a trace test" : "monodromy";
+}
+
 std::vector<GuidanceSystem> every_system() {
     std::vector<GuidanceSystem> all;
-    for (const SecondDyad second : {SecondDyad::rocker, SecondDyad::ram})
+    for (const SecondDyad second : {SecondDyad::rocker, SecondDyad::ram, SecondDyad::block})
         for (std::size_t poses = 1; poses <= GuidanceSystem::most_poses; ++poses)
             all.push_back({poses, second});
     return all;
 }
 
 std::string name_of(const GuidanceSystem& system) {
+    constexpr std::array<std::string_view, 3> kinds{"", "slider-crank-", "inverted-slider-crank-"};
+    const std::string name(kinds[static_cast<std::size_t>(system.second)]);
     const std::size_t points = system.displacements() + 1 - system.poses;
-    std::string name = system.has_ram() ? "slider-crank-" : "";
-    if (system.poses == 1) return name + (system.has_ram() ? "eight-point" : "nine-point");
+    if (system.poses == 1) return name + (system.has_rocker() ? "nine-point" : "eight-point");
     return name + fmt::format("{}-poses-{}-point{}", system.poses, points, points == 1 ? "" : "s");
 }
 
@@ -161,7 +188,12 @@ OrbitKey orbit_of(const GuidanceSystem& system, const GuidanceValues& u) {
     using S = GuidanceSystem;
     constexpr double last_digits = 1e-14;
     OrbitKey key;
-    if (system.has_ram()) {
+    if (system.second == SecondDyad::block) {
+        key.pivots = u[S::a] + u[S::x] + u[S::b];
+        key.conjugates = u[S::a_conjugate] + u[S::x_conjugate] + u[S::b_conjugate];
+        return key;
+    }
+    if (system.second == SecondDyad::ram) {
         // The two cognates have the pivot a, and x and a - x as their crank pins.
         const auto of = [&](S::Unknown x, S::Unknown a) {
             return system.poses > 1 ? u[a] + u[x] : u[a] + u[x] * (u[a] - u[x]);
@@ -326,42 +358,25 @@ StartSystem shipped(std::string_view text) {
     return *std::move(read.start);
 }
 
-const StartSystem& slider_crank_start(std::size_t poses) {
-    if (poses == 1) {
-        static const StartSystem start = shipped(slider_eight_points);
-        return start;
-    }
-    if (poses == 2) {
-        static const StartSystem start = shipped(slider_two_poses);
-        return start;
-    }
-    if (poses == 3) {
-        static const StartSystem start = shipped(slider_three_poses);
-        return start;
-    }
-    static const StartSystem start = shipped(slider_four_poses);
-    return start;
+/// Each is read when it is needed first. One of these for each text: a system of 1 to 4 poses.
+template <const auto&... texts>
+const StartSystem& start_of(std::size_t poses) {
+    static std::array<std::once_flag, GuidanceSystem::most_poses> once;
+    static std::array<StartSystem, GuidanceSystem::most_poses> all;
+    const std::array<std::string_view, GuidanceSystem::most_poses> known{std::string_view(texts)...};
+    std::call_once(once[poses - 1], [&] { all[poses - 1] = shipped(known[poses - 1]); });
+    return all[poses - 1];
 }
 
 }  // namespace
 
 const StartSystem& start_system(const GuidanceSystem& system) {
-    // Each is read when it is needed first.
-    if (system.has_ram()) return slider_crank_start(system.poses);
-    if (system.poses == 1) {
-        static const StartSystem start = shipped(nine_points);
-        return start;
-    }
-    if (system.poses == 2) {
-        static const StartSystem start = shipped(two_poses);
-        return start;
-    }
-    if (system.poses == 3) {
-        static const StartSystem start = shipped(three_poses);
-        return start;
-    }
-    static const StartSystem start = shipped(four_poses);
-    return start;
+    if (system.second == SecondDyad::ram)
+        return start_of<slider_eight_points, slider_two_poses, slider_three_poses, slider_four_poses>(system.poses);
+    if (system.second == SecondDyad::block)
+        return start_of<inverted_eight_points, inverted_two_poses, inverted_three_poses, inverted_four_poses>(
+            system.poses);
+    return start_of<nine_points, two_poses, three_poses, four_poses>(system.poses);
 }
 
 }  // namespace mechwright::homotopy

@@ -20,18 +20,24 @@ namespace mechwright::homotopy {
 
 /// How many orbits generic parameters have, by the number of poses: cognate triplets of nine points (Wampler, Morgan
 /// and Sommese 1992), pairs of dyads of poses and points (as monodromy finds them from three seeds); cognate pairs of
-/// slider-cranks through eight points, slider-cranks through poses and points (as monodromy finds them, and the trace
-/// test of tests/exact/slider_crank_count.cpp).
+/// slider-cranks through eight points, slider-cranks and inverted slider-cranks through poses and points (as monodromy
+/// finds them; tests/exact/slider_crank_count.cpp has the trace test).
 constexpr std::size_t orbits_of(const GuidanceSystem& system) {
     constexpr std::array<std::size_t, GuidanceSystem::most_poses> four_bars{1442, 1112, 201, 30};
     constexpr std::array<std::size_t, GuidanceSystem::most_poses> slider_cranks{279, 202, 42, 6};
-    return (system.has_ram() ? slider_cranks : four_bars)[system.poses - 1];
+    constexpr std::array<std::size_t, GuidanceSystem::most_poses> inverted{2220, 448, 56, 6};
+    if (system.second == SecondDyad::block) return inverted[system.poses - 1];
+    return (system.second == SecondDyad::ram ? slider_cranks : four_bars)[system.poses - 1];
 }
+
+/// How that is known: "the literature", "monodromy", "monodromy and a trace test". Both of the latter are done in
+/// doubles.
+std::string_view evidence_of(const GuidanceSystem& system);
 
 /// All systems that there are start systems of.
 std::vector<GuidanceSystem> every_system();
 
-/// "nine-point", "2-poses-6-points", "slider-crank-eight-point", "slider-crank-2-poses-5-points", ...
+/// "nine-point", "2-poses-6-points", "slider-crank-eight-point", "inverted-slider-crank-2-poses-5-points", ...
 std::string name_of(const GuidanceSystem& system);
 
 /// The system of this name.

@@ -19,8 +19,11 @@
 /// A ram slides on a line: its fixed pivot is infinitely far away. Divided by its distance, the dyad's equation keeps
 /// the terms with the pivot, which stands for its direction (b, b'), square to the line:
 ///     B = -y b',  B' = -y' b,  D = -d b' - d' b + y b' + y' b.
-/// One place less says all of it: one pose and seven points, two and five, three and three, four and one. The eighth
-/// equation is b b' = 1.
+/// A line of the coupler that slides through a block on a fixed pivot is such a dyad seen from the coupler: its moving
+/// pivot is infinitely far away, and y stands for its direction (y, y'), square to the line:
+///     B = y (d' - b'),  B' = y' (d - b),  D = y b' + y' b.
+/// With either one place less says all of it: one pose and seven points, two and five, three and three, four and one.
+/// The eighth equation is that the direction has length 1, b b' = 1 or y y' = 1.
 
 #include <array>
 #include <cstddef>
@@ -30,8 +33,8 @@
 
 namespace mechwright::homotopy {
 
-/// What the second dyad is.
-enum class SecondDyad : std::uint8_t { rocker, ram };
+/// What the second dyad is: a link on two pivots, a pivot that slides on a line, a line that slides over a pivot.
+enum class SecondDyad : std::uint8_t { rocker, ram, block };
 
 struct GuidanceSystem {
     static constexpr std::size_t size = 8;
@@ -47,10 +50,10 @@ struct GuidanceSystem {
 
     friend bool operator==(const GuidanceSystem&, const GuidanceSystem&) = default;
 
-    constexpr bool has_ram() const { return second == SecondDyad::ram; }
-    std::size_t displacements() const { return (has_ram() ? 8 : 9) - poses; }
+    constexpr bool has_rocker() const { return second == SecondDyad::rocker; }
+    constexpr std::size_t displacements() const { return (has_rocker() ? 9 : 8) - poses; }
 
-    /// For a ram b is the direction of its fixed pivot.
+    /// For a ram b is the direction of its fixed pivot, for a block y that of its moving pivot.
     enum Unknown : std::size_t { x, x_conjugate, a, a_conjugate, y, y_conjugate, b, b_conjugate };
 
     /// Those that there are no places for stay 0.
@@ -71,7 +74,7 @@ struct GuidanceSystem {
         }
         for (std::size_t j = turned; j < displacements(); ++j)
             point_row(u, p, along, j, out[turned + j]);
-        if (has_ram()) direction_row(u, along, out[size - 1]);
+        if (!has_rocker()) direction_row(second == SecondDyad::ram ? b : y, u, along, out[size - 1]);
     }
 
     /// Conjugates in the place of the numbers and the other way round.
@@ -92,52 +95,74 @@ private:
         return {T(0.0), T(0.0)};
     }
 
-    /// The direction of a ram's fixed pivot has length 1.
+    /// A displacement as the terms of a dyad have it that lack it where one of its pivots is infinitely far away.
     template <class T>
-    static void direction_row(const Point<T>& u, const Parameters<T>* along, Row<T>& row) {
-        row.fill(zero<T>());
-        row[b] = u[b_conjugate];
-        row[b_conjugate] = u[b];
-        if (along == nullptr) row[size] = Complex<T>{T(1.0), T(0.0)} - u[b] * u[b_conjugate];
+    struct Seen {
+        Complex<T> by_turn, by_turn_conjugate;  ///< in A and A'
+        Complex<T> free, free_conjugate;        ///< beside the fixed pivot in C
+        Complex<T> square;                      ///< alone in C
+    };
+
+    template <class T>
+    static Seen<T> seen(SecondDyad kind, const Complex<T>& d, const Complex<T>& dc) {
+        const bool ram = kind == SecondDyad::ram, block = kind == SecondDyad::block;
+        const Complex<T> zero{T(0.0), T(0.0)};
+        return {ram ? zero : d, ram ? zero : dc, block ? zero : d, block ? zero : dc, ram || block ? zero : d * dc};
+    }
+
+    /// The direction that begins at `first` has length 1.
+    template <class T>
+    static void direction_row(std::size_t first, const Point<T>& u, const Parameters<T>* along, Row<T>& row) {
+        row.fill({T(0.0), T(0.0)});
+        row[first] = u[first + 1];
+        row[first + 1] = u[first];
+        if (along == nullptr) row[size] = Complex<T>{T(1.0), T(0.0)} - u[first] * u[first + 1];
     }
 
     /// One dyad, whose unknowns begin at `first`, in a pose.
     template <class T>
     static void pose_row(std::size_t first, SecondDyad kind, const Point<T>& u, const Parameters<T>& p,
                          const Parameters<T>* along, std::size_t k, Row<T>& row) {
-        const bool ram = kind == SecondDyad::ram;
-        const Complex<T>&turn = p[first_turn + k], &d = p[k], &dc = p[first_conjugate + k];
+        const Complex<T>& turn = p[first_turn + k];
         const Complex<T>&m = u[first], &mc = u[first + 1], &f = u[first + 2], &fc = u[first + 3];
-        const Complex<T> square = turn * turn, df = (ram ? zero<T>() : d) - f, dfc = (ram ? zero<T>() : dc) - fc;
-        const Complex<T> dd = ram ? zero<T>() : d * dc;
-        const Complex<T> A = m * dfc, Ac = mc * df, C = dd - d * fc - dc * f + m * fc + mc * f;
-        row.fill(zero<T>());
+        const Seen<T> d = seen(kind, p[k], p[first_conjugate + k]);
+        const Complex<T> square = turn * turn, df = d.by_turn - f, dfc = d.by_turn_conjugate - fc;
+        const Complex<T> A = m * dfc, Ac = mc * df;
+        const Complex<T> C = d.square - d.free * fc - d.free_conjugate * f + m * fc + mc * f;
+        row.fill({T(0.0), T(0.0)});
         row[first] = dfc * square + fc * turn;
         row[first + 1] = df + f * turn;
-        row[first + 2] = (mc - dc) * turn - mc;
-        row[first + 3] = (m - d) * turn - m * square;
+        row[first + 2] = (mc - d.free_conjugate) * turn - mc;
+        row[first + 3] = (m - d.free) * turn - m * square;
         if (along == nullptr) {
             row[size] = -(A * square + C * turn + Ac);
             return;
         }
-        const Complex<T> v = (*along)[k], vc = (*along)[first_conjugate + k], w = (*along)[first_turn + k];
-        const Complex<T> by_v = ram ? turn * dfc : mc + turn * dfc;
-        const Complex<T> by_vc = ram ? turn * df : m * square + turn * df;
-        row[size] = -(v * by_v + vc * by_vc + w * (A * turn + A * turn + C));
+        const Seen<T> v = seen(kind, (*along)[k], (*along)[first_conjugate + k]);
+        const Complex<T>& w = (*along)[first_turn + k];
+        // The change of d d' is v d' + v' d, and 0 where d d' is not there.
+        const Complex<T> of_square = of_product(kind, (*along)[k], (*along)[first_conjugate + k], d);
+        row[size] = -(v.by_turn * mc + v.by_turn_conjugate * m * square +
+                      turn * (of_square - v.free * fc - v.free_conjugate * f) + w * (A * turn + A * turn + C));
+    }
+
+    template <class T>
+    static Complex<T> of_product(SecondDyad kind, const Complex<T>& v, const Complex<T>& vc, const Seen<T>& d) {
+        if (kind != SecondDyad::rocker) return {T(0.0), T(0.0)};
+        return v * d.free_conjugate + vc * d.free;
     }
 
     template <class T>
     void point_row(const Point<T>& u, const Parameters<T>& p, const Parameters<T>* along, std::size_t j,
                    Row<T>& row) const {
-        const bool ram = has_ram();
         const Complex<T>&d = p[j], &dc = p[first_conjugate + j];
+        const Seen<T> e = seen(second, d, dc);
         const Complex<T> da = d - u[a], dca = dc - u[a_conjugate];
-        const Complex<T> db = (ram ? zero<T>() : d) - u[b], dcb = (ram ? zero<T>() : dc) - u[b_conjugate];
+        const Complex<T> db = e.by_turn - u[b], dcb = e.by_turn_conjugate - u[b_conjugate];
         const Complex<T> A = u[x] * dca, Ac = u[x_conjugate] * da, B = u[y] * dcb, Bc = u[y_conjugate] * db;
-        const Complex<T> dd = d * dc;
-        const Complex<T> C = dd - d * u[a_conjugate] - dc * u[a] + u[x] * u[a_conjugate] + u[x_conjugate] * u[a];
-        const Complex<T> D =
-            (ram ? zero<T>() : dd) - d * u[b_conjugate] - dc * u[b] + u[y] * u[b_conjugate] + u[y_conjugate] * u[b];
+        const Complex<T> C = d * dc - d * u[a_conjugate] - dc * u[a] + u[x] * u[a_conjugate] + u[x_conjugate] * u[a];
+        const Complex<T> D = e.square - e.free * u[b_conjugate] - e.free_conjugate * u[b] + u[y] * u[b_conjugate] +
+                             u[y_conjugate] * u[b];
         const Complex<T> U = Ac * D - Bc * C, V = B * C - A * D, W = A * Bc - Ac * B;
         const Complex<T> W2 = W + W;
         // The derivatives of U V - W^2.
@@ -149,17 +174,18 @@ private:
         row[a_conjugate] = fC * (u[x] - d) - fA * u[x];
         row[y] = fB * dcb + fD * u[b_conjugate];
         row[y_conjugate] = fBc * db + fD * u[b];
-        row[b] = fD * (u[y_conjugate] - dc) - fBc * u[y_conjugate];
-        row[b_conjugate] = fD * (u[y] - d) - fB * u[y];
+        row[b] = fD * (u[y_conjugate] - e.free_conjugate) - fBc * u[y_conjugate];
+        row[b_conjugate] = fD * (u[y] - e.free) - fB * u[y];
         if (along == nullptr) {
             row[size] = W * W - U * V;
             return;
         }
         const Complex<T>&v = (*along)[j], &vc = (*along)[first_conjugate + j];
-        // The terms of the rocker that a ram has not.
-        const Complex<T> by_vc = ram ? zero<T>() : fB * u[y], by_v = ram ? zero<T>() : fBc * u[y_conjugate];
-        row[size] =
-            -(vc * (fA * u[x] + by_vc + fC * da + fD * db) + v * (fAc * u[x_conjugate] + by_v + fC * dca + fD * dcb));
+        const Seen<T> g = seen(second, v, vc);
+        const Complex<T> of_second =
+            g.by_turn_conjugate * fB * u[y] + g.by_turn * fBc * u[y_conjugate] +
+            fD * (of_product(second, v, vc, e) - g.free * u[b_conjugate] - g.free_conjugate * u[b]);
+        row[size] = -(vc * (fA * u[x] + fC * da) + v * (fAc * u[x_conjugate] + fC * dca) + of_second);
     }
 };
 

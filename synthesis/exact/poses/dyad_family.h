@@ -11,6 +11,9 @@
 
 namespace mechwright {
 
+/// A distance or coordinate that is as good as infinite, for pivots without limits.
+inline constexpr double anywhere = 1e9;
+
 /// What is asked for of a fixed pivot, in the frame of the displacements: where ranges hold one value it is met
 /// exactly, where they are wider they guide the choice.
 struct PivotRanges {

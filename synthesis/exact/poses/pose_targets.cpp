@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "synthesis/exact/guided_parts.h"
+
 namespace mechwright {
 
 namespace {
@@ -46,6 +48,7 @@ std::vector<ExactDisplacement> exact_displacements(const PoseTargets& g) {
 PivotRanges crank_pivot_ranges(const PoseTargets& g) {
     const Problem& problem = *g.problem;
     const PathRoles& roles = problem.mechanism->point->roles;
+    if (is_linkage(problem)) return {0, false, -anywhere, anywhere, -anywhere, anywhere};
     const DimensionRange &x = problem.dimensions[roles.origin_x], &y = problem.dimensions[roles.origin_y];
     const double size = g.place.size;
     return {-g.place.origin / size, false, x.min / size, x.max / size, y.min / size, y.max / size};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "synthesis/exact/poses/certified_dyad.h"
 #include "synthesis/exact/poses/timed_crank.h"
@@ -18,6 +19,7 @@ using Complex = std::complex<double>;
 /// Those of the rocker's, from the crank's.
 PivotRanges rocker_pivot_ranges(const PoseTargets& g, Complex crank_pivot) {
     const Problem& problem = *g.problem;
+    if (!is_four_bar(*problem.mechanism)) return {crank_pivot, true, 0, anywhere, 0, 2 * std::numbers::pi};
     const DimensionRange &ground = problem.dimensions[0],
                          &tilt = problem.dimensions[problem.mechanism->point->roles.tilt];
     return {crank_pivot, true, ground.min / g.place.size, ground.max / g.place.size, tilt.min, tilt.max};
@@ -37,7 +39,8 @@ void for_each_linkage(const PoseTargets& g, const Dyad& crank, std::span<const D
     places.insert(places.end(), displacements.begin(), displacements.end());
     for (const Dyad& rocker : rockers) {
         if (is_same(crank, rocker)) continue;
-        if (const auto linkage = linkage_of(crank, rocker, places, g.place)) take(exact_design(*g.problem, *linkage));
+        if (auto design = exact_design(*g.problem, {crank, homotopy::SecondDyad::rocker, rocker}, places, g.place))
+            take(*std::move(design));
     }
 }
 
@@ -184,12 +187,6 @@ ExactDesigns through_five_timed_points(const PoseTargets& g) {
     return out;
 }
 
-std::string why_no_four_bar_targets(const Problem& problem) {
-    if (!is_four_bar(*problem.mechanism)) return "it guides by four-bars alone";
-    if (has_ties(problem)) return "dimensions are tied to others";
-    return {};
-}
-
 /// A number of targets that the method does not take.
 std::string why_not_so_many(std::size_t count, std::string_view targets) {
     if (count < 2) return fmt::format("it needs from two to five {}, and there is one", targets);
@@ -212,10 +209,11 @@ ExactDesigns finished(const Problem& problem, ExactDesigns out) {
 }  // namespace
 
 std::string why_no_poses(const Problem& problem) {
-    if (const std::string why = why_no_four_bar_targets(problem); !why.empty()) return why;
+    if (const std::string why = why_no_parts(problem); !why.empty()) return why;
     if (!problem.path || !problem.path->guides_body()) return "it needs [poses]";
     if (problem.path->prescribed_timing) return "it needs poses that are met at any crank angle: timing = \"free\"";
-    return why_not_so_many(problem.path->points.size(), "poses");
+    const std::string why = why_not_so_many(problem.path->points.size(), "poses");
+    return why.empty() && problem.path->points.size() < 5 ? why_no_family(problem) : why;
 }
 
 ExactDesigns pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
@@ -227,7 +225,8 @@ ExactDesigns pose_designs(const Problem& problem, const RunOptions& options, con
 }
 
 std::string why_no_timed_points(const Problem& problem) {
-    if (const std::string why = why_no_four_bar_targets(problem); !why.empty()) return why;
+    if (!is_four_bar(*problem.mechanism)) return "at given crank angles it guides by four-bars and slider-cranks alone";
+    if (has_ties(problem)) return "dimensions are tied to others";
     if (!problem.path || problem.path->guides_body()) return "it needs a [path]";
     if (!problem.path->prescribed_timing) return "it needs timing = \"prescribed\"";
     return why_not_so_many(problem.path->points.size(), "points at given crank angles");

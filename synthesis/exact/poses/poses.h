@@ -6,6 +6,7 @@
 #include <string>
 
 #include "synthesis/exact/family_search.h"
+#include "synthesis/exact/guided_parts.h"
 #include "synthesis/exact/poses/pose_targets.h"
 
 namespace mechwright {

@@ -73,24 +73,44 @@ std::optional<ExactDesign> slider_crank_design(const Problem& problem, const Dra
     return exact_design(problem, std::move(found->design));
 }
 
+namespace {
+
+/// The dyad of a ram; that of a block as the fixed pivot seen from the body, whose places lie on the body's line.
+std::optional<Dyad> second_through(homotopy::SecondDyad kind, std::span<const Displacement> displacements,
+                                   std::span<const double> numbers) {
+    if (kind == homotopy::SecondDyad::ram) {
+        const auto ram = slider_through(displacements, numbers);
+        return ram ? std::optional(Dyad{ram->normal, ram->moving}) : std::nullopt;
+    }
+    std::vector<Displacement> seen;
+    for (const auto& [shift, turn] : displacements)
+        seen.push_back({-shift / turn, 1.0 / turn});
+    const auto block = slider_through(seen, numbers);
+    return block ? std::optional(Dyad{block->moving, block->normal}) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<ExactDesign> slider_crank_of_poses(const PoseTargets& g, std::span<const double> numbers) {
     const std::size_t of_crank = numbers_of_dyad(g.places());
-    const auto ram = slider_through(g.displacements, numbers.subspan(of_crank));
+    const homotopy::SecondDyad kind = *second_dyad(*g.problem);
+    const auto second = second_through(kind, g.displacements, numbers.subspan(of_crank));
     std::optional<ExactDesign> best;
-    if (!ram) return best;
+    if (!second) return best;
     std::vector<Displacement> displacements{{0, 1}};
     displacements.insert(displacements.end(), g.displacements.begin(), g.displacements.end());
     for (const Dyad& crank : dyads_of(g.displacements, numbers.first(of_crank), crank_pivot_ranges(g)))
-        if (auto design = slider_crank_design(*g.problem, g.place, crank, *ram, displacements))
+        if (auto design = exact_design(*g.problem, {crank, kind, *second}, displacements, g.place))
             keep_better(*g.problem, best, *std::move(design));
     return best;
 }
 
 std::string why_no_slider_crank_poses(const Problem& problem) {
-    if (has_ties(problem)) return "dimensions are tied to others";
     const PathTarget& path = *problem.path;
     if (path.prescribed_timing) return "it needs poses that are met at any crank angle: timing = \"free\"";
-    if (path.points.size() <= 4) return {};
+    if (const std::string why = why_no_parts(problem); !why.empty()) return why;
+    if (path.points.size() >= 2 && path.points.size() <= 4) return why_no_family(problem);
+    if (path.points.size() < 2) return "it needs from two to four poses, and there is one";
     return fmt::format(
         "it finds slider-cranks through up to four poses, and there are {}: through more none passes in general; "
         "least-squares finds the closest",

@@ -1,11 +1,13 @@
 #pragma once
 /// \file
 /// Slider-cranks whose rod guides a body through up to four poses: its ram is a point of the body whose places lie on a
-/// line, in four poses the only one there is (Ball's point); its crank is a dyad.
+/// line, in four poses the only one there is (Ball's point); its crank is a dyad. An inverted slider-crank is the same
+/// seen from the body: a fixed point whose places on the body lie on a line of it.
 
 #include <string>
 
 #include "synthesis/exact/family_search.h"
+#include "synthesis/exact/guided_parts.h"
 #include "synthesis/exact/poses/pose_targets.h"
 
 namespace mechwright {

@@ -7,6 +7,7 @@
 
 #include "synthesis/document/claim_json.h"
 #include "synthesis/document/claimed_problem.h"
+#include "synthesis/exact/known_solutions.h"
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/possible_values.h"
 #include "synthesis/verify/proofs/bounds_again.h"
@@ -64,6 +65,9 @@ Finding check_count(const ProofContext& c) {
     if (!in.understood()) return fails(in.defect);
     const double known = distinct + at_infinity + singular;
     if (tracked != known) return fails(fmt::format("of {} solutions {} are known", tracked, known));
+    const auto all = known_solutions(c.problem);
+    if (all && tracked != static_cast<double>(*all))
+        return fails(fmt::format("{} solutions are counted, and such a problem has {}", tracked, *all));
     if (singular != 0) return fails("singular solutions are counted, and not examined");
     if (certified > real) return fails("more solutions are certified than are real");
     if (c.infeasible != (defect_free == 0)) return fails("the number of designs without a defect does not go with it");

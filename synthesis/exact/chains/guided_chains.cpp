@@ -1,0 +1,99 @@
+#include "synthesis/exact/chains/guided_chains.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace mechwright {
+
+namespace {
+
+using homotopy::SecondDyad;
+
+constexpr std::size_t frame = 0;
+
+/// The one pin of two links; nothing where they have none or several.
+std::optional<std::size_t> pin_of(const linkage::Structure& s, std::size_t one, std::size_t other) {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < s.pins.size(); ++i) {
+        if (!is_on(s.pins[i], one) || !is_on(s.pins[i], other)) continue;
+        if (found) return {};
+        found = i;
+    }
+    return found;
+}
+
+bool has_line(const linkage::Structure& s, std::size_t link) {
+    return std::any_of(s.slides.begin(), s.slides.end(),
+                       [&](const linkage::Slide& slide) { return slide.link == link || slide.line.on == link; });
+}
+
+/// The links that join the body to the frame by two pins.
+void add_rockers(const linkage::Structure& s, const GuidedChains& known, std::vector<GuidedChains>& all) {
+    for (std::size_t link = 1; link < s.links; ++link) {
+        if (link == known.crank || link == known.body || has_line(s, link)) continue;
+        const auto moving = pin_of(s, link, known.body), fixed = pin_of(s, link, frame);
+        if (!moving || !fixed || *moving == *fixed) continue;
+        GuidedChains chains = known;
+        chains.second = SecondDyad::rocker;
+        chains.link = link;
+        chains.moving = *moving;
+        chains.fixed = *fixed;
+        all.push_back(chains);
+    }
+}
+
+/// What slides on the frame with a pin of the body, and on the body with a pin of the frame.
+void add_slides(const linkage::Structure& s, const GuidedChains& known, std::vector<GuidedChains>& all) {
+    for (std::size_t i = 0; i < s.slides.size(); ++i) {
+        const linkage::Slide& slide = s.slides[i];
+        const bool ram = slide.line.on == frame;
+        if (slide.link == known.crank || slide.link == known.body || (!ram && slide.line.on != known.body)) continue;
+        const auto pin = pin_of(s, slide.link, ram ? known.body : frame);
+        if (!pin) continue;
+        GuidedChains chains = known;
+        chains.second = ram ? SecondDyad::ram : SecondDyad::block;
+        chains.link = slide.link;
+        (ram ? chains.moving : chains.fixed) = *pin;
+        chains.slide = i;
+        all.push_back(chains);
+    }
+}
+
+void add_slots(const linkage::Structure& s, const GuidedChains& known, std::vector<GuidedChains>& all) {
+    for (std::size_t i = 0; i < s.slots.size(); ++i) {
+        const linkage::Slot& slot = s.slots[i];
+        const bool ram = slot.line.on == frame && is_on(s.pins[slot.pin], known.body);
+        const bool block = slot.line.on == known.body && is_on(s.pins[slot.pin], frame);
+        if (slot.loose || (!ram && !block)) continue;
+        GuidedChains chains = known;
+        chains.second = ram ? SecondDyad::ram : SecondDyad::block;
+        (ram ? chains.moving : chains.fixed) = slot.pin;
+        chains.slot = i;
+        all.push_back(chains);
+    }
+}
+
+}  // namespace
+
+std::optional<GuidedChains> guided_chains(const LinkageModel& model) {
+    const linkage::Structure& s = model.structure;
+    if (model.guided.size() != 1 || model.guided.front().follows || s.drives.size() != 1) return {};
+    const linkage::Drive& drive = s.drives.front();
+    if (drive.of_slide || drive.on != frame) return {};
+    GuidedChains known;
+    known.body = model.guided.front().link;
+    known.point = model.guided.front().pin;
+    known.crank = drive.link;
+    const auto pivot = pin_of(s, frame, known.crank), pin = pin_of(s, known.crank, known.body);
+    if (known.body == known.crank || known.body == frame || !pivot || !pin || *pivot == *pin) return {};
+    known.crank_pivot = *pivot;
+    known.crank_pin = *pin;
+    std::vector<GuidedChains> all;
+    add_rockers(s, known, all);
+    add_slides(s, known, all);
+    add_slots(s, known, all);
+    if (all.size() != 1) return {};
+    return all.front();
+}
+
+}  // namespace mechwright

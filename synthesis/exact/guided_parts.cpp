@@ -1,0 +1,56 @@
+#include "synthesis/exact/guided_parts.h"
+
+#include "synthesis/exact/chains/chain_design.h"
+#include "synthesis/exact/poses/slider_crank_poses.h"
+#include "synthesis/mechanism/four_bar/four_bar.h"
+#include "synthesis/mechanism/slider_crank/slider_crank.h"
+
+namespace mechwright {
+
+namespace {
+
+using homotopy::SecondDyad;
+
+const LinkageModel* linkage_model(const Problem& problem) { return problem.mechanism->model.as<LinkageModel>(); }
+
+}  // namespace
+
+bool is_linkage(const Problem& problem) { return linkage_model(problem) != nullptr; }
+
+std::optional<SecondDyad> second_dyad(const Problem& problem) {
+    if (is_four_bar(*problem.mechanism)) return SecondDyad::rocker;
+    if (is_slider_crank(*problem.mechanism)) return SecondDyad::ram;
+    const LinkageModel* model = linkage_model(problem);
+    const auto chains = model ? guided_chains(*model) : std::nullopt;
+    return chains ? std::optional(chains->second) : std::nullopt;
+}
+
+std::string why_no_parts(const Problem& problem) {
+    if (has_ties(problem)) return "dimensions are tied to others";
+    const LinkageModel* model = linkage_model(problem);
+    if (!model) return second_dyad(problem) ? "" : "it guides by four-bars, slider-cranks and linkages alone";
+    const auto chains = guided_chains(*model);
+    if (!chains)
+        return "it guides links that hang on the crank and on one more link, slide or slot, with one point or body for "
+               "a target";
+    return why_no_chain_design(problem, *chains);
+}
+
+std::size_t conditions_of(const Problem& problem) { return second_dyad(problem) == SecondDyad::rocker ? 10 : 9; }
+
+std::string why_no_family(const Problem& problem) {
+    return is_linkage(problem) ? why_no_chain_family(problem, conditions_of(problem) - 1) : "";
+}
+
+std::optional<ExactDesign> exact_design(const Problem& problem, const GuidedParts& parts,
+                                        std::span<const Displacement> displacements, const DrawingPlace& place) {
+    if (const LinkageModel* model = linkage_model(problem))
+        return chain_design(problem, *guided_chains(*model), parts, displacements, place);
+    if (parts.kind == SecondDyad::ram)
+        return slider_crank_design(problem, place, parts.crank, {parts.second.moving, parts.second.fixed},
+                                   displacements);
+    const auto linkage = linkage_of(parts.crank, parts.second, displacements, place);
+    return linkage ? std::optional(exact_design(problem, *linkage)) : std::nullopt;
+}
+
+}  // namespace mechwright
