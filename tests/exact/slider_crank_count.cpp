@@ -221,11 +221,10 @@ protected:
     GuidanceSystem system = GetParam();
 };
 
-// Of inverted slider-cranks through more points there are too many for this to be done in minutes.
+// Of the others, of more solutions, loops in doubles do not find all points of a cut within minutes.
 INSTANTIATE_TEST_SUITE_P(Of, SliderCrankCount,
-                         ::testing::Values(GuidanceSystem{1, SecondDyad::ram}, GuidanceSystem{2, SecondDyad::ram},
-                                           GuidanceSystem{3, SecondDyad::ram}, GuidanceSystem{4, SecondDyad::ram},
-                                           GuidanceSystem{3, SecondDyad::block}, GuidanceSystem{4, SecondDyad::block}),
+                         ::testing::Values(GuidanceSystem{3, SecondDyad::ram}, GuidanceSystem{4, SecondDyad::ram},
+                                           GuidanceSystem{4, SecondDyad::block}),
                          [](const auto& tested) {
                              return (tested.param.second == SecondDyad::ram ? "Ram" : "Block") +
                                     std::to_string(tested.param.poses);
@@ -238,6 +237,7 @@ TEST_P(SliderCrankCount, IsWholeByTheTraceTest) {
         count = counted_by_trace(system, seed);
     ASSERT_TRUE(count) << "points of all cuts are missing";
     EXPECT_EQ(*count, orbits_of(system));
+    EXPECT_EQ(evidence_of(system), "monodromy and a trace test");
 }
 
 }  // namespace
