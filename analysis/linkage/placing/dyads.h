@@ -63,16 +63,17 @@ struct RoundDyad {
     Vector<T> lead() const { return {row[lead_x], row[lead_y]}; }
 };
 
-/// The direction of a vector; the x axis where it has none and T knows no derivatives, which are infinite there.
+/// Whether a dyad that is carried round is placed by its own formulas: where sums are compensated. Other number types
+/// take those of any two circles, in fewer operations.
+template <class T>
+inline constexpr bool goes_round = plain_doubles<T>;
+
+/// The direction of a vector; the x axis where it has none.
 template <class T>
 Vector<T> any_direction(const Vector<T>& of, const T& length) {
-    if constexpr (plain_doubles<T>) {
-        const auto has_one = length > T(0);
-        const T per = T(1) / select(has_one, length, T(1));
-        return {select(has_one, T(per * of.x), T(1)), T(per * of.y)};
-    } else {
-        return T(T(1) / length) * of;
-    }
+    const auto has_one = length > T(0);
+    const T per = T(1) / select(has_one, length, T(1));
+    return {select(has_one, T(per * of.x), T(1)), T(per * of.y)};
 }
 
 /// Writes the numbers of a RoundDyad: `arm` leads from the centre to the pin that goes round, in the frame of the
@@ -103,15 +104,6 @@ void put_round_dyad(const Vector<T>& arm, const Vector<T>& base, const T& a, con
     row[D::twice_lesser] = T(2) * lesser;
     row[D::per_first] = T(1) / (T(4) * a);
     row[D::per_second] = T(1) / (T(4) * b);
-}
-
-/// Whether a dyad that is carried round is placed by its own formulas: not where they know no derivatives.
-template <class T>
-bool goes_round(const RoundDyad<T>& dyad) {
-    if constexpr (plain_doubles<T>)
-        return true;
-    else
-        return value_of(dyad[RoundDyad<T>::frame]) > 0 && value_of(dyad[RoundDyad<T>::crank]) > 0;
 }
 
 /// Two circles: the law of cosines with every factor of its half-angle formulas taken from the margins, as in
@@ -151,8 +143,7 @@ struct Circles {
         const T versed = arm.y * arm.y / (T(1) + abs(arm.x)), grown_square = of[D::twice_product] * versed;
         const T start = select(is_near, of[D::nearest], of[D::farthest]);
         const T change = select(is_near, grown_square, T(-grown_square));
-        const T d = sqrt(T(start * start + change)), both = d + start, per = T(1) / (d * both);
-        const T inverse = both * per, grown = change * (d * per);
+        const T d = sqrt(T(start * start + change)), inverse = T(1) / d, grown = change / (d + start);
         // Together they are twice the lesser link. With the greater margin taken from that, the two are rounded alike
         // and the direction of a very short link keeps its unit length.
         const T stretch = select(is_near, of[D::stretch_nearest], of[D::stretch_farthest]) - grown,

@@ -94,10 +94,11 @@ void put_margin(const Row<T>& row, Spot out, const Margin<T>& margin) {
 template <class T>
 [[gnu::always_inline]] inline Circles<T> round_circles(const PlainStep& step, const Row<T>& row) {
     const Spot* in = step.in;
-    const RoundDyad<T> dyad{row.at + in[6]};
     const T &a = row.number(in[2]), &b = row.number(in[3]), &side = row.number(in[4]);
-    if (!goes_round(dyad)) return {row.vector(in[0]), row.vector(in[1]), a, b, side};
-    return {dyad, row.vector(in[5]), a, b, side};
+    if constexpr (goes_round<T>)
+        return {RoundDyad<T>{row.at + in[6]}, row.vector(in[5]), a, b, side};
+    else
+        return {row.vector(in[0]), row.vector(in[1]), a, b, side};
 }
 
 /// Returns whether they meet.
@@ -140,7 +141,8 @@ template <class T>
         case Kind::circles:
             return put_circles(step, row, Circles<T>(vector(0), vector(1), number(2), number(3), number(4)), shortfall);
         case Kind::round_dyad:
-            put_round_dyad(vector(0), vector(1), number(2), number(3), step.first, row.at + out);
+            if constexpr (goes_round<T>)
+                put_round_dyad(vector(0), vector(1), number(2), number(3), step.first, row.at + out);
             break;
         case Kind::round_circles: return put_circles(step, row, round_circles(step, row), shortfall);
         case Kind::circle_line: {

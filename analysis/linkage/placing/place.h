@@ -81,9 +81,10 @@ struct DyadLinks {
 
 template <class T>
 Circles<T> circles_of(const Step& step, const Sized<T>& size, const T& side, const Pose<T>& pose) {
-    const RoundDyad<T> round{size.round.data()};
-    if (step.round.exists() && goes_round(round))
-        return {round, pose.links[step.round.link].along, size.first.length, size.second.length, side};
+    if constexpr (goes_round<T>)
+        if (step.round.exists())
+            return {RoundDyad<T>{size.round.data()}, pose.links[step.round.link].along, size.first.length,
+                    size.second.length, side};
     return {pose.pins[step.first.centre], pose.pins[step.second.centre], size.first.length, size.second.length, side};
 }
 

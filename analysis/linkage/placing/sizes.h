@@ -32,7 +32,8 @@ template <class T>
 struct Sized {
     Part<T> first{};
     Part<T> second{};
-    std::array<T, detail::RoundDyad<T>::count> round{};  ///< of a dyad that is carried round
+    std::array<T, detail::goes_round<T> ? std::size_t{detail::RoundDyad<T>::count} : 0>
+        round{};  ///< of a dyad that is carried round
 };
 
 namespace detail {
@@ -124,15 +125,17 @@ Part<T> carried_part(const Structure& s, const Step& step, std::span<const T> nu
 template <class T>
 Sized<T> dyad_sizes(const Structure& s, const Step& step, std::span<const T> numbers) {
     Sized<T> sized{locus_part(s, step.first, step.pin, numbers), locus_part(s, step.second, step.pin, numbers)};
-    if (!step.round.exists()) return sized;
-    const auto on_link = [&](std::size_t pin, std::size_t link) {
-        return place_of(coordinates_on(s.pins[pin], link), numbers);
-    };
-    const CarriedRound& round = step.round;
-    const Vector<T> arm = on_link(round.pin, round.link) - on_link(round.centre, round.link),
-                    base = on_link(round.fixed, 0) - on_link(round.centre, 0);
-    put_round_dyad(arm, base, sized.first.length, sized.second.length, step.first.centre == round.fixed,
-                   sized.round.data());
+    if constexpr (goes_round<T>) {
+        const CarriedRound& round = step.round;
+        if (!round.exists()) return sized;
+        const auto on_link = [&](std::size_t pin, std::size_t link) {
+            return place_of(coordinates_on(s.pins[pin], link), numbers);
+        };
+        const Vector<T> arm = on_link(round.pin, round.link) - on_link(round.centre, round.link),
+                        base = on_link(round.fixed, 0) - on_link(round.centre, 0);
+        put_round_dyad(arm, base, sized.first.length, sized.second.length, step.first.centre == round.fixed,
+                       sized.round.data());
+    }
     return sized;
 }
 
