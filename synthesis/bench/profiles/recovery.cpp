@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "analysis/four_bar.h"
 #include "synthesis/bench/pages/markdown.h"
 #include "synthesis/bench/profiles/random_number.h"
 #include "synthesis/bench/profiles/success.h"
+#include "synthesis/bench/profiles/traced_path.h"
 #include "synthesis/bench/sections.h"
 #include "synthesis/bench/timing.h"
 #include "synthesis/problem/reader.h"
@@ -32,12 +34,6 @@ FourBar<double> random_linkage(std::uint64_t k) {
         if (turns && grashof_margin(m) > 0.02) return m;
     }
 }
-
-/// Points of one turn of a linkage, and the problem of finding it again.
-struct TracedPath {
-    double size = 0;
-    std::string text;
-};
 
 constexpr const char* beginning = R"(schema = 1
 mechanism = "four-bar"
@@ -78,15 +74,15 @@ TracedPath traced(std::uint64_t k, int count, bool timed) {
     return path;
 }
 
-std::vector<Row> measured(int count, bool is_timed, const Effort& effort) {
-    const int linkages = effort.pick(10, 200);
+std::vector<Row> measured(int count, bool is_timed, int linkages, const Effort& effort,
+                          const std::function<TracedPath(std::uint64_t)>& traced_path) {
     RunOptions options;
     options.jobs = effort.jobs;
     options.stop = effort.stop;
     int met = 0;
     std::vector<double> seconds;
     for (int k = 0; k < linkages && !effort.stopped(); ++k) {
-        const TracedPath path = traced(static_cast<std::uint64_t>(k), count, is_timed);
+        const TracedPath path = traced_path(static_cast<std::uint64_t>(k));
         const Problem problem = parse_problem(path.text, "path.toml").problem;
         const Result result = solve(problem, options);
         met += result.status == Status::solved && result.best->objective <= met_within * path.size;
@@ -102,7 +98,20 @@ std::vector<Measurement> measurements(const Effort&) {
     for (const int count : {10, 25, 100})
         for (const bool is_timed : {true, false})
             all.push_back({fmt::format("{} points, {}", count, is_timed ? "timed" : "untimed"),
-                           [count, is_timed](const Effort& e) { return measured(count, is_timed, e); }});
+                           [count, is_timed](const Effort& e) {
+                               return measured(count, is_timed, e.pick(10, 200), e,
+                                               [&](std::uint64_t k) { return traced(k, count, is_timed); });
+                           }});
+    constexpr int on_six_bars = 30;
+    for (const bool is_timed : {true, false})
+        for (const bool watt : {true, false})
+            all.push_back(
+                {fmt::format("six-bars of {}, {} points, {}", watt ? "Watt's first kind" : "Stephenson's third kind",
+                             on_six_bars, is_timed ? "timed" : "untimed"),
+                 [is_timed, watt](const Effort& e) {
+                     return measured(on_six_bars, is_timed, e.pick(2, 40), e,
+                                     [&](std::uint64_t k) { return traced_six_bar(k, watt, on_six_bars, is_timed); });
+                 }});
     return all;
 }
 
@@ -116,8 +125,9 @@ std::string chapter(const Sheet& sheet) {
                               fmt::format("{:.1f} to {:.1f} %", 100 * interval.lower, 100 * interval.upper),
                               time_text(sheet.number(row, "seconds")), time_text(sheet.number(row, "slowest"))});
     }
-    return "Points of random crank-rockers and drag links, their curves once round, with every dimension to be found: "
-           "a "
+    return "Points of random crank-rockers, drag links and six-bars, their curves once round, with every dimension to "
+           "be "
+           "found: a "
            "design\ncounts that meets all of them to 1e-10 of the curve's size and is verified. Default options, cold, "
            "all threads.\n\n" +
            to_markdown(table);
