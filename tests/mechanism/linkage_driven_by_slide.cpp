@@ -27,10 +27,7 @@ using Json = nlohmann::ordered_json;
 using testing::expect_verified;
 using testing::first_error;
 using testing::is_refused;
-using testing::replaced;
-using testing::shipped;
 using testing::Solved;
-using testing::solved;
 
 /// A body that a cylinder from A tips about D, 2000 apart; T is on the body, as B is.
 std::string tipped(const std::string& dimensions, const std::string& targets, const std::string& drive = "") {
@@ -56,17 +53,18 @@ starts = 8
 )" + targets;
 }
 
-constexpr double foot = 2000;
+constexpr double foot_of_cylinder = 2000;
 
 /// The direction of the body from D by the law of cosines.
 Vector<double> direction_of_body(double reach, double length) {
-    const double at_d = std::acos((foot * foot + reach * reach - length * length) / (2 * foot * reach));
+    const double at_d = std::acos((foot_of_cylinder * foot_of_cylinder + reach * reach - length * length) /
+                                  (2 * foot_of_cylinder * reach));
     return {std::cos(std::numbers::pi - at_d), std::sin(std::numbers::pi - at_d)};
 }
 
 Vector<double> tipped_point(double reach, double arm, double length) {
     const Vector<double> along = direction_of_body(reach, length);
-    return {foot + arm * along.x, arm * along.y};
+    return {foot_of_cylinder + arm * along.x, arm * along.y};
 }
 
 constexpr std::array<double, 4> tipping_lengths{1250, 1450, 1650, 1900};
@@ -92,7 +90,7 @@ double least_by_scan(const std::vector<Vector<double>>& targets) {
         const double reach = 1100 + 500.0 * i / 200000;
         double along = 0, square = 0;
         for (std::size_t k = 0; k < targets.size(); ++k) {
-            const Vector<double> away = targets[k] - Vector<double>{foot, 0};
+            const Vector<double> away = targets[k] - Vector<double>{foot_of_cylinder, 0};
             along += dot(direction_of_body(reach, tipping_lengths[k]), away) / 4;
             square += dot(away, away) / 4;
         }
@@ -102,10 +100,11 @@ double least_by_scan(const std::vector<Vector<double>>& targets) {
 }
 
 const std::string free_body = "reach = { min = 1100, max = 1600 }\narm = { min = 1000, max = 2500 }\n";
-const std::string timed = "[path]\npoint = \"T\"\ntiming = \"prescribed\"\ncrank_angles = [1250, 1450, 1650, 1900]\n";
+const std::string timed_by_lengths =
+    "[path]\npoint = \"T\"\ntiming = \"prescribed\"\ncrank_angles = [1250, 1450, 1650, 1900]\n";
 const std::string least_rms = "[objective]\nminimize = \"path-rms\"\n";
 
-Json document_of(const Solved& s) { return document(s.problem, s.result); }
+Json document_of_slide(const Solved& s) { return document(s.problem, s.result); }
 
 }  // namespace
 
@@ -113,11 +112,12 @@ TEST(DrivenBySlide, PrescribedDisplacementsAreMetAsWellAsCanBe) {
     std::vector<Vector<double>> targets = tipped_points(1300, 1800, 0);
     targets[1].x += 40;
     targets[2].y -= 30;
-    const Solved s = solved(tipped(free_body, timed + "points = " + list_of(targets) + "\n" + least_rms));
+    const Solved s =
+        testing::solved(tipped(free_body, timed_by_lengths + "points = " + list_of(targets) + "\n" + least_rms));
     ASSERT_EQ(s.result.status, Status::solved);
     EXPECT_NEAR(s.value("path-rms"), least_by_scan(targets), 1e-6);
     EXPECT_EQ(s.result.best->design.path_angles, (std::vector<double>{1250, 1450, 1650, 1900}));
-    expect_verified(document_of(s));
+    expect_verified(document_of_slide(s));
 }
 
 /// What a cylinder is long at no stroke is found with the rest, in whichever unit a file is written.
@@ -126,13 +126,13 @@ TEST(DrivenBySlide, TheDeadLengthIsADimension) {
         tipped(free_body, "[path]\npoint = \"T\"\ntiming = \"prescribed\"\ncrank-start = { min = -100, max = 100 }\n" +
                               std::string("crank_angles = [1250, 1450, 1650, 1900]\npoints = ") +
                               list_of(tipped_points(1300, 1800, 37)) + "\n" + least_rms);
-    const Solved s = solved(text);
+    const Solved s = testing::solved(text);
     ASSERT_EQ(s.result.status, Status::solved);
     EXPECT_LT(s.value("path-rms"), 1e-6);
     EXPECT_NEAR(s.dimension("reach"), 1300, 1e-5);
     EXPECT_NEAR(s.dimension("arm"), 1800, 1e-5);
     EXPECT_NEAR(s.dimension("crank-start"), 37, 1e-5);
-    const Json document = document_of(s);
+    const Json document = document_of_slide(s);
     expect_verified(document);
     for (const char* changed :
          {"/path/crank_angles/1", "/path/prescribed_angles/2", "/design/crank-start", "/path/reached/0/0"}) {
@@ -156,38 +156,41 @@ TEST(DrivenBySlide, FreePlacesAreOnTheStroke) {
     targets[2].y -= 30;
     double mean = 0, square = 0;
     for (const Vector<double>& target : targets) {
-        const double away = std::hypot(target.x - foot, target.y);
+        const double away = std::hypot(target.x - foot_of_cylinder, target.y);
         mean += away / 4;
         square += away * away / 4;
     }
     const std::string arm_alone = "reach = 1300\narm = { min = 1000, max = 2500 }\n";
     for (const char* timing : {"free", "none"}) {
         const Solved s =
-            solved(tipped(arm_alone, fmt::format("[path]\npoint = \"T\"\ntiming = \"{}\"\npoints = ", timing) +
-                                         list_of(targets) + "\n" + least_rms),
-                   "auto", 1, 2, 1);
+            testing::solved(tipped(arm_alone, fmt::format("[path]\npoint = \"T\"\ntiming = \"{}\"\npoints = ", timing) +
+                                                  list_of(targets) + "\n" + least_rms),
+                            "auto", 1, 2, 1);
         ASSERT_EQ(s.result.status, Status::solved) << timing;
         EXPECT_NEAR(s.value("path-rms"), std::sqrt(square - mean * mean), 1e-6) << timing;
         EXPECT_NEAR(s.dimension("arm"), mean, 1e-4) << timing;
         for (const double at : s.result.best->design.path_angles)
             EXPECT_TRUE(at >= 1200 && at <= 2000) << at;
-        const Json document = document_of(s);
+        const Json document = document_of_slide(s);
         expect_verified(document);
         Json other = document;
         auto& number = other["path"]["crank_angles"][1];
         number = number.get<double>() + 5;
         EXPECT_TRUE(is_refused(other)) << timing;
     }
-    // What lies beyond the stroke counts by the end of it, exactly.
-    const Vector<double> reached = tipped_point(1300, 1800, 1990), beyond = tipped_point(1300, 1800, 2100);
-    const Solved s = solved(tipped("reach = 1300\narm = 1800\n",
-                                   "[path]\npoint = \"T\"\npoints = " + list_of({reached, beyond}) + "\n" + least_rms),
-                            "auto", 1, 2, 1);
-    ASSERT_TRUE(s.result.best);
-    EXPECT_EQ(s.result.best->design.path_angles[1], 2000);
-    const Vector<double> end = tipped_point(1300, 1800, 2000);
-    EXPECT_NEAR(s.value("path-max"), std::hypot(beyond.x - end.x, beyond.y - end.y), 1e-6);
-    expect_verified(document_of(s));
+    // What lies beyond the stroke counts by an end of it, exactly: the first and the last.
+    const std::vector<Vector<double>> wide{{450, 900}, {700, 1250}, {1000, 1480}, {1500, 1700}};
+    const auto along = [&](std::size_t i) { return wide[i] - Vector<double>{foot_of_cylinder, 0}; };
+    const double arm = (dot(direction_of_body(1300, 1200), along(0)) + dot(direction_of_body(1300, 2000), along(3)) +
+                        std::hypot(along(1).x, along(1).y) + std::hypot(along(2).x, along(2).y)) /
+                       4;
+    const Solved s = testing::solved(
+        tipped(arm_alone, "[path]\npoint = \"T\"\npoints = " + list_of(wide) + "\n" + least_rms), "auto", 1, 2, 1);
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.dimension("arm"), arm, 1e-4);
+    EXPECT_EQ(s.result.best->design.path_angles.front(), 1200);
+    EXPECT_EQ(s.result.best->design.path_angles.back(), 2000);
+    expect_verified(document_of_slide(s));
 }
 
 /// Derivatives of all rows and of the objective, by displacements, too, against differences.
@@ -198,7 +201,7 @@ TEST(DrivenBySlide, SlopesOfProgramsAreThoseOfDifferences) {
     for (const std::string& target :
          {"[motion]\nfrom = \"first-target\"\nto = \"last-target\"\nbefore = 10\nafter = 20\n" + signal +
               "[path]\npoint = \"T\"\n" + points + least_rms,
-          timed + "crank-start = { min = -100, max = 100 }\n" + points + least_rms,
+          timed_by_lengths + "crank-start = { min = -100, max = 100 }\n" + points + least_rms,
           "[arc]\npoint = \"T\"\nstart = { min = 1250, max = 1300 }\nrange = { min = 500, max = 600 }\n" +
               std::string("[objective]\nminimize = \"arc-deviation\"\n"),
           "[signals]\ntip = { angle = \"body\" }\n[function]\nsignal = \"tip\"\nexpression = \"x^2\"\nx = [1, 2]\n" +
@@ -240,14 +243,14 @@ TEST(DrivenBySlide, ArcsAndFunctionsAreOverDisplacements) {
         const Vector<double> along = direction_of_body(1300, length);
         return std::atan2(along.y, along.x) * 180 / std::numbers::pi;
     };
-    const Solved arc =
-        solved(tipped("reach = 1300\narm = 1800\n",
-                      "[arc]\npoint = \"T\"\nstart = 1250\nrange = 600\n[objective]\nminimize = \"arc-deviation\"\n"));
+    const Solved arc = testing::solved(
+        tipped("reach = 1300\narm = 1800\n",
+               "[arc]\npoint = \"T\"\nstart = 1250\nrange = 600\n[objective]\nminimize = \"arc-deviation\"\n"));
     ASSERT_EQ(arc.result.status, Status::solved);
     EXPECT_LT(arc.value("arc-deviation"), 1e-6);
     EXPECT_NEAR(std::abs(arc.value("arc-angle")) * 180 / std::numbers::pi, std::abs(angle_at(1850) - angle_at(1250)),
                 1e-6);
-    expect_verified(document_of(arc));
+    expect_verified(document_of_slide(arc));
 
     // The body is to turn in proportion to the stroke: the greatest error by a scan.
     const double start = angle_at(1250) - 180, range = angle_at(1850) - angle_at(1250);
@@ -286,20 +289,21 @@ double angle_of_bucket(const std::array<double, 4>& d, double length) {
 
 /// Poses of a bucket that there is are met again, at its displacements and at any.
 TEST(DrivenBySlide, BodiesAreGuidedThroughPoses) {
-    std::string file = shipped("excavator-bucket.toml", "linkage"), poses;
+    std::string file = testing::shipped("excavator-bucket.toml", "linkage"), poses;
     for (const double length : {1170, 1450, 1700}) {
         const double angle = angle_of_bucket({600, 640, 300, 110 * std::numbers::pi / 180}, length);
         poses += fmt::format("[{:.17g}, {:.17g}, {:.17g}], ", 1250 * std::cos(angle), 1250 * std::sin(angle),
                              angle * 180 / std::numbers::pi);
     }
     file.resize(file.find("[path]"));
-    file = replaced(replaced(file, "{ min = 300, max = 700 }", "600"), "{ min = 300, max = 800 }", "640");
+    file = testing::replaced(testing::replaced(file, "{ min = 300, max = 700 }", "600"), "{ min = 300, max = 800 }",
+                             "640");
     for (const char* timing : {"timing = \"prescribed\"\ncrank_angles = [1170, 1450, 1700]\n", "timing = \"free\"\n"}) {
-        const Solved s = solved(file + "[poses]\npoint = \"T\"\nlink = \"bucket\"\n" + timing + "poses = [" + poses +
-                                "]\n[objective]\nminimize = \"pose-rms\"\n");
+        const Solved s = testing::solved(file + "[poses]\npoint = \"T\"\nlink = \"bucket\"\n" + timing + "poses = [" +
+                                         poses + "]\n[objective]\nminimize = \"pose-rms\"\n");
         ASSERT_EQ(s.result.status, Status::solved) << timing;
         EXPECT_LT(s.value("pose-rms"), 1e-6) << timing;
-        const Json found = document_of(s);
+        const Json found = document_of_slide(s);
         expect_verified(found);
         Json other = found;
         auto& number = other["poses"]["crank_angles"][2];
@@ -322,7 +326,7 @@ TEST(DrivenBySlide, AnExcavatorsBucketCurlsEvenly) {
         }
         return sum;
     };
-    const Solved s = solved(shipped("excavator-bucket.toml", "linkage"));
+    const Solved s = testing::solved(testing::shipped("excavator-bucket.toml", "linkage"));
     ASSERT_EQ(s.result.status, Status::solved);
     const std::array<double, 4> best{s.dimension("idler"), s.dimension("link"), s.dimension("ear"),
                                      s.dimension("ear-angle")};
@@ -344,7 +348,7 @@ TEST(DrivenBySlide, AnExcavatorsBucketCurlsEvenly) {
         EXPECT_GE(sum, square_sum(best) * (1 - 1e-9));
     }
     EXPECT_GT(closed, 50000);
-    expect_verified(document_of(s));
+    expect_verified(document_of_slide(s));
 }
 
 TEST(DrivenBySlide, WhatCannotBeIsSaidWithARemedy) {
