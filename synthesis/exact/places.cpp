@@ -125,7 +125,10 @@ std::string argument(const Problem& problem, const homotopy::GuidanceSystem& sys
         "homotopy: all {} {} through {} are accounted for, {} of them real", counts.tracked, orbits,
         path.guides_body() ? counted(system.poses, points) : fmt::format("{} points", words_of(problem).most_points),
         counts.real);
-    return text + fmt::format("; that there are no more is known from {}", homotopy::evidence_of(system));
+    const std::string_view evidence = homotopy::evidence_of(system);
+    return text + fmt::format("; that there are no more {}", evidence == "the literature"
+                                                                 ? "is known from the literature"
+                                                                 : fmt::format("is found by {}, not proven", evidence));
 }
 
 }  // namespace

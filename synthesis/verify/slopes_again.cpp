@@ -40,11 +40,13 @@ std::vector<std::size_t> open_dimensions(const Claim& claim) {
 
 std::vector<RowAgain> slopes_again(const Rebuilt& design, const ValuesAgain& values, Digits50* sides) {
     const Claim& claim = *design.claim;
+    const std::vector<std::size_t> open = open_dimensions(claim);
+    if (open.empty()) return std::vector<RowAgain>(values(design.dimensions).size());
     const Digits50 part_of_size("1e-18");
     const std::vector<Digits50> here = sides ? values(design.dimensions) : std::vector<Digits50>{};
     Digits50 apart = 0, steepest = 0;
     std::vector<RowAgain> rows;
-    for (const std::size_t k : open_dimensions(claim)) {
+    for (const std::size_t k : open) {
         const Digits50 step = part_of_size * std::max<Digits50>(abs(design.dimensions[k]), 1);
         std::vector<Digits50> more = design.dimensions, less = more;
         for (std::size_t i = 0; i < more.size(); ++i) {

@@ -61,7 +61,7 @@ const std::vector<ObstacleTask> obstacle_tasks{
       {"origin-x", 128},
       {"origin-y", 92.3},
       {"tilt", 95.4}}},
-    {"linkage", "film-claw.toml", 0.049202425, {}, {}, true},
+    {"linkage", "film-claw.toml", 0.0049571614192, {}, {}, true},
     {"four-bar", "pumping-unit.toml", 1.053481585, {{"ground", 5.4}, {"crank", 0.7}, {"coupler", 5.3}}, {}, true},
     {"function",
      "steering-turning-circle.toml",

@@ -107,7 +107,8 @@ double off_its_middle(const Solved& s, double from, double to) {
 }
 
 TEST(SixBarTasks, ADwellOfNinetyDegreesIsHeldToATenthOfADegree) {
-    const Solved s = solved(shipped("dwell-90.toml", "linkage"));
+    // Two of its sixteen starts come to the best, one of them among the first ten.
+    const Solved s = solved(shipped("dwell-90.toml", "linkage"), "auto", 1, 2, 10);
     ASSERT_EQ(s.result.status, Status::solved);
     EXPECT_NEAR(s.result.best->objective, 67.18, 0.01);
     EXPECT_NEAR(off_its_middle(s, 150, 240), 0.1, 1e-6);

@@ -164,6 +164,7 @@ std::string reason_to_refuse(const std::string& name) {
     static const std::map<std::string, std::string> reasons{
         {"path/case-4-margin.toml", "no 'grashof-margin'"},
         {"exact/velocities-of-an-instant.toml", "cannot carry [instant]"},
+        {"exact/inverted-slider-crank-eight-points.toml", "this is a linkage already"},
         {"quick-return/uniform-speed-crank-shaper.toml", "no 'speed-variation'"},
         {"quick-return/uniform-speed-drag-link.toml", "no 'speed-variation'"},
         {"quick-return/uniform-speed-whitworth.toml", "no 'speed-variation'"},

@@ -155,6 +155,22 @@ TEST(TurnedRooms, HaveExactDerivativesWhereBothSidesLieOnTwoPlaces) {
                              "[motion]\ncrank_range = [300, 900]\n" + turned_room("thin", "least-width");
     EXPECT_NEAR(value_in(analysed_room(text).document, "thin.width"), 900, 1e-10);
     expect_room_slopes(text, {"thin.width"});
+    // The rollers go straight along one side: rounding must not decide what touches it. No arm changes the width.
+    const ReadProblem read = testing::read_without_fault(text);
+    const Mechanism& m = *read.problem.mechanism;
+    const Quantity& width = m.quantities[static_cast<std::size_t>(find_quantity(m, "thin.width"))];
+    Motion motion = finished_design(read.problem, evaluate_given(read.problem).design).motion;
+    motion.model = m.model.data();
+    motion.of = width.of.data();
+    std::vector<double> arguments;
+    for (const DimensionRange& range : read.problem.dimensions)
+        arguments.push_back(range.start.value_or(range.min));
+    std::vector<double> value(width.components(motion)), gradient(value.size() * arguments.size());
+    for (int i = 0; i < cases_to_try(24, 200); ++i) {
+        arguments[0] = 1000 + 1e-6 * i;
+        width.measure(motion, arguments, {value, gradient, {}});
+        EXPECT_NEAR(gradient[0], 0, 1e-9) << i;
+    }
 }
 
 TEST(TurnedRooms, AreVerifiedOverMotionsThatEnd) {

@@ -139,7 +139,8 @@ void check_stroke(const Section& scale, std::size_t first, const Problem& proble
     const auto reach = reach_of_input(*problem.mechanism);
     const DimensionRange &start = problem.dimensions[first], &range = problem.dimensions[first + 1];
     const bool is_input = problem.mechanism->dimensions[first].name.ends_with("input-start");
-    if (!reach || !is_input || !start.fixed() || !range.fixed()) return;
+    const bool is_given = start.fixed() && range.fixed() && range.min != 0;  // what is missing has been told
+    if (!reach || !is_input || !is_given) return;
     const double end = start.min + range.min;
     if (std::min(start.min, end) >= (*reach)[0] && std::max(start.min, end) <= (*reach)[1]) return;
     add_error(

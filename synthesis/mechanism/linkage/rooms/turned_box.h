@@ -125,6 +125,15 @@ private:
         places_.resettle(*box.beside, direction + turn_of_side(box.side));
         return box;
     }
+    /// The box of a direction at which Newton's method ends. Where something goes straight along a side, what the side
+    /// touches moves far while the box hardly turns, so that steps are short though the slope is not 0: a corner.
+    TurnedBox at_end(const Look& here) {
+        const double size = size_of(measured_.driven());
+        const double small = 1e-8 * (area_ ? size * size : size);
+        const bool is_smooth = here.bend > 0 && std::abs(here.slope) <= small;
+        return is_smooth ? TurnedBox{true, here.direction, here.contacts, 0, {}}
+                         : at_corner(here.direction, here.contacts);
+    }
     /// The least box near one with a side along the samples' hull.
     TurnedBox refined(double direction) {
         constexpr int most_steps = 100;
@@ -147,9 +156,9 @@ private:
                 const double step = std::abs(next - here.direction);
                 (here.slope < 0 ? low : high) = here;
                 here = look(next);
-                if (step < 1e-15) return {true, next, here.contacts, 0, {}};
+                if (step < 1e-15) return at_end(here);
             }
-            if (here.slope == 0) return {true, here.direction, here.contacts, 0, {}};
+            if (here.slope == 0) return at_end(here);
             (here.slope < 0 ? low : high) = here;
         }
         return at_corner(high.direction, high.contacts);
