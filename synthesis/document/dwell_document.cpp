@@ -3,7 +3,7 @@
 #include "synthesis/document/fields.h"
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/program/dwell_alternation.h"
+#include "synthesis/program/alternation/dwell_alternation.h"
 
 namespace mechwright {
 

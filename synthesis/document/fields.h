@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "synthesis/mechanism/cam/document_fields.h"
+#include "synthesis/mechanism/cam/document/fields.h"
 #include "synthesis/problem/schema/key.h"
 #include "synthesis/problem/schema/keys.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "synthesis/mechanism/cam/document_cam.h"
+#include "synthesis/mechanism/cam/document/cam.h"
 
 namespace mechwright {
 

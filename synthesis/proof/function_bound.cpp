@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "synthesis/program/error_extremes.h"
+#include "synthesis/program/alternation/error_extremes.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/target/function/function_target.h"
 #include "synthesis/target/function/loop_row.h"

@@ -9,7 +9,7 @@
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/program/error_extremes.h"
+#include "synthesis/program/alternation/error_extremes.h"
 #include "synthesis/program/result.h"
 #include "synthesis/verify/error_again.h"
 #include "synthesis/verify/slopes_again.h"

@@ -9,7 +9,7 @@
 #include "synthesis/document/claimed_problem.h"
 #include "synthesis/mechanism/input.h"
 #include "synthesis/mechanism/linkage/dwell.h"
-#include "synthesis/program/dwell_alternation.h"
+#include "synthesis/program/alternation/dwell_alternation.h"
 #include "synthesis/verify/rebuilt.h"
 #include "synthesis/verify/slopes_again.h"
 

@@ -6,7 +6,7 @@
 
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/curves.h"
-#include "synthesis/mechanism/cam/figure.h"
+#include "synthesis/mechanism/cam/figure/figure.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/mechanism/drawing/motion_row.h"
 #include "synthesis/mechanism/drawing/moving_design.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/mechanism/cam/read_segment.h"
+#include "synthesis/mechanism/cam/read/segment.h"
 #include "synthesis/problem/linkage/reading.h"
 #include "synthesis/problem/schema/keys.h"
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "synthesis/mechanism/cam/read_keys.h"
+#include "synthesis/mechanism/cam/read/keys.h"
 #include "synthesis/problem/schema/key.h"
 #include "synthesis/problem/schema/linkage_keys.h"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-#include "synthesis/mechanism/cam/read_keys.h"
+#include "synthesis/mechanism/cam/read/keys.h"
 #include "synthesis/problem/schema/key.h"
 
 namespace mechwright::keys {

@@ -1,7 +1,7 @@
 #include "synthesis/problem/schema/linkage_schema.h"
 
 #include "synthesis/mechanism/cam/motion_program.h"
-#include "synthesis/mechanism/cam/read_schema.h"
+#include "synthesis/mechanism/cam/read/schema.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/kinds_with_sections.h"
 #include "synthesis/target/names.h"

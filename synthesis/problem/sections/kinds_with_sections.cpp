@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "synthesis/mechanism/cam/read_cam.h"
+#include "synthesis/mechanism/cam/read/cam.h"
 #include "synthesis/problem/problem.h"
 
 namespace mechwright::reading {

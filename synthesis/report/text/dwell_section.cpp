@@ -4,7 +4,7 @@
 
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/program/dwell_alternation.h"
+#include "synthesis/program/alternation/dwell_alternation.h"
 #include "synthesis/report/text/sections.h"
 #include "synthesis/report/text/table.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "synthesis/program/error_extremes.h"
+#include "synthesis/program/alternation/error_extremes.h"
 #include "synthesis/report/text/sections.h"
 #include "synthesis/report/text/table.h"
 #include "synthesis/target/followed/text.h"

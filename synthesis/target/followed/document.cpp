@@ -1,7 +1,7 @@
 #include "synthesis/target/followed/document.h"
 
 #include "synthesis/document/fields.h"
-#include "synthesis/program/error_extremes.h"
+#include "synthesis/program/alternation/error_extremes.h"
 #include "synthesis/target/over_input/document.h"
 
 namespace mechwright {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "synthesis/mechanism/input.h"
-#include "synthesis/program/error_extremes.h"
+#include "synthesis/program/alternation/error_extremes.h"
 #include "synthesis/report/text/error_sections.h"
 #include "synthesis/report/text/sections.h"
 #include "synthesis/report/text/table.h"

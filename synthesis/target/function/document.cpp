@@ -4,7 +4,7 @@
 
 #include "synthesis/document/fields.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/program/error_extremes.h"
+#include "synthesis/program/alternation/error_extremes.h"
 #include "synthesis/target/function/function_target.h"
 #include "synthesis/target/over_input/document.h"
 

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/cam/read_cam.h"
+#include "synthesis/mechanism/cam/read/cam.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
-#include "synthesis/mechanism/cam/read_schema.h"
-#include "synthesis/mechanism/cam/read_segment.h"
+#include "synthesis/mechanism/cam/read/schema.h"
+#include "synthesis/mechanism/cam/read/segment.h"
 #include "synthesis/problem/schema/keys.h"
 #include "synthesis/problem/sections/sections.h"
 

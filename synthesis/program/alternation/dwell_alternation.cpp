@@ -1,11 +1,11 @@
-#include "synthesis/program/dwell_alternation.h"
+#include "synthesis/program/alternation/dwell_alternation.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "synthesis/program/free_columns.h"
+#include "synthesis/program/alternation/free_columns.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/program/standing/standing.h"
 

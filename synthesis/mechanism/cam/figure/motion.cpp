@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/mechanism/cam/figure_panels.h"
+#include "synthesis/mechanism/cam/figure/panels.h"
 #include "synthesis/mechanism/drawing/motion_row.h"
 
 namespace mechwright {

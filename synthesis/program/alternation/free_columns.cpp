@@ -1,4 +1,4 @@
-#include "synthesis/program/free_columns.h"
+#include "synthesis/program/alternation/free_columns.h"
 
 #include <Eigen/QR>
 

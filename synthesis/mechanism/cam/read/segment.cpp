@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/cam/read_segment.h"
+#include "synthesis/mechanism/cam/read/segment.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/cam/figure.h"
+#include "synthesis/mechanism/cam/figure/figure.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/mechanism/cam/figure_panels.h"
+#include "synthesis/mechanism/cam/figure/panels.h"
 #include "synthesis/mechanism/drawing/motion_row.h"
 
 namespace mechwright {

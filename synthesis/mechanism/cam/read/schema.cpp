@@ -1,8 +1,8 @@
-#include "synthesis/mechanism/cam/read_schema.h"
+#include "synthesis/mechanism/cam/read/schema.h"
 
 #include "synthesis/mechanism/cam/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
-#include "synthesis/mechanism/cam/read_keys.h"
+#include "synthesis/mechanism/cam/read/keys.h"
 #include "synthesis/problem/schema/json_schema.h"
 
 namespace mechwright {

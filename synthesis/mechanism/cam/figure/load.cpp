@@ -1,5 +1,5 @@
 #include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/mechanism/cam/figure_panels.h"
+#include "synthesis/mechanism/cam/figure/panels.h"
 #include "synthesis/mechanism/drawing/outlines.h"
 
 namespace mechwright {

@@ -1,4 +1,4 @@
-#include "synthesis/program/error_extremes.h"
+#include "synthesis/program/alternation/error_extremes.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "synthesis/mechanism/input.h"
 #include "synthesis/problem/units.h"
-#include "synthesis/program/free_columns.h"
+#include "synthesis/program/alternation/free_columns.h"
 #include "synthesis/program/quantity_value.h"
 
 namespace mechwright {

@@ -5,7 +5,7 @@
 
 #include "synthesis/document/fields.h"
 #include "synthesis/mechanism/cam/cam.h"
-#include "synthesis/mechanism/cam/document_cam.h"
+#include "synthesis/mechanism/cam/document/cam.h"
 #include "synthesis/mechanism/cam/motion_program.h"
 #include "synthesis/problem/text.h"
 

@@ -1,4 +1,4 @@
-#include "synthesis/mechanism/cam/document_cam.h"
+#include "synthesis/mechanism/cam/document/cam.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
