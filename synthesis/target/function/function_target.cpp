@@ -31,7 +31,8 @@ constexpr double least_growth = 1e-6;
 
 std::string why_not_scaled(double growth, double greatest_change) {
     if (std::abs(growth) > least_growth * greatest_change) return {};
-    return "the function has the same value at both ends of its range: nothing then scales the output";
+    return "the function has the same value at both ends of its range: nothing then scales the output, whose 'range' "
+           "stands for how much y grows from the first x to the last; end where y is another";
 }
 
 std::string complete_samples(FunctionTarget& target) {
