@@ -109,6 +109,30 @@ TEST(Compare, CsvHasARowForEachFile) {
     EXPECT_EQ(run({"compare", "--csv", "--json", files.a, files.b}).exit_code, 2);
 }
 
+/// A long search that is stopped has the better design by then.
+TEST(Compare, DesignsOfStoppedSearchesCount) {
+    const TemporaryFolder folder;
+    const std::string power =
+        "[function]\nexpression = \"x^1.5\"\nx = [1, 4]\ninput = { start = 210, range = 90 }\n"
+        "output = { start = 270, range = 90 }\n[objective]\nminimize = \"function-max\"\n";
+    const std::string given = folder.write(
+        "given.toml",
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 5\ncrank = 9\ncoupler = 14.5\nrocker = 11.5\n" +
+            power);
+    const std::string searched = folder.write(
+        "searched.toml",
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 5\ncrank = { min = 2, max = 20 }\ncoupler = { "
+        "min = 2, max = 30 }\nrocker = { min = 2, max = 30 }\n" +
+            power + "[solver]\nmethod = \"slsqp\"\nstarts = 100000\n");
+    const Outcome outcome = run({"compare", given, searched, "--time-limit", "1"});
+    EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
+    expect_has(outcome.out, "searched was stopped at a limit: its design is the best so far.");
+    expect_has(outcome.out, "Best: searched, minimize function-max = ");
+    const Json json = parsed(run({"compare", "--json", given, searched, "--time-limit", "1"}).out);
+    EXPECT_EQ(json[0]["status"], "limit");
+    EXPECT_LT(json[0]["objective"], json[1]["objective"]);
+}
+
 TEST(Compare, NeedsTwoFiles) {
     const TwoDrives files;
     for (const std::vector<std::string>& arguments :

@@ -36,7 +36,16 @@ constexpr std::array<Column, 7> compared_columns{{{"total-length", "size", ""},
 /// Rows above the designs in the table.
 constexpr std::size_t heading_rows = 3;
 
-bool has_design(const Compared& c) { return c.result.best.has_value() && c.result.status == Status::solved; }
+/// Whether a search was stopped before it ended.
+bool is_stopped(const Compared& c) {
+    return c.result.status == Status::limit || c.result.status == Status::interrupted;
+}
+
+/// A design that meets all requirements and passed verification, be it the best until the search was stopped.
+bool has_design(const Compared& c) {
+    return c.result.best && c.result.best->feasible && c.result.verified() &&
+           (c.result.status == Status::solved || is_stopped(c));
+}
 
 /// The value of a quantity by its name, in the file's unit.
 std::optional<double> value_of(const Compared& c, std::string_view quantity) {
@@ -122,6 +131,18 @@ std::string common_unit(const std::vector<Compared>& all, const std::function<st
     return common;
 }
 
+/// "power stopped at a limit", for each search that did not end; of a design that it came to before, that it did.
+std::string stopped_searches(const std::vector<Compared>& all) {
+    std::string text;
+    for (const Compared& c : all) {
+        if (!is_stopped(c)) continue;
+        text += folded("", fmt::format("{} was stopped {}{}.", short_name(c),
+                                       c.result.status == Status::limit ? "at a limit" : "on request",
+                                       has_design(c) ? ": its design is the best so far" : " without a design"));
+    }
+    return text;
+}
+
 std::string missing(const std::string& list, const std::vector<std::string>& those,
                     const std::vector<std::string>& in) {
     std::string text;
@@ -168,6 +189,7 @@ std::string comparison_table(const std::vector<Compared>& all, const TextStyle& 
         }
     }
     std::string text = to_text(table, 0);
+    if (const std::string stopped = stopped_searches(all); !stopped.empty()) text += '\n' + stopped;
     if (!same_objective(all) || !has_design(all.front())) return text;
     text += '\n' + folded(emphasised("Best: ", Emphasis::good, style.colour),
                           fmt::format("{}, {} = {}{}{}", short_name(all.front()), objective_text(all.front()),

@@ -17,13 +17,13 @@ struct Compared {
     Result result;
 };
 
-/// The designs in the order in which they are to be shown: solved ones first, and where all files have the same
-/// objective the better ones first; else in the order given.
+/// The designs in the order in which they are to be shown: verified ones first, those of searches that were stopped
+/// among them, and where all files have the same objective the better ones first; else in the order given.
 std::vector<Compared> ranked(std::vector<Compared> all);
 
 /// One row for each design: its file, mechanism, objective (or what became of it instead), size, transmission angle,
 /// time ratio, stroke and speed variation, of cams their size and pressure angle; columns in which no design has a
-/// value are left out. Below it, which design is the best by the common objective.
+/// value are left out. Below it, whose search was stopped, and which design is the best by the common objective.
 std::string comparison_table(const std::vector<Compared>& all, const TextStyle& style);
 
 /// The same as comma-separated values with all digits, in which missing values are empty.
