@@ -156,6 +156,9 @@ public:
             // As near as rounding lets it come: the steps become no shorter.
             constexpr double settled = plain_doubles<T> ? 1e-9 : 1e-27;
             if (moved <= close || (moved < T(settled) && !(moved < last))) return sign;
+            // Beyond a limit, where no pose is, steps grow sooner or later: in many digits each of them is dear.
+            if constexpr (!plain_doubles<T>)
+                if (moved > T(2) * last) return 0;
             last = moved;
         }
         return 0;

@@ -77,9 +77,13 @@ public:
     /// Where the motion ends: at a limit not where doubles say, but where the poses end.
     Digits50 exact_end(bool last) const {
         if (full_turn()) return last ? motion_.to : motion_.from;
-        Follower<Digits50> follower = at_end(last).follower;
-        if (!goes_on(last, follower)) creep(last, follower, little * follower.unit());
-        return follower.at;
+        std::optional<Digits50>& known = exact_ends_[last ? 1 : 0];
+        if (!known) {
+            Follower<Digits50> follower = at_end(last).follower;
+            if (!goes_on(last, follower)) creep(last, follower, little * follower.unit());
+            known = follower.at;
+        }
+        return *known;
     }
     double from() const { return motion_.from; }
     double to() const { return motion_.to; }
@@ -139,6 +143,7 @@ private:
     std::vector<double> rounded_;
     /// Once they have been asked for.
     mutable std::array<std::optional<SignalsAgain<Digits50>>, 2> ends_{};
+    mutable std::array<std::optional<Digits50>, 2> exact_ends_{};
     mutable std::optional<Follower<double>> follower_{};
     mutable std::optional<SeriesSignals> series_{};
 };
