@@ -204,8 +204,8 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
         case Unit::none: return Measured{value, relative * abs(value) + rounding};
         case Unit::force: return Measured{value, relative * abs(value) + rounding * design.strongest};
         case Unit::torque: return Measured{value, relative * abs(value) + rounding * design.strongest * design.longest};
-        case Unit::length: return Measured{value, relative * abs(value) + rounding * design.longest};
-        case Unit::area: return Measured{value, relative * abs(value) + rounding * design.longest * design.longest};
+        case Unit::length: return Measured{value, relative * abs(value) + rounding * design.added};
+        case Unit::area: return Measured{value, relative * abs(value) + rounding * design.longest * design.added};
         case Unit::curvature: return Measured{value, relative * abs(value) + rounding / design.longest};
     }
     return std::nullopt;
@@ -215,7 +215,7 @@ std::optional<Measured> measured(const Rebuilt& design, const Quantity& quantity
 
 Rebuilt rebuilt(const Claim& claim) {
     const Mechanism& mechanism = *claim.mechanism;
-    Rebuilt design{&claim, {}, {}, {}, {}, {}, 0, 0, {}};
+    Rebuilt design{&claim, {}, {}, {}, {}, {}, 0, 0, 0, {}};
     for (std::size_t i = 0; i < claim.design.size(); ++i) {
         const DimensionKind kind = mechanism.dimensions[i].kind;
         design.dimensions.push_back(from_document(claim.design[i], unit_of(kind), claim.units));
@@ -249,6 +249,12 @@ Rebuilt rebuilt(const Claim& claim) {
     if (design.path)
         look_along_curve(design, claim.path->any_order && claim.crank_range ? over(std::nullopt) : design.motion);
     design.of_motion = mechanism.check_motion(design.motion, design.dimensions);
+    design.added = design.longest;
+    if (const int total = find_quantity(mechanism, "total-length"); total >= 0) {
+        const Quantity& quantity = mechanism.quantities[static_cast<std::size_t>(total)];
+        const Digits50 lengths = measure_again(quantity, design.motion, design.dimensions);
+        if (isfinite(lengths)) design.added = std::max(design.added, lengths);
+    }
     return design;
 }
 

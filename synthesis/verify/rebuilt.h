@@ -35,6 +35,7 @@ struct Rebuilt {
     Motion whole;                     ///< the same where all of it is judged
     std::vector<Check> of_motion;     ///< of assembly, circuit and branch over the motion
     Digits50 longest;                 ///< of the lengths
+    Digits50 added;                   ///< all lengths of links together, which places are sums of; the longest at least
     Digits50 strongest;               ///< of the forces, those of springs over the longest length among them
     std::optional<RebuiltPath> path;  ///< only with one crank angle for each point
 };

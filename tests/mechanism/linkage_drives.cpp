@@ -120,6 +120,17 @@ TEST(DrivenSlides, AScissorsLiftRisesByItsFoot) {
     }
 }
 
+/// A lever on the end of the other one, in line with the frame where the motion begins at its limit: the table stands
+/// at half a turn there, and doubles know it to half their digits.
+TEST(DrivenSlides, ATableBeginsAtHalfATurn) {
+    const std::string text =
+        replaced(text_of_linkage("scissors-ram"), "M = [\"arm / 2\", 0], C", "M = [\"arm\", 0], C");
+    const double x = (950. * 950 + 1e6 - 250000) / (2 * 950);
+    expect_driven(text,
+                  {{"level.least", 180, 1}, {"level.greatest", 360 - std::acos((950 - x) / 500) / degree_of_drive, 1}},
+                  1e-11);
+}
+
 /// What is a length is none of the angles that the file has in radians; and one of millimetres is one of metres.
 TEST(DrivenSlides, AreNoAngles) {
     const std::string text = text_of_linkage("scissors-ram") + "\n[units]\nangle = \"rad\"\n";

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -51,6 +52,13 @@ struct Signal {
     std::vector<Term> terms{};  ///< of a sum
     Vector<double> place{};     ///< that stands still, in the drawing's axes
 };
+
+/// The whole turns that bring an angle at the start of motion into (near - pi, near + pi]. Close to an end it is at the
+/// upper one: of a motion that starts at a limit doubles know the first angle to half their digits only.
+inline double whole_turns_to(double angle, double near) {
+    constexpr double turn = 2 * std::numbers::pi, close = 1e-4;
+    return -std::ceil((angle - near) / turn - 0.5 - close);
+}
 
 /// How many derivatives of the pose a signal takes itself. Signals may be made of any others but not of themselves.
 inline std::size_t order_of(std::span<const Signal> signals, std::size_t signal) {
@@ -259,11 +267,9 @@ public:
 
     /// Angles are counted so that at turns of links at the start of motion each is in (near - pi, near + pi].
     void start_at(std::span<const double> turns) {
-        constexpr double turn = 2 * std::numbers::pi;
         for (std::size_t i = 0; i < signals.size(); ++i)
             if (signals[i].kind == Signal::Kind::angle)
-                whole_turns[i] =
-                    -std::ceil((turns[signals[i].of] - turns[signals[i].to] - signals[i].number) / turn - 0.5);
+                whole_turns[i] = whole_turns_to(turns[signals[i].of] - turns[signals[i].to], signals[i].number);
     }
 
     std::span<const Signal> signals;

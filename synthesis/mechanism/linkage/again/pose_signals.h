@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -116,11 +115,9 @@ private:
             if (step.margin == margin) return {line(step.first), line(step.second)};
         return {};
     }
-    /// Angles are counted so that at the start of motion each is in (near - pi, near + pi].
     double whole_turns_of(const linkage::Signal& s) const {
         if (standing.start_turns.empty()) return 0;
-        const double angle = standing.start_turns[s.of] - standing.start_turns[s.to];
-        return -std::ceil((angle - s.number) / (2 * std::numbers::pi) - 0.5);
+        return linkage::whole_turns_to(standing.start_turns[s.of] - standing.start_turns[s.to], s.number);
     }
 };
 
