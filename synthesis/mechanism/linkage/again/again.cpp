@@ -123,11 +123,11 @@ double side_of(const linkage::Structure& s, const linkage::Group& group, const F
     return dot(loop.direction(line, follower.pose), inner - first);
 }
 
-/// The dyads that leave their sides along the way, by their inner pins.
+/// The dyads that leave their sides along the way, by their inner pins, and the input where each is first seen to.
 struct Sides {
     const LinkageModel& model;
     std::size_t assembly;
-    std::vector<std::string> left{};
+    std::vector<std::pair<std::string, double>> left{};
 
     void operator()(const Follower<double>& follower) {
         const double size = follower.loop.size();
@@ -137,7 +137,9 @@ struct Sides {
             const double unit = group.kind == linkage::Group::Kind::rrr ? size * size : size;
             const double side = side_of(model.structure, group, follower) * model.sides[assembly][group.choice];
             const std::string& pin = model.pins[group.pin];
-            if (side < -rounding * unit && std::find(left.begin(), left.end(), pin) == left.end()) left.push_back(pin);
+            const auto is_pin = [&](const auto& known) { return known.first == pin; };
+            if (side < -rounding * unit && std::none_of(left.begin(), left.end(), is_pin))
+                left.emplace_back(pin, follower.at);
         }
     }
 };
@@ -237,10 +239,13 @@ std::vector<Check> check_linkage_motion(const Motion& motion, std::span<const Di
                                  : fmt::format("at {} poses that the joints' equations lead to", some.size())});
     }
     if (model.sides[motion.assembly].empty()) return checks;
-    std::string names;
-    for (const std::string& pin : sides.left)
-        names += (names.empty() ? "" : ", ") + pin;
-    checks.push_back({stays, sides.left.empty(), sides.left.empty() ? "all over the motion" : "not at " + names});
+    std::string places;
+    for (const auto& [pin, input] : sides.left)
+        places += fmt::format("{}{} near {}", places.empty() ? "" : ", ", pin, input_text(model, input));
+    checks.push_back({stays, sides.left.empty(),
+                      sides.left.empty() ? "all over the motion"
+                                         : "not at " + places +
+                                               ": it goes straight through a change point, where it may take either"});
     return checks;
 }
 
