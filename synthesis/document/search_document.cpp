@@ -43,7 +43,7 @@ Json search_document(const Problem& problem, const SearchReport& search) {
     put_number(json, of_search("missed_chance"), search.missed_chance);
     if (search.bound) {
         put_number(json, of_search("bound"), *search.bound);
-        json[of_search("boxes")] = search.boxes;
+        if (search.boxes > 0) json[of_search("boxes")] = search.boxes;
     }
     if (search.solutions) json[of_search("solutions")] = solutions_of(*search.solutions);
     if (search.free_numbers > 0) json[of_search("free_numbers")] = search.free_numbers;

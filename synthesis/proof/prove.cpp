@@ -6,10 +6,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "synthesis/mechanism/four_bar/four_bar.h"
 #include "synthesis/problem/units.h"
 #include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
 #include "synthesis/proof/branch_and_bound.h"
+#include "synthesis/proof/coupler_sextic.h"
 #include "synthesis/proof/function_bound.h"
 #include "synthesis/proof/timed_path_bound.h"
 
@@ -63,6 +65,21 @@ bool is_quickly_proved(const Problem& problem) {
     if (!FunctionBound::why_not(problem).empty()) return false;
     const auto first = problem.dimensions.begin() + static_cast<std::ptrdiff_t>(problem.mechanism->input->start);
     return std::all_of(first, first + Box::most, [](const DimensionRange& scale) { return scale.fixed(); });
+}
+
+std::optional<double> bound_of_untimed_path(const Problem& problem) {
+    const std::optional<PathTarget>& path = problem.path;
+    if (!is_four_bar(*problem.mechanism) || !path || path->prescribed_timing || path->guides_body() ||
+        !path->parts.empty() || !problem.objective || problem.objective->terms.size() != 1 ||
+        problem.objective->terms.front().maximize)
+        return std::nullopt;
+    const PathMeasure measure = objective_of(problem).path;
+    if (measure == PathMeasure::none) return std::nullopt;
+    const DistancesFromCouplerCurves least = least_distances_from_coupler_curves(path->points, path->weights);
+    double bound = measure == PathMeasure::greatest ? least.greatest : least.sum_of_squares;
+    if (measure == PathMeasure::root_mean_square)
+        bound = std::sqrt(bound / std::accumulate(path->weights.begin(), path->weights.end(), 0.0));
+    return bound > 0 ? std::optional(bound) : std::nullopt;
 }
 
 bool prove(const Problem& problem, const Solution& best, SearchReport& report, const RunOptions& options,

@@ -132,6 +132,7 @@ Found with_least_squares(const Problem& problem, const RunOptions& options, Cloc
     Found found{std::move(m.optima), m.report, false, m.stopped, why_nothing_is_found(m.report)};
     found.report.method = "least-squares";
     settle_best(problem, found, options, deadline);
+    if (!found.report.complete()) found.report.bound = bound_of_untimed_path(problem);
     return found;
 }
 

@@ -197,8 +197,8 @@ std::string search_section(const SearchReport& search, const TextStyle& style) {
         how += '.';
     }
     if (search.bound && !search.complete())
-        how += fmt::format(" No design has an objective below {}: {} boxes were examined.",
-                           rounded_text(*search.bound, style.digits), search.boxes);
+        how += fmt::format(" No design has an objective below {}{}.", rounded_text(*search.bound, style.digits),
+                           search.boxes > 0 ? fmt::format(": {} boxes were examined", search.boxes) : "");
     how += fmt::format(" {} in {}.", counted(search.evaluations, "evaluation", "evaluations"),
                        duration_text(search.seconds));
     return '\n' + folded(emphasised("Search:", Emphasis::strong, style.colour) + " ", how);
