@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "synthesis/exact/chains/chain_rows.h"
@@ -19,81 +17,8 @@ using homotopy::SecondDyad;
 
 const LinkageModel& model_of(const Problem& problem) { return *problem.mechanism->model.as<LinkageModel>(); }
 
-/// Dimensions that the rows are to say: what is to be found but for numbers of the target itself.
-std::vector<std::size_t> open_dimensions(const Problem& problem) {
-    const PathRoles& roles = problem.mechanism->point->roles;
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < problem.dimensions.size(); ++i)
-        if (!problem.dimensions[i].fixed() && i != roles.start && i != roles.body) open.push_back(i);
-    return open;
-}
-
 bool is_angle(const Problem& problem, std::size_t dimension) {
     return problem.mechanism->dimensions[dimension].kind == DimensionKind::angle;
-}
-
-/// The least difference of two angles.
-double apart(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
-
-/// The dimensions that the rows of lengths are about, and these as equations.
-struct LengthEquations {
-    std::vector<std::size_t> dimensions;
-    Eigen::MatrixXd factors;
-    Eigen::VectorXd values;
-};
-
-LengthEquations length_equations(const Problem& problem, const std::vector<ChainRow>& rows) {
-    LengthEquations e;
-    for (const std::size_t i : open_dimensions(problem))
-        if (!is_angle(problem, i)) e.dimensions.push_back(i);
-    const auto count = std::count_if(rows.begin(), rows.end(), [](const ChainRow& row) { return !row.angle; });
-    e.factors = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(e.dimensions.size()));
-    e.values = Eigen::VectorXd::Zero(count);
-    Eigen::Index k = 0;
-    for (const ChainRow& row : rows) {
-        if (row.angle) continue;
-        e.values[k] = row.value - row.number.constant;
-        for (const auto& [dimension, factor] : row.number.terms) {
-            const auto at = std::find(e.dimensions.begin(), e.dimensions.end(), dimension);
-            if (at == e.dimensions.end())
-                e.values[k] -= factor * problem.dimensions[dimension].min;
-            else
-                e.factors(k, at - e.dimensions.begin()) = factor;
-        }
-        ++k;
-    }
-    return e;
-}
-
-/// Whether a number is one dimension, or less one, and a constant.
-bool is_turn_of_one(const Affine& number) {
-    return number.terms.size() == 1 && std::abs(number.terms.front().second) == 1;
-}
-
-/// The dimensions that the rows say, into those of a design; whether given ones agree.
-bool solve_rows(const Problem& problem, const std::vector<ChainRow>& rows, std::vector<double>& dimensions) {
-    constexpr double agree_within = 1e-9;
-    const LengthEquations e = length_equations(problem, rows);
-    bool agree = true;
-    double size = 0;
-    for (const ChainRow& row : rows)
-        if (!row.angle) size = std::max(size, std::abs(row.value));
-    if (!e.dimensions.empty()) {
-        const Eigen::VectorXd found = e.factors.colPivHouseholderQr().solve(e.values);
-        for (std::size_t i = 0; i < e.dimensions.size(); ++i)
-            dimensions[e.dimensions[i]] = found[static_cast<Eigen::Index>(i)];
-        agree = (e.factors * found - e.values).cwiseAbs().maxCoeff() <= agree_within * size;
-    } else {
-        agree = e.values.size() == 0 || e.values.cwiseAbs().maxCoeff() <= agree_within * size;
-    }
-    for (const ChainRow& row : rows)
-        if (row.angle && is_turn_of_one(row.number) && !problem.dimensions[row.number.terms.front().first].fixed())
-            dimensions[row.number.terms.front().first] =
-                (row.value - row.number.constant) * row.number.terms.front().second;
-    for (const ChainRow& row : rows)
-        if (row.angle && apart(row.number.at(std::span<const double>(dimensions)), row.value) > agree_within)
-            agree = false;
-    return agree;
 }
 
 /// A linkage that stands in for any other: rows of its readings have what all have in common.
@@ -145,7 +70,7 @@ ExactDesign design_of(const Problem& problem, const ChainReading& reading, const
     Design design;
     for (const DimensionRange& range : problem.dimensions)
         design.dimensions.push_back(range.min);
-    const bool agree = solve_rows(problem, reading.rows, design.dimensions);
+    const bool agree = solve_rows(*problem.mechanism, problem.dimensions, reading.rows, design.dimensions);
     const auto& directions = problem.path->directions;
     const auto first = std::find_if(directions.begin(), directions.end(), [](double a) { return !std::isnan(a); });
     if (first != directions.end())
@@ -183,19 +108,18 @@ std::string why_no_chain_design(const Problem& problem, const GuidedChains& chai
                                [&](const auto& term) { return term.first == dimension; });
         });
     };
-    for (const std::size_t i : open_dimensions(problem))
+    for (const std::size_t i : open_dimensions(*problem.mechanism, problem.dimensions))
         if (!is_said(i, is_angle(problem, i)))
             return fmt::format(
                 "'{}' does not say where the guided body hangs, on the crank and one more link, slide or slot: give it",
                 problem.mechanism->dimensions[i].name);
-    const LengthEquations e = length_equations(problem, rows);
-    if (!e.dimensions.empty() && e.factors.colPivHouseholderQr().rank() < e.factors.cols())
+    if (undetermined_lengths(*problem.mechanism, problem.dimensions, rows) > 0)
         return "the places of the links' pins leave some of the dimensions open: give one of those that stand together";
     return {};
 }
 
 std::string why_no_chain_family(const Problem& problem, std::size_t dimensions) {
-    const std::size_t open = open_dimensions(problem).size();
+    const std::size_t open = open_dimensions(*problem.mechanism, problem.dimensions).size();
     if (open == dimensions) return {};
     return fmt::format(
         "a family of linkages passes so few places, and the file leaves {} of the {} numbers open that say where its "

@@ -36,68 +36,27 @@ struct KnownLine {
 };
 
 struct Reader {
-    const Problem& problem;
     const LinkageModel& model;
-    const GuidedChains& chains;
+    LinkNumbers numbers;
     double size;
-
-    const Affine& number(linkage::Number i) const { return model.numbers[i]; }
-
-    std::optional<double> constant(const Affine& affine) const {
-        double value = affine.constant;
-        for (const auto& [dimension, factor] : affine.terms) {
-            if (!problem.dimensions[dimension].fixed()) return {};
-            value += factor * problem.dimensions[dimension].min;
-        }
-        return value;
-    }
-
-    /// 1 where a number can only be greater than a value, -1 where only less; else 1, which is as good.
-    double side_of(const Affine& affine, double value) const {
-        double greatest = affine.constant;
-        for (const auto& [dimension, factor] : affine.terms)
-            greatest += factor * (factor > 0 ? problem.dimensions[dimension].max : problem.dimensions[dimension].min);
-        return greatest <= value ? -1 : 1;
-    }
-
-    std::optional<Point> constant_place(const linkage::Coordinates& at) const {
-        const auto first = constant(number(at.first)), second = constant(number(at.second));
-        if (!first || !second) return {};
-        return at.polar ? std::polar(*first, *second) : Point(*first, *second);
-    }
-
-    /// The direction on a link from a place that is given to another pin, as far as its numbers say it.
-    std::optional<Point> direction_to(const linkage::Coordinates& at, const Point& from) const {
-        if (const auto place = constant_place(at))
-            return std::abs(*place - from) > 0 ? std::optional((*place - from) / std::abs(*place - from))
-                                               : std::nullopt;
-        const auto first = constant(number(at.first)), second = constant(number(at.second));
-        if (at.polar) {
-            if (!second || from != Point(0)) return {};
-            return side_of(number(at.first), 0) * std::polar(1.0, *second);
-        }
-        if (second && *second == from.imag()) return Point(side_of(number(at.first), from.real()), 0);
-        if (first && *first == from.real()) return Point(0, side_of(number(at.second), from.imag()));
-        return {};
-    }
 
     /// How a link may lie in the drawing: its directions where they are given, else by two pins or a line.
     std::vector<LinkFrame> frames_of(const std::vector<KnownPin>& pins, const std::optional<KnownLine>& line,
                                      const std::optional<Point>& given = {}) const {
-        const auto anchor = std::find_if(pins.begin(), pins.end(),
-                                         [&](const KnownPin& pin) { return constant_place(pin.at).has_value(); });
+        const auto anchor = std::find_if(
+            pins.begin(), pins.end(), [&](const KnownPin& pin) { return numbers.constant_place(pin.at).has_value(); });
         if (anchor == pins.end()) return {};
-        const Point from = *constant_place(anchor->at);
+        const Point from = *numbers.constant_place(anchor->at);
         std::vector<Point> directions;
         if (given) directions.push_back(*given);
         for (auto pin = pins.begin(); pin != pins.end() && directions.empty(); ++pin) {
             if (pin == anchor || std::abs(pin->drawn - anchor->drawn) == 0) continue;
-            const auto to = direction_to(pin->at, from);
+            const auto to = numbers.direction_to(pin->at, from);
             const Point drawn = pin->drawn - anchor->drawn;
             if (to) directions.push_back(drawn / std::abs(drawn) / *to);
         }
         if (directions.empty() && line)
-            if (const auto angle = constant(line->angle))
+            if (const auto angle = numbers.constant(line->angle))
                 for (const double sense : {1.0, -1.0})
                     directions.push_back(sense * line->along / std::polar(1.0, *angle));
         std::vector<LinkFrame> frames;
@@ -109,17 +68,12 @@ struct Reader {
     /// The frame, whose placement may be given.
     std::vector<LinkFrame> frames_of_frame(const std::vector<KnownPin>& pins,
                                            const std::optional<KnownLine>& line) const {
-        const auto x = constant(model.placement[0]), y = constant(model.placement[1]);
-        const auto tilt = constant(model.placement[2]);
+        const auto x = numbers.constant(model.placement[0]), y = numbers.constant(model.placement[1]);
+        const auto tilt = numbers.constant(model.placement[2]);
         const auto direction = tilt ? std::optional(std::polar(1.0, *tilt)) : std::nullopt;
         if (x && y && direction) return {{Point(*x, *y), *direction, size}};
         std::vector<LinkFrame> frames = frames_of(pins, line, direction);
         return frames;
-    }
-
-    void add_place(std::vector<ChainRow>& rows, const linkage::Coordinates& at, const Point& on_link) const {
-        rows.push_back({number(at.first), at.polar ? std::abs(on_link) : on_link.real(), false});
-        rows.push_back({number(at.second), at.polar ? std::arg(on_link) : on_link.imag(), at.polar});
     }
 
     const linkage::Coordinates& at(std::size_t pin, std::size_t link) const {
@@ -160,8 +114,8 @@ std::optional<Sliding> sliding_of(const linkage::Structure& s, const GuidedChain
 
 /// The angle of a line on its link.
 std::optional<Affine> angle_of(const Reader& reader, const linkage::Line& line) {
-    if (line.by_angle) return reader.number(line.angle);
-    const auto from = reader.constant_place(line.through), to = reader.constant_place(line.towards);
+    if (line.by_angle) return reader.numbers.number(line.angle);
+    const auto from = reader.numbers.constant_place(line.through), to = reader.numbers.constant_place(line.towards);
     if (!from || !to || *from == *to) return {};
     return Affine{std::arg(*to - *from), {}};
 }
@@ -169,26 +123,26 @@ std::optional<Affine> angle_of(const Reader& reader, const linkage::Line& line) 
 /// That the pin's place on the link of the line keeps its distance from it.
 bool add_line(const Reader& reader, const Sliding& sliding, const Affine& angle, const Point& along, const Point& pin,
               std::vector<ChainRow>& rows) {
-    if (sliding.line.through.polar && !reader.constant_place(sliding.line.through)) return false;
+    if (sliding.line.through.polar && !reader.numbers.constant_place(sliding.line.through)) return false;
     Point origin = pin;
     const Affine zero;
     const Affine* offset = &zero;
     if (sliding.slide) {
-        const auto turned = reader.constant(reader.number(sliding.slide->angle));
-        const auto at = reader.constant_place(reader.at(sliding.pin, sliding.slide->link));
+        const auto turned = reader.numbers.constant(reader.numbers.number(sliding.slide->angle));
+        const auto at = reader.numbers.constant_place(reader.at(sliding.pin, sliding.slide->link));
         if (!turned || !at) return false;
         origin -= std::polar(1.0, *turned) * *at;
-        offset = &reader.number(sliding.slide->offset);
+        offset = &reader.numbers.number(sliding.slide->offset);
     }
     rows.push_back({angle, std::arg(along), true});
     const Point left = Point(0, 1) * along;
     const double distance = (std::conj(left) * origin).real();
-    if (const auto through = reader.constant_place(sliding.line.through))
+    if (const auto through = reader.numbers.constant_place(sliding.line.through))
         rows.push_back({*offset, distance - (std::conj(left) * *through).real(), false});
     else
         rows.push_back({sum_of({{1, offset},
-                                {left.real(), &reader.number(sliding.line.through.first)},
-                                {left.imag(), &reader.number(sliding.line.through.second)}}),
+                                {left.real(), &reader.numbers.number(sliding.line.through.first)},
+                                {left.imag(), &reader.numbers.number(sliding.line.through.second)}}),
                         distance, false});
     return true;
 }
@@ -198,7 +152,7 @@ bool add_line(const Reader& reader, const Sliding& sliding, const Affine& angle,
 std::vector<ChainReading> readings_of(const Problem& problem, const GuidedChains& chains, const GuidedParts& parts,
                                       std::complex<double> guided_point) {
     const LinkageModel& model = *problem.mechanism->model.as<LinkageModel>();
-    const Reader reader{problem, model, chains, model.scale.constant};
+    const Reader reader{model, {problem.dimensions, model}, model.scale.constant};
     const bool ram = chains.second == SecondDyad::ram, rocker = chains.second == SecondDyad::rocker;
     const auto sliding = sliding_of(model.structure, chains);
     const Point normal = ram ? parts.second.fixed : parts.second.moving;
@@ -229,7 +183,7 @@ std::vector<ChainReading> readings_of(const Problem& problem, const GuidedChains
         reading.rows.push_back({model.placement[2], std::arg(frame.direction), true});
         const auto add = [&](const std::vector<KnownPin>& pins, const LinkFrame& of) {
             for (const KnownPin& pin : pins)
-                reader.add_place(reading.rows, pin.at, of.on_link(pin.drawn));
+                reader.numbers.add_place(reading.rows, pin.at, of.on_link(pin.drawn));
         };
         add(on_frame, frame);
         add(on_crank, crank);

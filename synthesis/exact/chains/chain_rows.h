@@ -6,17 +6,11 @@
 #include <vector>
 
 #include "synthesis/exact/chains/guided_chains.h"
+#include "synthesis/exact/chains/link_numbers.h"
 #include "synthesis/exact/guided_parts.h"
 #include "synthesis/problem/problem.h"
 
 namespace mechwright {
-
-/// A sum of dimensions that has to be a value, an angle up to whole turns.
-struct ChainRow {
-    Affine number;
-    double value = 0;
-    bool angle = false;
-};
 
 /// One way to read the links in the drawing: a link that is given by a line has two.
 struct ChainReading {
