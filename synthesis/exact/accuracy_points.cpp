@@ -235,7 +235,7 @@ ExactDesigns isolated(const AccuracyProblem& a) {
 }  // namespace
 
 std::string why_no_accuracy_points(const Problem& problem) {
-    if (!is_four_bar(*problem.mechanism)) return "it generates functions by four-bars alone";
+    if (!is_four_bar(*problem.mechanism)) return "it generates functions by four-bars and linkages alone";
     if (!problem.function) return "it needs a [function]";
     if (has_ties(problem)) return "dimensions are tied to others";
     const FunctionTarget& f = *problem.function;

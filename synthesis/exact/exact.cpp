@@ -5,7 +5,9 @@
 
 #include "synthesis/exact/accuracy_points.h"
 #include "synthesis/exact/extreme_velocity_ratio.h"
+#include "synthesis/exact/guided_parts.h"
 #include "synthesis/exact/instant.h"
+#include "synthesis/exact/output_dyads/output_points.h"
 #include "synthesis/exact/places.h"
 #include "synthesis/exact/poses/poses.h"
 #include "synthesis/exact/poses/slider_crank_poses.h"
@@ -32,7 +34,7 @@ bool has_ram_or_block(const Problem& p) {
     return second && *second != homotopy::SecondDyad::rocker;
 }
 
-constexpr std::array<ExactKind, 8> kinds{{
+constexpr std::array<ExactKind, 9> kinds{{
     {[](const Problem& p) { return has_poses_alone(p) && has_ram_or_block(p); }, why_no_slider_crank_poses,
      slider_crank_pose_designs},
     {has_poses_alone, why_no_poses, pose_designs},
@@ -40,6 +42,8 @@ constexpr std::array<ExactKind, 8> kinds{{
      why_no_slider_crank_timed_points, slider_crank_timed_designs},
     {[](const Problem& p) { return p.path && p.path->prescribed_timing; }, why_no_timed_points, timed_point_designs},
     {[](const Problem& p) { return p.path.has_value(); }, why_no_places, place_designs},
+    {[](const Problem& p) { return p.function != nullptr && is_linkage(p); }, why_no_output_points,
+     output_point_designs},
     {[](const Problem& p) { return p.function != nullptr; }, why_no_accuracy_points, accuracy_point_designs},
     {[](const Problem& p) { return p.has_instant; }, why_no_instant, instant_designs},
     {requires_extreme_velocity_ratio, why_no_extreme_velocity_ratio, extreme_velocity_ratio_designs},
