@@ -31,15 +31,32 @@ std::string why_no_parts(const Problem& problem) {
     if (!model) return second_dyad(problem) ? "" : "it guides by four-bars, slider-cranks and linkages alone";
     const auto chains = guided_chains(*model);
     if (!chains)
-        return "it guides links that hang on the crank and on one more link, slide or slot, with one point or body for "
-               "a target";
+        return "it guides links that hang on the crank, or a rocker where something else drives, and on one more link, "
+               "slide or slot to the frame, with one point or body for a target";
     return why_no_chain_design(problem, *chains);
 }
 
 std::size_t conditions_of(const Problem& problem) { return second_dyad(problem) == SecondDyad::rocker ? 10 : 9; }
 
 std::string why_no_family(const Problem& problem) {
-    return is_linkage(problem) ? why_no_chain_family(problem, conditions_of(problem) - 1) : "";
+    const LinkageModel* model = linkage_model(problem);
+    return model ? why_no_chain_family(problem, *guided_chains(*model), conditions_of(problem) - 1) : "";
+}
+
+std::optional<std::vector<std::size_t>> dimensions_of_drive(const Problem& problem) {
+    const LinkageModel* model = linkage_model(problem);
+    if (!model) return {};
+    const GuidedChains chains = *guided_chains(*model);
+    if (chains.by_crank) return {};
+    return dimensions_beside_chains(problem, chains);
+}
+
+void claim_no_more_than_seen(const Problem& problem, ExactDesigns& out) {
+    if (!out.designs.empty() || !dimensions_of_drive(problem)) return;
+    out.proof = nullptr;
+    out.note =
+        "all that the guided body can hang on is known, but the drive was not seen to take any of it through the "
+        "targets in their order; its motion was looked at in samples, so that this is no proof";
 }
 
 std::optional<ExactDesign> exact_design(const Problem& problem, const GuidedParts& parts,

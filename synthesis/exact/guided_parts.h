@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "synthesis/exact/exact_designs.h"
 #include "synthesis/exact/homotopy/guidance_system.h"
@@ -36,6 +37,13 @@ std::size_t conditions_of(const Problem& problem);
 /// Why a family that passes few places cannot be searched, since some of what may be chosen is given; empty if it can.
 /// Of linkages alone: ranges of other mechanisms show that themselves.
 std::string why_no_family(const Problem& problem);
+
+/// Of a linkage whose guided body is not driven by its crank, but by something else: those dimensions of that with
+/// ranges. Precondition: why_no_parts is empty.
+std::optional<std::vector<std::size_t>> dimensions_of_drive(const Problem& problem);
+
+/// Claims no proof that there is no design where what drives the body was looked at in samples of its motion.
+void claim_no_more_than_seen(const Problem& problem, ExactDesigns& out);
 
 /// The design of these parts, with the displacements of all places in their order from that in which the parts are
 /// given; nothing where a link has no length.

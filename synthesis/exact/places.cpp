@@ -168,6 +168,7 @@ ExactDesigns place_designs(const Problem& problem, const RunOptions& options, co
     if (found.singular > 0) out.note = some_are_singular;
     if (!found.complete() || found.singular > 0 || out.stopped) return out;
     out.proof = proof_by(argument(problem, system, *out.counts), CountCertificate{});
+    claim_no_more_than_seen(problem, out);
     return out;
 }
 

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "synthesis/exact/exact.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/solve/solve.h"
 #include "synthesis/target/function/function_target.h"
 #include "tests/degree.h"
-#include "tests/exact/all_solutions.h"
 
 namespace mechwright {
 namespace {
@@ -120,12 +120,17 @@ std::string logarithm(int points, int input, const std::string& output = any_sta
         points, input, output);
 }
 
+ExactDesigns dyads_found(const Problem& problem) {
+    RunOptions options;
+    options.jobs = 2;
+    return exact_designs(problem, options, {});
+}
+
 /// Every design that was found, with a defect or without.
-std::vector<std::vector<double>> found_designs(const Result& result) {
+std::vector<std::vector<double>> found_designs(const ExactDesigns& result) {
     std::vector<std::vector<double>> all;
-    if (result.best) all.push_back(result.best->design.dimensions);
-    for (const VerifiedDesign& d : result.alternatives)
-        all.push_back(d.solution.design.dimensions);
+    for (const Solution& s : result.designs)
+        all.push_back(s.design.dimensions);
     for (const ExcludedDesign& e : result.excluded)
         all.push_back(e.solution.design.dimensions);
     return all;
@@ -144,7 +149,7 @@ void expect_met(const Problem& problem, const Known& known, const std::vector<do
                     1e-12 * (rod + lever + std::abs(pivot)));
 }
 
-void expect_pivots(const Problem& problem, const Known& known, const Result& result,
+void expect_pivots(const Problem& problem, const Known& known, const ExactDesigns& result,
                    const std::vector<Place>& expected) {
     const auto designs = found_designs(result);
     ASSERT_EQ(designs.size(), expected.size());
@@ -194,13 +199,13 @@ TEST(OutputPoints, FiveAreThoseOfNewtonsMethod) {
                                                stephenson, anywhere_x + anywhere_y);
             ASSERT_TRUE(read.ok()) << read.messages.front().text;
             const Known known = known_of(stephenson ? of_stephenson : of_watt, read.problem);
-            const Result result = all_solutions(read.problem);
-            EXPECT_TRUE(result.search.complete());
-            ASSERT_TRUE(result.search.solutions);
+            const ExactDesigns result = dyads_found(read.problem);
+            EXPECT_TRUE(result.proof);
+            ASSERT_TRUE(result.counts);
             // A lever of no length on the rocker's pivot meets any function: one of four.
-            EXPECT_EQ(result.search.solutions->tracked, stephenson ? 4U : 3U);
-            EXPECT_EQ(result.search.solutions->certified, result.search.solutions->real);
-            real += result.search.solutions->real;
+            EXPECT_EQ(result.counts->tracked, stephenson ? 4U : 3U);
+            EXPECT_EQ(result.counts->certified, result.counts->real);
+            real += result.counts->real;
             expect_pivots(read.problem, known, result, pivots_of_five(known));
         }
     }
@@ -242,10 +247,10 @@ TEST(OutputPoints, FourAreThoseOfACubic) {
         std::vector<Place> expected;
         for (const double x : real_roots_of(determinant))
             expected.emplace_back(x, 1.5);
-        const Result result = all_solutions(read.problem);
-        EXPECT_TRUE(result.search.complete());
+        const ExactDesigns result = dyads_found(read.problem);
+        EXPECT_TRUE(result.proof);
         real += expected.size();
-        ASSERT_EQ(result.search.solutions->real, expected.size());
+        ASSERT_EQ(result.counts->real, expected.size());
         const auto designs = found_designs(result);
         ASSERT_EQ(designs.size(), expected.size());
         for (const auto& design : designs) {
@@ -271,9 +276,9 @@ TEST(OutputPoints, ThreeOfAGivenStartAreThoseOfAQuadraticEquation) {
             return arm.imag() * (std::conj(b) * c).imag();
         };
         const std::vector<double> expected = real_roots_of(across);
-        const Result result = all_solutions(read.problem);
-        EXPECT_TRUE(result.search.complete());
-        ASSERT_EQ(result.search.solutions->real, expected.size());
+        const ExactDesigns result = dyads_found(read.problem);
+        EXPECT_TRUE(result.proof);
+        ASSERT_EQ(result.counts->real, expected.size());
         for (const auto& design : found_designs(result)) {
             const double x = value_of(read.problem, design, "gx");
             EXPECT_TRUE(std::any_of(expected.begin(), expected.end(),
@@ -286,8 +291,8 @@ TEST(OutputPoints, ThreeOfAGivenPivotAreOneCircumcentre) {
     const ReadProblem read = read_dyad("[6, 3]", logarithm(3, 60), true, "");
     ASSERT_TRUE(read.ok()) << read.messages.front().text;
     const Known known = known_of(of_stephenson, read.problem);
-    const Result result = all_solutions(read.problem);
-    EXPECT_TRUE(result.search.complete());
+    const ExactDesigns result = dyads_found(read.problem);
+    EXPECT_TRUE(result.proof);
     const auto designs = found_designs(result);
     ASSERT_EQ(designs.size(), 1U);
     expect_met(read.problem, known, designs.front(), {6, 3});
@@ -317,8 +322,8 @@ TEST(OutputPoints, FindTheLinkageThatMadeThem) {
                               any_start, last - first),
                   true, anywhere_x + anywhere_y);
     ASSERT_TRUE(read.ok()) << read.messages.front().text;
-    const Result result = all_solutions(read.problem);
-    EXPECT_TRUE(result.search.complete());
+    const ExactDesigns result = dyads_found(read.problem);
+    EXPECT_TRUE(result.proof);
     const auto designs = found_designs(result);
     EXPECT_TRUE(std::any_of(designs.begin(), designs.end(), [&](const auto& design) {
         const auto is = [&](const char* name, double value) {
@@ -341,12 +346,12 @@ TEST(OutputPoints, OfTheShippedProblemsAreKnown) {
         const ReadProblem read =
             read_problem(fmt::format("{}/problems/exact/{}-five-points.toml", MECHWRIGHT_SOURCE_DIR, shipped.file));
         ASSERT_TRUE(read.ok()) << shipped.file;
-        const Result result = all_solutions(read.problem);
-        ASSERT_EQ(result.status, Status::solved);
-        EXPECT_TRUE(result.search.complete());
-        EXPECT_EQ(result.search.solutions->tracked, shipped.dyads);
-        EXPECT_EQ(result.search.solutions->certified, shipped.real);
-        EXPECT_NEAR(result.best->objective, shipped.greatest_error, 1e-10);
+        const ExactDesigns result = dyads_found(read.problem);
+        ASSERT_FALSE(result.designs.empty());
+        EXPECT_TRUE(result.proof);
+        EXPECT_EQ(result.counts->tracked, shipped.dyads);
+        EXPECT_EQ(result.counts->certified, shipped.real);
+        EXPECT_NEAR(result.designs.front().objective, shipped.greatest_error, 1e-10);
         const Known known = known_of(shipped.before, read.problem);
         const auto designs = found_designs(result);
         EXPECT_EQ(designs.size(), shipped.real);
@@ -360,12 +365,12 @@ TEST(OutputPoints, OfTheShippedProblemsAreKnown) {
 TEST(OutputPoints, FewerThanNumbersLeaveAFamily) {
     const ReadProblem read = read_dyad("[\"gx\", -14]", power(3, 210), false, "gx = { min = -30, max = 30 }");
     ASSERT_TRUE(read.ok()) << read.messages.front().text;
-    const Result result = all_solutions(read.problem);
-    ASSERT_EQ(result.status, Status::solved);
-    EXPECT_FALSE(result.search.complete());
-    EXPECT_FALSE(result.search.solutions);
+    const ExactDesigns result = dyads_found(read.problem);
+    ASSERT_FALSE(result.designs.empty());
+    EXPECT_FALSE(result.proof);
+    EXPECT_FALSE(result.counts);
     const Known known = known_of(of_watt, read.problem);
-    const auto& design = result.best->design.dimensions;
+    const auto& design = result.designs.front().design.dimensions;
     expect_met(read.problem, known, design, {value_of(read.problem, design, "gx"), -14});
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "synthesis/exact/chains/chain_rows.h"
+#include "synthesis/exact/chains/met_inputs.h"
 
 namespace mechwright {
 
@@ -64,9 +65,44 @@ GuidedParts in_drawing(const GuidedParts& parts, const DrawingPlace& place) {
     return drawn;
 }
 
+/// How far dimensions are outside of their ranges, relative to these.
+double beyond_ranges(const Problem& problem, const std::vector<double>& dimensions) {
+    double worst = 0;
+    for (std::size_t i = 0; i < dimensions.size(); ++i) {
+        const DimensionRange& range = problem.dimensions[i];
+        const double size = std::max({std::abs(range.min), std::abs(range.max), 1e-300});
+        worst = std::max({worst, (range.min - dimensions[i]) / size, (dimensions[i] - range.max) / size});
+    }
+    return worst;
+}
+
+/// A design whose drive is not its crank: its own motion says where it meets the places. What lies outside of its
+/// ranges is not moved at all.
+ExactDesign met_by_motion(const Problem& problem, Design design) {
+    constexpr double rounding = 1e-9;
+    move_angles_into_ranges(problem, design);
+    if (const double beyond = beyond_ranges(problem, design.dimensions); beyond > rounding) {
+        ExactDesign out = excluded_design(std::move(design), "range: a dimension is outside its range");
+        out.solution.violation = beyond;
+        return out;
+    }
+    std::optional<ExactDesign> best;
+    for (const std::size_t assembly : problem.assemblies) {
+        Design one = design;
+        one.assembly = assembly;
+        for (std::vector<double>& inputs : inputs_in_order(problem, one)) {
+            one.path_angles = std::move(inputs);
+            keep_better(problem, best, exact_design(problem, one));
+        }
+    }
+    return best ? *std::move(best)
+                : excluded_design(std::move(design),
+                                  "order: in no assembly its drive takes it through the targets in their order");
+}
+
 /// The design of one reading, in the best assembly.
-ExactDesign design_of(const Problem& problem, const ChainReading& reading, const GuidedParts& parts,
-                      std::span<const Displacement> displacements) {
+ExactDesign design_of(const Problem& problem, const GuidedChains& chains, const ChainReading& reading,
+                      const GuidedParts& parts, std::span<const Displacement> displacements) {
     Design design;
     for (const DimensionRange& range : problem.dimensions)
         design.dimensions.push_back(range.min);
@@ -76,9 +112,11 @@ ExactDesign design_of(const Problem& problem, const ChainReading& reading, const
     if (first != directions.end())
         design.dimensions[problem.mechanism->point->roles.body] = *first - std::arg(reading.body);
     design.assembly = problem.assemblies.front();
-    if (changes_side(parts, reading.along, displacements))
+    // Seen from another drive the body may pass a toggle of its rockers.
+    if (chains.by_crank && changes_side(parts, reading.along, displacements))
         return excluded_design(std::move(design), "branch: it has to be taken apart between the targets");
     if (!agree) return excluded_design(std::move(design), "range: what is given of its links does not allow it");
+    if (!chains.by_crank) return met_by_motion(problem, std::move(design));
     const std::vector<double> angles = crank_angles(reading, parts.crank, displacements);
     std::optional<ExactDesign> best;
     for (const std::size_t assembly : problem.assemblies) {
@@ -87,6 +125,21 @@ ExactDesign design_of(const Problem& problem, const ChainReading& reading, const
         keep_better(problem, best, exact_design(problem, std::move(one), angles));
     }
     return *std::move(best);
+}
+
+/// The open dimensions that rows say nothing of.
+std::vector<std::size_t> unsaid(const Problem& problem, const std::vector<ChainRow>& rows) {
+    std::vector<std::size_t> all;
+    for (const std::size_t i : open_dimensions(*problem.mechanism, problem.dimensions)) {
+        const bool angle = is_angle(problem, i);
+        const bool said = std::any_of(rows.begin(), rows.end(), [&](const ChainRow& row) {
+            return row.angle == angle && (!angle || is_turn_of_one(row.number)) &&
+                   std::any_of(row.number.terms.begin(), row.number.terms.end(),
+                               [&](const auto& term) { return term.first == i; });
+        });
+        if (!said) all.push_back(i);
+    }
+    return all;
 }
 
 }  // namespace
@@ -101,25 +154,30 @@ std::string why_no_chain_design(const Problem& problem, const GuidedChains& chai
         return "it needs links whose frames show in their points: one pin at given coordinates, like [0, 0], and "
                "another beside or above it, like [\"length\", 0]; a slide or slot at a given angle";
     const std::vector<ChainRow>& rows = readings.front().rows;
-    const auto is_said = [&](std::size_t dimension, bool angle) {
-        return std::any_of(rows.begin(), rows.end(), [&](const ChainRow& row) {
-            return row.angle == angle && (!angle || is_turn_of_one(row.number)) &&
-                   std::any_of(row.number.terms.begin(), row.number.terms.end(),
-                               [&](const auto& term) { return term.first == dimension; });
-        });
-    };
-    for (const std::size_t i : open_dimensions(*problem.mechanism, problem.dimensions))
-        if (!is_said(i, is_angle(problem, i)))
-            return fmt::format(
-                "'{}' does not say where the guided body hangs, on the crank and one more link, slide or slot: give it",
-                problem.mechanism->dimensions[i].name);
-    if (undetermined_lengths(*problem.mechanism, problem.dimensions, rows) > 0)
+    // What a drive beside the chains is made of can be searched where poses say all of these.
+    const bool searched = !chains.by_crank && chains.second == SecondDyad::rocker && problem.path &&
+                          problem.path->poses() == problem.path->points.size();
+    const auto beside = unsaid(problem, rows);
+    if (!beside.empty() && !searched)
+        return fmt::format(
+            "'{}' does not say where the guided body hangs, on {} and one more link, slide or slot: give it",
+            problem.mechanism->dimensions[beside.front()].name, chains.by_crank ? "the crank" : "a rocker");
+    std::vector<DimensionRange> ranges = problem.dimensions;
+    for (const std::size_t i : beside)
+        ranges[i].max = ranges[i].min;
+    if (undetermined_lengths(*problem.mechanism, ranges, rows) > 0)
         return "the places of the links' pins leave some of the dimensions open: give one of those that stand together";
     return {};
 }
 
-std::string why_no_chain_family(const Problem& problem, std::size_t dimensions) {
-    const std::size_t open = open_dimensions(*problem.mechanism, problem.dimensions).size();
+std::vector<std::size_t> dimensions_beside_chains(const Problem& problem, const GuidedChains& chains) {
+    const auto readings = readings_of(problem, chains, some_parts(chains.second), {1.1, 2.3});
+    return readings.empty() ? std::vector<std::size_t>{} : unsaid(problem, readings.front().rows);
+}
+
+std::string why_no_chain_family(const Problem& problem, const GuidedChains& chains, std::size_t dimensions) {
+    const std::size_t open = open_dimensions(*problem.mechanism, problem.dimensions).size() -
+                             dimensions_beside_chains(problem, chains).size();
     if (open == dimensions) return {};
     return fmt::format(
         "a family of linkages passes so few places, and the file leaves {} of the {} numbers open that say where its "
@@ -133,7 +191,7 @@ ExactDesign chain_design(const Problem& problem, const GuidedChains& chains, con
                          std::span<const Displacement> displacements, const DrawingPlace& place) {
     std::optional<ExactDesign> best;
     for (const ChainReading& reading : readings_of(problem, chains, in_drawing(parts, place), place.origin))
-        keep_better(problem, best, design_of(problem, reading, parts, displacements));
+        keep_better(problem, best, design_of(problem, chains, reading, parts, displacements));
     if (best) return *std::move(best);
     Design none;
     for (const DimensionRange& range : problem.dimensions)

@@ -73,27 +73,52 @@ void add_slots(const linkage::Structure& s, const GuidedChains& known, std::vect
     }
 }
 
+/// All chains that the body hangs on beside a crank, rockers first.
+std::vector<GuidedChains> chains_beside(const linkage::Structure& s, const GuidedChains& known) {
+    std::vector<GuidedChains> all;
+    add_rockers(s, known, all);
+    add_slides(s, known, all);
+    add_slots(s, known, all);
+    return all;
+}
+
+std::optional<GuidedChains> driven_by_crank(const linkage::Structure& s, GuidedChains known) {
+    const linkage::Drive& drive = s.drives.front();
+    if (drive.of_slide || drive.on != frame || known.body == drive.link) return {};
+    known.crank = drive.link;
+    const auto pivot = pin_of(s, frame, known.crank), pin = pin_of(s, known.crank, known.body);
+    if (!pivot || !pin || *pivot == *pin) return {};
+    known.crank_pivot = *pivot;
+    known.crank_pin = *pin;
+    const auto all = chains_beside(s, known);
+    if (all.size() != 1) return {};
+    return all.front();
+}
+
+/// The first rocker takes the place of the crank.
+std::optional<GuidedChains> driven_otherwise(const linkage::Structure& s, GuidedChains known) {
+    known.crank = linkage::none;
+    const auto all = chains_beside(s, known);
+    if (all.size() != 2 || all.front().second != SecondDyad::rocker) return {};
+    GuidedChains chains = all.back();
+    chains.by_crank = false;
+    chains.crank = all.front().link;
+    chains.crank_pivot = all.front().fixed;
+    chains.crank_pin = all.front().moving;
+    return chains;
+}
+
 }  // namespace
 
 std::optional<GuidedChains> guided_chains(const LinkageModel& model) {
     const linkage::Structure& s = model.structure;
     if (model.guided.size() != 1 || model.guided.front().follows || s.drives.size() != 1) return {};
-    const linkage::Drive& drive = s.drives.front();
-    if (drive.of_slide || drive.on != frame) return {};
     GuidedChains known;
     known.body = model.guided.front().link;
     known.point = model.guided.front().pin;
-    known.crank = drive.link;
-    const auto pivot = pin_of(s, frame, known.crank), pin = pin_of(s, known.crank, known.body);
-    if (known.body == known.crank || known.body == frame || !pivot || !pin || *pivot == *pin) return {};
-    known.crank_pivot = *pivot;
-    known.crank_pin = *pin;
-    std::vector<GuidedChains> all;
-    add_rockers(s, known, all);
-    add_slides(s, known, all);
-    add_slots(s, known, all);
-    if (all.size() != 1) return {};
-    return all.front();
+    if (known.body == frame) return {};
+    const auto chains = driven_by_crank(s, known);
+    return chains ? chains : driven_otherwise(s, known);
 }
 
 }  // namespace mechwright

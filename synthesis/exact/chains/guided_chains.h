@@ -1,7 +1,8 @@
 #pragma once
 /// \file
 /// The two chains that a guided link of a linkage hangs on: the crank that drives it, and from another point or line of
-/// it a rocker, a slide or a block to the frame.
+/// it a rocker, a slide or a block to the frame. Or, where something else drives the linkage, such as a crank with a
+/// rod to one of them, two such chains of which at least one is a rocker.
 
 #include <cstddef>
 #include <optional>
@@ -15,6 +16,7 @@ namespace mechwright {
 struct GuidedChains {
     std::size_t body = 0;
     std::size_t point = 0;  ///< the pin that is guided
+    bool by_crank = true;   ///< the crank is what drives; else it is a rocker, and something else drives the linkage
     std::size_t crank = 0;
     std::size_t crank_pivot = 0;
     std::size_t crank_pin = 0;

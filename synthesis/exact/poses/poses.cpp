@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "synthesis/exact/guided_parts.h"
 #include "synthesis/exact/poses/certified_dyad.h"
 #include "synthesis/exact/poses/timed_crank.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
@@ -202,6 +203,7 @@ ExactDesigns finished(const Problem& problem, ExactDesigns out) {
         out.note = not_independent;
     else if (out.counts && out.counts->singular > 0)
         out.note = some_are_singular;
+    claim_no_more_than_seen(problem, out);
     rank(problem, out);
     return out;
 }
@@ -217,10 +219,25 @@ std::string why_no_poses(const Problem& problem) {
 }
 
 ExactDesigns pose_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
+    constexpr int few = 256;  // where the motion of each says when it is in its poses
     const PoseTargets g = pose_targets(problem);
-    if (g.places() == 5) return finished(problem, through_five_poses(g));
-    const DesignFamily family{2 * numbers_of_dyad(g.places()),
-                              [&](std::span<const double> numbers) { return member_of_poses(g, numbers); }};
+    const auto of_drive = dimensions_of_drive(problem);
+    const std::vector<std::size_t> searched = of_drive.value_or(std::vector<std::size_t>{});
+    if (g.places() == 5 && searched.empty()) return finished(problem, through_five_poses(g));
+    const auto member = [&](std::span<const double> numbers) {
+        if (searched.empty()) return member_of_poses(g, numbers);
+        Problem driven = problem;
+        for (std::size_t i = 0; i < searched.size(); ++i) {
+            DimensionRange& range = driven.dimensions[searched[i]];
+            range.min += numbers[i] * (range.max - range.min);
+            range.max = range.min;
+        }
+        PoseTargets same = g;
+        same.problem = &driven;
+        return member_of_poses(same, numbers.subspan(searched.size()));
+    };
+    DesignFamily family{searched.size() + 2 * numbers_of_dyad(g.places()), member};
+    if (of_drive) family.examined = few;
     return search_family(problem, family, options, end);
 }
 
