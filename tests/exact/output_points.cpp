@@ -361,6 +361,37 @@ TEST(OutputPoints, OfTheShippedProblemsAreKnown) {
     }
 }
 
+/// Of a slide the squares of the rod at three points are equal where two linear equations hold.
+TEST(OutputPoints, OfASlideFollowFromLinearEquations) {
+    const ReadProblem read = read_problem(MECHWRIGHT_SOURCE_DIR "/problems/exact/rod-and-slide-three-points.toml");
+    ASSERT_TRUE(read.ok());
+    const ExactDesigns result = dyads_found(read.problem);
+    EXPECT_TRUE(result.proof);
+    ASSERT_EQ(result.designs.size(), 1U);
+    EXPECT_EQ(result.counts->tracked, 1U);
+    EXPECT_EQ(result.counts->certified, 1U);
+    const FourBarBefore before{5, 2, 5, 4, true, {4, 2}, true};
+    const Known known = known_of(before, read.problem);  // of a slide the turns are ways
+    Eigen::Matrix2d factors;
+    Eigen::Vector2d values;
+    for (std::size_t i = 1; i < 3; ++i) {
+        const Place e = known.outer[i], first = known.outer[0];
+        const double s = known.turns[i], s1 = known.turns[0];
+        // |e - (start + s) - i offset|^2 less the same of the first
+        factors.row(static_cast<Eigen::Index>(i - 1)) << 2 * (s - e.real()) - 2 * (s1 - first.real()),
+            -2 * (e.imag() - first.imag());
+        values[static_cast<Eigen::Index>(i - 1)] =
+            std::norm(first) - 2 * s1 * first.real() + s1 * s1 - std::norm(e) + 2 * s * e.real() - s * s;
+    }
+    const Eigen::Vector2d found = factors.fullPivLu().solve(values);
+    const auto& design = result.designs.front().design.dimensions;
+    EXPECT_NEAR(value_of(read.problem, design, "output-start"), found[0], 1e-11);
+    EXPECT_NEAR(value_of(read.problem, design, "offset"), found[1], 1e-11);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(std::abs(known.outer[i] - Place(found[0] + known.turns[i], found[1])),
+                    value_of(read.problem, design, "rod"), 1e-11);
+}
+
 /// Fewer points than numbers: the best that is found of a family, each member of which meets them.
 TEST(OutputPoints, FewerThanNumbersLeaveAFamily) {
     const ReadProblem read = read_dyad("[\"gx\", -14]", power(3, 210), false, "gx = { min = -30, max = 30 }");

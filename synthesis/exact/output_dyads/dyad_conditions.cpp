@@ -47,10 +47,45 @@ std::vector<PlacedLine<T>> lines_of(const LinkageModel& model, const linkage::Co
     return lines;
 }
 
+/// The same of a rod and a slide.
+template <class T>
+OutputConditions<T> slide_conditions(const LinkageModel& model, const DyadPlan& plan, std::size_t start,
+                                     const KnownPlaces<T>& known, std::span<const T> dimensions, double size) {
+    const T per = T(1) / T(size);
+    const Vector<T>& first = known.outer.front();
+    OutputConditions<T> made;
+    std::size_t row = 0;
+    for (std::size_t i = 1; i < known.outer.size(); ++i) {
+        const Vector<T> way = per * (known.outer[i] - first);
+        const T slid = per * (known.ways[i] - known.ways.front());
+        made.rows[row++] = {T((dot(way, way) + slid * slid) / T(2)),
+                            T(-way.x),
+                            T(-way.y),
+                            T(-slid * way.x),
+                            T(-slid * way.y),
+                            slid,
+                            T(0)};
+    }
+    made.displacements = row;
+    const SlideLine<T> line = slide_line(model, plan.dyad, dimensions);
+    made.rows[row++] = line_factors(line.along, {T(1), T(0)}, 3);
+    made.rows[row++] = line_factors(line.along, {T(0), T(1)}, 3);
+    made.moving_lines = 2;
+    const Vector<T> at_zero = line.pin + known.ways.front() * line.along - first;
+    const T offset = model.numbers[model.structure.slides[plan.dyad.slide].offset].at(dimensions);
+    if (plan.found.size() == 1)
+        made.rows[row++] = line_factors(per * (at_zero + offset * left_of(line.along)), line.along, 1);
+    if (!plan.start_is_found)
+        made.rows[row++] = line_factors(per * (at_zero + dimensions[start] * line.along), left_of(line.along), 1);
+    made.fixed_lines = row - made.displacements - made.moving_lines;
+    return made;
+}
+
 template <class T>
 OutputConditions<T> conditions_of(const LinkageModel& model, const DyadPlan& plan, std::size_t start,
                                   const KnownPlaces<T>& known, std::span<const T> dimensions, double size) {
     const OutputDyad& dyad = plan.dyad;
+    if (dyad.slides()) return slide_conditions(model, plan, start, known, dimensions, size);
     const auto at = [&](std::size_t pin, std::size_t link) -> const linkage::Coordinates& {
         return coordinates_on(model.structure.pins[pin], link);
     };

@@ -51,6 +51,11 @@ struct Planner {
     const linkage::Coordinates& arm() const { return at(dyad.inner, dyad.lever); }
     const linkage::Coordinates& rod() const { return at(dyad.inner, dyad.rod); }
 
+    /// The numbers that say the dyad, but for the rod.
+    std::vector<linkage::Number> own_numbers() const {
+        if (dyad.slides()) return {model.structure.slides[dyad.slide].offset};
+        return {pivot().first, pivot().second, arm().first, arm().second};
+    }
     /// Whether a number says the place of a pin of the rod or the lever on these.
     bool is_of_dyad(linkage::Number number) const {
         const auto has = [&](const linkage::Point& point) {
@@ -69,6 +74,21 @@ struct Planner {
             "it finds the length of the rod {0}: give {1} a place on it, like [0, 0], and {2} one beside "
             "or above it with a range, like [\"rod\", 0]",
             link(dyad.rod), pin(dyad.outer), pin(dyad.inner));
+    }
+    /// That all but the offset of what slides is given.
+    std::string why_no_slide() const {
+        const linkage::Slide& slide = model.structure.slides[dyad.slide];
+        Dimensions open = open_in(at(dyad.inner, dyad.lever));
+        const auto add = [&](const Dimensions& more) { open.insert(open.end(), more.begin(), more.end()); };
+        add(open_in(slide.angle));
+        add(open_in(slide.line.through));
+        add(slide.line.by_angle ? open_in(slide.line.angle) : open_in(slide.line.towards));
+        if (model.scale.constant != 1 || !model.scale.terms.empty()) return "the linkage has a scale: leave it out";
+        if (open.empty() && open_in(slide.offset).size() <= 1) return {};
+        return fmt::format(
+            "of what slides it finds the offset alone, and where the output starts: give its line, and the "
+            "place of {} on {}",
+            pin(dyad.inner), link(dyad.lever));
     }
     std::string why_no_lever() const {
         const auto from = numbers.constant_place(at(dyad.pivot, dyad.lever));
@@ -93,15 +113,14 @@ struct Planner {
                 return fmt::format("{} stands in several coordinates of the dyad: give each a name of its own",
                                    name(*one));
             for (linkage::Number i = 0; i < model.numbers.size(); ++i) {
-                const bool pivots = i == pivot().first || i == pivot().second;
-                if (pivots || is_of_dyad(i) || !contains(open_in(i), *one)) continue;
+                if (contains(own_numbers(), i) || is_of_dyad(i) || !contains(open_in(i), *one)) continue;
                 return fmt::format(
                     "{} is found with the dyad that ends on the output, and places other links, too: "
                     "give it, or another name",
                     name(*one));
             }
         }
-        for (const linkage::Number i : {pivot().first, pivot().second, arm().first, arm().second})
+        for (const linkage::Number i : own_numbers())
             if (open_in(i).size() > 1)
                 return "a coordinate of the dyad that ends on the output is a sum of several dimensions with ranges: "
                        "give all but one of them";
@@ -127,6 +146,11 @@ std::string why_not_so_many(const Planner& p, std::size_t points, std::size_t op
     if (points > 5 || points < 2)
         return fmt::format("it meets from 2 to 5 points of a function, and there are {}: {}", points,
                            points < 2 ? "give more" : "slsqp finds the least error");
+    if (p.dyad.slides())
+        return fmt::format(
+            "{} accuracy points need as many numbers with ranges: of the length of {}, the offset of {} "
+            "and the start of the output; {} of them have one",
+            points, p.link(p.dyad.rod), p.link(p.dyad.lever), open);
     return fmt::format(
         "{} accuracy points need as many numbers with ranges of the dyad that ends on the output: the "
         "length of {}, the place of {} on {} (two) or its length and the start of the output, the "
@@ -147,13 +171,16 @@ DyadPlan dyad_plan(const Problem& problem) {
     const auto dyad = output_dyad(model);
     if (!dyad)
         return refuse(
-            "of linkages it finds the last dyad alone: the output of the function has to be the angle, against "
-            "the frame, of a link on a pivot that a rod turns, and what both hang on is placed before");
+            "of linkages it finds the last dyad alone: the output of the function has to be the angle, against the "
+            "frame, of a link on a pivot that a rod turns, or the displacement of a slide that it moves, and what both "
+            "hang on is placed before");
     plan.dyad = *dyad;
     const Planner p{problem, model, *dyad};
     if (std::string why = p.why_no_rod(); !why.empty()) return refuse(std::move(why));
-    if (std::string why = p.why_no_lever(); !why.empty()) return refuse(std::move(why));
-    const Dimensions of_pivot = p.open_in(p.pivot()), of_arm = p.open_in(p.arm()), of_rod = p.open_in(p.rod());
+    const bool slides = dyad->slides();
+    if (std::string why = slides ? p.why_no_slide() : p.why_no_lever(); !why.empty()) return refuse(std::move(why));
+    const Dimensions of_pivot = slides ? p.open_in(model.structure.slides[dyad->slide].offset) : p.open_in(p.pivot()),
+                     of_arm = slides ? Dimensions{} : p.open_in(p.arm()), of_rod = p.open_in(p.rod());
     Dimensions own = of_pivot;
     own.insert(own.end(), of_arm.begin(), of_arm.end());
     own.insert(own.end(), of_rod.begin(), of_rod.end());
@@ -171,6 +198,7 @@ DyadPlan dyad_plan(const Problem& problem) {
     for (std::size_t i = 0; i < problem.dimensions.size(); ++i)
         if (!problem.dimensions[i].fixed() && !contains(plan.found, i) && !(i == p.start() && plan.start_is_found))
             plan.searched.push_back(i);
+    if (slides) return plan;
     for (const auto* place : {&p.pivot(), &p.arm()})
         if (p.is_on_circle(*place, plan.found) && !(place == &p.arm() && plan.start_is_found))
             return refuse(

@@ -12,7 +12,8 @@
 namespace mechwright {
 
 /// Dimensions by their numbers. As many accuracy points as there are numbers found from them: the place of the lever's
-/// pivot (two), that of the inner pin on the lever, or its length and the output at the start (two), the rod's length.
+/// pivot (two), that of the inner pin on the lever, or its length and the output at the start (two), the rod's length;
+/// of a slide its offset, the output at the start, the rod's length.
 struct DyadPlan {
     OutputDyad dyad;
     bool start_is_found = false;        ///< the start of the output

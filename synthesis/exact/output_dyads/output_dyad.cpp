@@ -49,6 +49,26 @@ std::optional<OutputDyad> dyad_at(const LinkageModel& model, std::size_t step, s
     return dyad;
 }
 
+/// Of a rod that leads a slide on a link that is there before.
+std::optional<OutputDyad> slide_at(const LinkageModel& model, std::size_t step, std::size_t slide) {
+    const Step& s = model.order.steps[step];
+    if (s.kind != Step::Kind::dyad || s.is_extended() || s.first.kind != Locus::Kind::circle) return {};
+    const linkage::Slide& of = model.structure.slides[slide];
+    if (s.second.kind != Locus::Kind::line || s.second.link != of.link || s.second.tie.joint != slide ||
+        s.second.tie.kind != linkage::Tie::Kind::slides)
+        return {};
+    OutputDyad dyad;
+    dyad.step = step;
+    dyad.choice = s.choice;
+    dyad.rod = s.first.link;
+    dyad.lever = of.link;
+    dyad.outer = s.first.centre;
+    dyad.inner = s.pin;
+    dyad.carrier = of.line.on;
+    dyad.slide = slide;
+    return dyad;
+}
+
 template <class T>
 Vector<T> conjugate(const Vector<T>& a) {
     return {a.x, -a.y};
@@ -70,7 +90,10 @@ std::optional<KnownPlaces<T>> placed(const LinkageModel& model, const OutputDyad
         const Vector<T> back = conjugate(carrier.along);
         const T output = T(dyad.sense) * dimensions[scales + 3] * T(point.y);
         known.outer.push_back(turned(moving.pose.pins[dyad.outer] - carrier.origin, back));
-        known.turns.push_back(turned(unit_at(output), back));
+        if (dyad.slides())
+            known.ways.push_back(output);
+        else
+            known.turns.push_back(turned(unit_at(output), back));
     }
     return known;
 }
@@ -80,14 +103,15 @@ std::optional<KnownPlaces<T>> placed(const LinkageModel& model, const OutputDyad
 std::optional<OutputDyad> output_dyad(const LinkageModel& model) {
     if (model.over_input.size() != 1 || model.over_input.front().followed != Followed::nothing) return {};
     const linkage::Signal& output = model.signals[model.over_input.front().of];
-    if (output.kind != linkage::Signal::Kind::angle || (output.to != 0 && output.of != 0)) return {};
+    const bool slides = output.kind == linkage::Signal::Kind::slide;
+    if (!slides && (output.kind != linkage::Signal::Kind::angle || (output.to != 0 && output.of != 0))) return {};
     const std::size_t lever = output.of != 0 ? output.of : output.to;
     const auto& steps = model.order.steps;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         if (steps[i].kind == Step::Kind::together) return {};
-        auto dyad = dyad_at(model, i, lever);
+        auto dyad = slides ? slide_at(model, i, output.of) : dyad_at(model, i, lever);
         if (!dyad) continue;
-        dyad->sense = output.of != 0 ? 1 : -1;
+        dyad->sense = slides || output.of != 0 ? 1 : -1;
         return dyad;
     }
     return {};

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "analysis/geometry/vector.h"
+#include "analysis/numbers/unit_vector.h"
 #include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/target/function/function_target.h"
 
@@ -25,23 +26,43 @@ struct OutputDyad {
     std::size_t step = 0;    ///< of the order
     std::size_t choice = 0;  ///< which of the sides it is closed on
     std::size_t rod = 0;
-    std::size_t lever = 0;
-    std::size_t outer = 0;        ///< the pin of the rod whose places are known
-    std::size_t inner = 0;        ///< the pin of both
-    std::size_t pivot = 0;        ///< the pin of the lever
-    std::size_t carrier = 0;      ///< the link that has the pivot
-    double sense = 1;             ///< -1: the output is the angle of the frame against the lever
+    std::size_t lever = 0;              ///< or what slides
+    std::size_t outer = 0;              ///< the pin of the rod whose places are known
+    std::size_t inner = 0;              ///< the pin of both
+    std::size_t pivot = 0;              ///< the pin of the lever
+    std::size_t carrier = 0;            ///< the link that has the pivot, or the line
+    std::size_t slide = linkage::none;  ///< none of a lever
+    double sense = 1;                   ///< -1: the output is the angle of the frame against the lever
     bool counts_from_rod = true;  ///< its side is that of the line from the outer pin to the pivot, else the reverse
+
+    bool slides() const { return slide != linkage::none; }
 };
 
 /// The dyad of the one function that is asked of a linkage; nothing where its output is placed in another way.
 std::optional<OutputDyad> output_dyad(const LinkageModel& model);
 
-/// What is known at the accuracy points, in the frame of the link that has the lever's pivot.
+/// Along what a pin goes that a slide has, in the frame of the link of its line.
+template <class T>
+struct SlideLine {
+    Vector<T> pin;    ///< where it is without displacement and offset
+    Vector<T> along;  ///< a unit vector
+};
+
+template <class T>
+SlideLine<T> slide_line(const LinkageModel& model, const OutputDyad& dyad, std::span<const T> dimensions) {
+    const std::vector<T> numbers = numbers_of(model, dimensions);
+    const linkage::Slide& slide = model.structure.slides[dyad.slide];
+    const Vector<T> through = linkage::place_of<T>(slide.line.through, numbers),
+                    own = linkage::place_of<T>(coordinates_on(model.structure.pins[dyad.inner], slide.link), numbers);
+    return {through + turned(own, unit_at(numbers[slide.angle])), linkage::direction_of<T>(slide.line, numbers)};
+}
+
+/// What is known at the accuracy points, in the frame of the link that has the lever's pivot or the slide's line.
 template <class T>
 struct KnownPlaces {
     std::vector<Vector<T>> outer;  ///< places of the outer pin
     std::vector<Vector<T>> turns;  ///< the lever's x axis, as it is turned where the output's scale starts at 0
+    std::vector<T> ways;           ///< of a slide its displacement there
 };
 
 /// At the points (share, part) of a function, whose scales are the four dimensions from `scales` on; nothing where the

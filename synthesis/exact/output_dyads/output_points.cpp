@@ -85,18 +85,22 @@ double size_of(const KnownPlaces<double>& known) {
     return sum > 0 ? std::exp2(std::round(std::log2(std::sqrt(sum / static_cast<double>(known.outer.size()))))) : 1;
 }
 
-/// What is known before the dyad, and the dyad that was found: with its arm and pivot at the first accuracy point, in
-/// the frame of the link that carries it.
+/// What is known before the dyad, and the dyad that was found: at the first accuracy point, in the frame of the link
+/// that carries it.
 struct FoundDyad {
     const Ranges& ranges;
     const KnownPlaces<double>& known;
     std::size_t assembly;
-    Point arm;
-    Point pivot;
+    Point inner_pin;
+    Point pivot;  ///< of a lever; of a slide the direction of its line
 
     Point outer(std::size_t i) const { return complex_of(known.outer[i]); }
     Point turn(std::size_t i) const { return complex_of(known.turns[i]); }
-    Point inner(std::size_t i) const { return pivot + arm * turn(i) / turn(0); }
+    Point arm() const { return inner_pin - pivot; }
+    Point inner(std::size_t i) const {
+        if (known.turns.empty()) return inner_pin + (known.ways[i] - known.ways[0]) * pivot;
+        return pivot + arm() * turn(i) / turn(0);
+    }
 };
 
 /// On which side the dyad is closed, 1 or -1; 0 where that changes from point to point.
@@ -105,7 +109,10 @@ int side_of(const OutputProblem& o, const FoundDyad& found) {
     for (std::size_t i = 0; i < found.known.outer.size(); ++i) {
         const Point from = o.plan.dyad.counts_from_rod ? found.outer(i) : found.pivot;
         const Point to = o.plan.dyad.counts_from_rod ? found.pivot : found.outer(i);
-        const int here = (std::conj(to - from) * (found.inner(i) - from)).imag() > 0 ? 1 : -1;
+        const bool positive = o.plan.dyad.slides()
+                                  ? (std::conj(found.pivot) * (found.inner(i) - found.outer(i))).real() > 0
+                                  : (std::conj(to - from) * (found.inner(i) - from)).imag() > 0;
+        const int here = positive ? 1 : -1;
         if (side != 0 && here != side) return 0;
         side = here;
     }
@@ -114,34 +121,54 @@ int side_of(const OutputProblem& o, const FoundDyad& found) {
 
 /// Whether the function is met at the accuracy points, by the linkage's own analysis.
 bool meets_points(const OutputProblem& o, const Design& design) {
-    constexpr double met_within = 1e-9;  // radians
+    constexpr double met_within = 1e-9;  // radians, or over the size of what a slide is moved by
     Motion motion = motion_of(o.problem, design);
     motion.function = &o.points;
     motion = motion_for(o.error, motion);
     std::array<double, Quantity::most_components> components{};
     measure(o.error, motion, design.dimensions, {components, {}, {}});
     const auto end = components.begin() + static_cast<std::ptrdiff_t>(o.error.components(motion));
-    return std::all_of(components.begin(), end, [](double error) { return std::abs(error) <= met_within; });
+    const double unit = o.plan.dyad.slides() ? longest_length(*o.problem.mechanism, design.dimensions) : 1;
+    return std::all_of(components.begin(), end, [&](double error) { return std::abs(error) <= met_within * unit; });
+}
+
+/// What is known of the numbers of a lever, and the start of the output where it is found.
+void say_lever(const OutputProblem& o, const FoundDyad& found, const LinkNumbers& numbers, std::vector<ChainRow>& rows,
+               double& start) {
+    const OutputDyad& dyad = o.plan.dyad;
+    const Point pivot = *numbers.constant_place(o.at(dyad.pivot, dyad.lever));
+    if (o.plan.start_is_found) {
+        const Point arm =
+            found.arm() / std::abs(found.arm()) / *numbers.direction_to(o.at(dyad.inner, dyad.lever), pivot);
+        start = dyad.sense * std::arg(arm / found.turn(0));
+    }
+    const Point lever = found.turn(0) * std::polar(1.0, dyad.sense * start);
+    numbers.add_place(rows, o.at(dyad.pivot, dyad.carrier), found.pivot);
+    numbers.add_place(rows, o.at(dyad.inner, dyad.lever), pivot + found.arm() / lever);
+}
+
+/// The same of a slide.
+void say_slide(const OutputProblem& o, const FoundDyad& found, const std::vector<double>& dimensions,
+               std::vector<ChainRow>& rows, double& start) {
+    const auto line = slide_line<double>(o.model, o.plan.dyad, dimensions);
+    const Point along = complex_of(line.along), from = std::conj(along) * (found.inner_pin - complex_of(line.pin));
+    if (o.plan.start_is_found) start = from.real() - found.known.ways.front();
+    rows.push_back({o.model.numbers[o.model.structure.slides[o.plan.dyad.slide].offset], from.imag(), false});
 }
 
 ExactDesign design_of(const OutputProblem& o, const FoundDyad& found) {
     const OutputDyad& dyad = o.plan.dyad;
     const LinkNumbers numbers{found.ranges, o.model};
-    const Point lever_pivot = *numbers.constant_place(o.at(dyad.pivot, dyad.lever));
     const Point rod_end = *numbers.constant_place(o.at(dyad.outer, dyad.rod));
     Design design;
     design.dimensions = least_of(found.ranges);
     design.assembly = found.assembly;
-    double& start = design.dimensions[o.start()];
-    if (o.plan.start_is_found) {
-        const Point arm =
-            found.arm / std::abs(found.arm) / *numbers.direction_to(o.at(dyad.inner, dyad.lever), lever_pivot);
-        start = dyad.sense * std::arg(arm / found.turn(0));
-    }
-    const Point lever = found.turn(0) * std::polar(1.0, dyad.sense * start);
     std::vector<ChainRow> rows;
-    numbers.add_place(rows, o.at(dyad.pivot, dyad.carrier), found.pivot);
-    numbers.add_place(rows, o.at(dyad.inner, dyad.lever), lever_pivot + found.arm / lever);
+    double& start = design.dimensions[o.start()];
+    if (dyad.slides())
+        say_slide(o, found, design.dimensions, rows, start);
+    else
+        say_lever(o, found, numbers, rows, start);
     numbers.add_place(rows, o.at(dyad.inner, dyad.rod),
                       rod_end + std::abs(found.outer(0) - found.inner(0)) *
                                     *numbers.direction_to(o.at(dyad.inner, dyad.rod), rod_end));
@@ -184,7 +211,7 @@ std::optional<Dyads> dyads_of(const OutputProblem& o, const Ranges& ranges, std:
     counts.singular += found.singular;
     for (const ComplexDyad& dyad : found.dyads) {
         const auto real = real_dyad(dyad);
-        if (real && is_no_lever(*real)) {
+        if (real && !o.plan.dyad.slides() && is_no_lever(*real)) {
             --counts.tracked;
             continue;
         }
@@ -198,8 +225,10 @@ std::optional<Dyads> dyads_of(const OutputProblem& o, const Ranges& ranges, std:
 
 ExactDesign design_of(const OutputProblem& o, const Ranges& ranges, std::size_t assembly, const Dyads& of,
                       const Dyad& dyad) {
-    return design_of(o, {ranges, of.known, assembly, of.size * dyad.fixed,
-                         complex_of(of.known.outer.front()) - of.size * dyad.moving});
+    const Point outer = complex_of(of.known.outer.front()), pivot = outer - of.size * dyad.moving;
+    if (o.plan.dyad.slides())
+        return design_of(o, {ranges, of.known, assembly, outer + of.size * dyad.fixed, dyad.moving});
+    return design_of(o, {ranges, of.known, assembly, pivot + of.size * dyad.fixed, pivot});
 }
 
 /// The dyads rounded from their certificates, as far as there are some.
@@ -215,6 +244,16 @@ void certify(const OutputProblem& o, const Ranges& ranges, std::size_t assembly,
             ++counts.certified;
             dyad = proof->dyad;
         }
+}
+
+/// What shows that all dyads are known.
+std::string argument(const SolutionCounts& counts, std::size_t points) {
+    if (counts.tracked == 1)
+        return fmt::format("linear equations have one dyad that ends on the output and meets {} accuracy points",
+                           points);
+    return fmt::format(
+        "Burmester: all {} dyads that end on the output and meet {} accuracy points are accounted for, {} of them real",
+        counts.tracked, points, counts.real);
 }
 
 ExactDesigns isolated(const OutputProblem& o) {
@@ -233,11 +272,7 @@ ExactDesigns isolated(const OutputProblem& o) {
     out.counts = counts;
     out.evaluations = static_cast<long>(counts.tracked);
     if (counts.distinct + counts.at_infinity == counts.tracked)
-        out.proof =
-            proof_by(fmt::format("Burmester: all {} dyads that end on the output and meet {} accuracy points are "
-                                 "accounted for, {} of them real",
-                                 counts.tracked, o.points.parts.size(), counts.real),
-                     CountCertificate{});
+        out.proof = proof_by(argument(counts, o.points.parts.size()), CountCertificate{});
     else
         out.note = some_are_singular;
     rank(o.problem, out);
