@@ -14,6 +14,8 @@ namespace {
 
 /// Zero to this part of the size of what a value is computed from.
 constexpr double exact_within = 1e-13;
+/// What is given or measured to three or four digits is hardly met as well as this by chance.
+constexpr double nearly_within = 1e-4;
 
 /// The greatest distance of a target from the first, or the length of a guided body that stays in one place; without
 /// targets the longest length.
@@ -31,9 +33,8 @@ double size_of(const Problem& problem, const Design& design) {
     return size;
 }
 
-}  // namespace
-
-bool is_at_zero(const Problem& problem, const Solution& solution) {
+/// Whether what is to be least is zero to a part of what it is computed from.
+bool is_zero_within(double part, const Problem& problem, const Solution& solution) {
     if (!solution.feasible || !problem.objective || problem.objective->terms.size() != 1) return false;
     const ObjectiveTerm& term = problem.objective->terms.front();
     const Quantity& quantity = problem.mechanism->quantities[term.quantity];
@@ -41,16 +42,26 @@ bool is_at_zero(const Problem& problem, const Solution& solution) {
     const double value = from_file_unit(solution.objective, quantity.unit, problem.units);
     const double size = size_of(problem, solution.design);
     switch (quantity.unit) {
-        case Unit::length: return value <= exact_within * size;
-        case Unit::area: return value <= exact_within * exact_within * size * size;
-        case Unit::curvature: return value * size <= exact_within;
+        case Unit::length: return value <= part * size;
+        case Unit::area: return value <= part * part * size * size;
+        case Unit::curvature: return value * size <= part;
         case Unit::none:
-        case Unit::angle: return value <= exact_within;
+        case Unit::angle: return value <= part;
         case Unit::force:
         case Unit::torque:
         case Unit::rate: return value == 0;
     }
     return false;
+}
+
+}  // namespace
+
+bool is_at_zero(const Problem& problem, const Solution& solution) {
+    return is_zero_within(exact_within, problem, solution);
+}
+
+bool is_nearly_at_zero(const Problem& problem, const Solution& solution) {
+    return is_zero_within(nearly_within, problem, solution);
 }
 
 std::shared_ptr<const Proof> proof_by_zero(const Problem& problem) {

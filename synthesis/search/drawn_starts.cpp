@@ -13,6 +13,8 @@ using Eigen::VectorXd;
 
 /// Of starts that come close to the path so many times as many as are kept are ranked by all that is asked for.
 constexpr int ranked_by_all = 3;
+/// So many are drawn before it is seen which of them assemble.
+constexpr std::uint64_t drawn_together = 512;
 
 struct Candidate {
     double score = unlimited;
@@ -41,12 +43,23 @@ double merit_of_all(const Program& program, VectorXd& x, ProgramValues& values) 
 
 }  // namespace
 
+/// Of the draws from one number to before another those that may assemble at every target.
+std::vector<NumberedDraw> DrawnStarts::draws_that_assemble(std::uint64_t first, std::uint64_t end) const {
+    std::vector<NumberedDraw> draws;
+    draws.reserve(end - first);
+    for (std::uint64_t k = first; k < end; ++k) {
+        VectorXd x = draws_(k);
+        if (linear_violation(program_, x) == 0) draws.push_back({k, std::move(x)});
+    }
+    keep_assembled(program_, draws);
+    return draws;
+}
+
 std::vector<VectorXd> DrawnStarts::of_round(int round, int keep, int enough, int most, DrawCounts& counts) const {
     std::vector<Candidate> candidates;
     PathResiduals rest;
     const auto consider = [&](VectorXd x) {
-        ++counts.drawn;
-        if (linear_violation(program_, x) > 0 || !fit_assembled(program_, x)) return;
+        if (!fit_assembled(program_, x)) return;
         ++counts.assembled;
         const double score = rest_of_path(program_, x, rest);
         if (score < unlimited) candidates.push_back({score, std::move(x)});
@@ -54,11 +67,22 @@ std::vector<VectorXd> DrawnStarts::of_round(int round, int keep, int enough, int
     if (round == 0) {
         VectorXd x = program_.reference;
         if (program_.untimed_path()) set_path_angles(program_, 0.5, 0.5, x);
-        consider(std::move(x));
+        ++counts.drawn;
+        if (linear_violation(program_, x) == 0) consider(std::move(x));
     }
-    const auto first = static_cast<std::uint64_t>(round) * static_cast<std::uint64_t>(most * keep);
-    for (int i = 0; i < most * keep && static_cast<int>(candidates.size()) < enough * keep; ++i)
-        consider(draws_(first + static_cast<std::uint64_t>(i)));
+    const auto all = static_cast<std::uint64_t>(most) * static_cast<std::uint64_t>(keep);
+    const auto first = static_cast<std::uint64_t>(round) * all;
+    std::uint64_t drawn = 0;
+    while (drawn < all && static_cast<int>(candidates.size()) < enough * keep) {
+        const std::uint64_t end = std::min(all, drawn + drawn_together);
+        for (NumberedDraw& draw : draws_that_assemble(first + drawn, first + end)) {
+            consider(std::move(draw.x));
+            drawn = draw.number + 1 - first;
+            if (static_cast<int>(candidates.size()) >= enough * keep) break;
+        }
+        if (static_cast<int>(candidates.size()) < enough * keep) drawn = end;
+    }
+    counts.drawn += static_cast<long>(drawn);
     sort_by_score(candidates);
     const auto kept = static_cast<std::size_t>(keep);
     if (has_requirements(program_)) {

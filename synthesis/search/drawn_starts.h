@@ -1,13 +1,14 @@
 #pragma once
 /// \file
 /// Starts for the search of a path by mechanisms of which few random designs close, linkages among them: very many
-/// points are drawn, left at the first target at which they do not assemble, and of the others those are kept that come
-/// close to the targets once placement, size and guided points are fitted (target/path/fit.h).
+/// points are drawn, left at the first target at which they do not assemble (assembled_draws.h), and of the others
+/// those are kept that come close to the targets once placement, size and guided points are fitted (target/path/fit.h).
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
+#include "synthesis/search/assembled_draws.h"
 #include "synthesis/search/draws.h"
 
 namespace mechwright {
@@ -23,6 +24,8 @@ public:
     std::vector<Eigen::VectorXd> of_round(int round, int keep, int enough, int most, DrawCounts& counts) const;
 
 private:
+    std::vector<NumberedDraw> draws_that_assemble(std::uint64_t first, std::uint64_t end) const;
+
     const Program& program_;
     Draws draws_;
 };

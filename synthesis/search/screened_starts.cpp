@@ -29,8 +29,8 @@ constexpr int most_draws = 60;
 /// by few.
 constexpr int candidates_per_variable = 12;
 /// Where few random designs close, for each start that is kept: draws go on until so many assemble, and end at so many.
-constexpr int enough_assembled = 40;
-constexpr int most_drawn = 2000;
+constexpr int enough_assembled = 80;
+constexpr int most_drawn = 4000;
 
 bool is_free(const Program& program, std::size_t dimension) {
     return dimension != no_dimension && program.variable_of[dimension] >= 0;

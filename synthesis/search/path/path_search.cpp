@@ -40,8 +40,10 @@ constexpr int least_rounds = 2;
 /// Of a path in any order, whose optima are many, it goes on while more than this share of searches would end at
 /// optima that are not known.
 constexpr double most_share_unseen = 0.05;
-/// There are so many rounds, and as many times more as the problem asks for more starts than a round has.
+/// There are so many rounds, and as many times more as the problem asks for more starts than a round has; and so many
+/// times more of them where the best design comes so close to all points that one is likely to meet them.
 constexpr int rounds_for_starts = 12;
+constexpr int times_more_near_zero = 4;
 
 /// All the state of one run.
 struct Search {
@@ -101,9 +103,15 @@ struct Search {
     /// Whether the best design meets every point to rounding: then no other is better.
     bool best_is_exact() const { return best && is_at_zero(problem, *best); }
 
+    /// Whether it is likely that some design meets every point: what searches end at again and again is then no sign
+    /// that there is no better one.
+    bool may_become_exact() const { return rounds.may_end_early() && best && is_nearly_at_zero(problem, *best); }
+
+    int rounds_at_most() const { return (may_become_exact() ? times_more_near_zero : 1) * most_rounds; }
+
     bool enough(int rounds_done) const {
-        if (best_is_exact()) return true;
-        if (rounds_done < least_rounds) return false;
+        if (best_is_exact() || rounds_done >= rounds_at_most()) return true;
+        if (rounds_done < least_rounds || may_become_exact()) return false;
         if (rounds.led && problem.path->any_order && known_ends.unseen() > most_share_unseen) return false;
         return hits >= enough_hits * thoroughness ||
                (rounds.led && rounds_on_best >= enough_rounds_on_best * thoroughness);
@@ -133,7 +141,7 @@ struct Search {
             outcome = rounds.programs.long_search(trial.program, x, some);
             if (outcome.x.size() > 0)
                 solution = better(std::move(solution), assess(problem, design_at(program, outcome.x)));
-            if (is_at_zero(problem, solution)) return solution;
+            if (is_at_zero(problem, solution) || solution.feasible) return solution;
             x = point_of(program, solution.design);
             some.most_evaluations = evaluations_of_great_program;
         }
@@ -142,6 +150,23 @@ struct Search {
         outcome.evaluations += before;
         if (outcome.x.size() == 0) return solution;
         return better(std::move(solution), assess(problem, design_at(program, outcome.x)));
+    }
+
+    /// Where rounds leave feasible designs to least squares: the best, polished once all rounds are done.
+    void polish_best() {
+        if (!rounds.may_end_early() || !best || !best->feasible || best_is_exact()) return;
+        const auto own = [&](const Program& p) { return p.variant.assembly == best->design.assembly; };
+        for (const Program& program : rounds.programs.all) {
+            if (!own(program) || rounds.limits.reached()) continue;
+            LocalLimits some = rounds.limits;
+            some.most_evaluations = evaluations_of_great_program;
+            const LocalOutcome outcome = polished_search(program, point_of(program, best->design), slsqp, some);
+            rounds.report.evaluations += outcome.evaluations;
+            hessians += outcome.hessians;
+            if (outcome.x.size() == 0) continue;
+            found.push_back(assess(problem, design_at(program, outcome.x)));
+            if (preferred(problem, found.back(), *best)) best = found.back();
+        }
     }
 
     static std::string_view origin_of(const Trial& trial) { return trial.nearby ? "near another end" : "screened"; }
@@ -194,7 +219,7 @@ struct Search {
             hessians += outcome.hessians;
             if (solutions[k] && (!best || preferred(problem, *solutions[k], *best))) best = solutions[k];
             if (options.progress)
-                options.progress(rounds.report.starts, most_rounds * rounds.starts_of_round,
+                options.progress(rounds.report.starts, rounds_at_most() * rounds.starts_of_round,
                                  best && best->feasible ? best->objective : std::numeric_limits<double>::quiet_NaN());
         });
         if (options.trace) keep(trials, chosen, ends);
@@ -227,7 +252,7 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
     Search search(problem, options, deadline);
     if (search.rounds.programs.all.empty()) return by_curves;
     search.begin_with(by_curves);
-    for (int round = 0; round < search.most_rounds && !search.rounds.limits.reached(); ++round) {
+    for (int round = 0; !search.rounds.limits.reached(); ++round) {
         const std::vector<Trial> trials = search.rounds.trials_of(round);
         const std::optional<Solution> best_of_round = search.finish(trials);
         search.count_hits(trials, best_of_round);
@@ -235,6 +260,7 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
             {search.rounds.report.drawn, search.rounds.report.evaluations, search.hessians, search.best});
         if (search.enough(round + 1)) break;
     }
+    search.polish_best();
     // Beside a design that meets all points others that miss them are none to choose from.
     if (search.rounds.may_end_early() && search.best_is_exact())
         std::erase_if(search.found, [&](const Solution& s) { return !is_at_zero(problem, s); });

@@ -123,18 +123,6 @@ std::optional<GuidingLink> guiding_link(const Program& program, std::size_t targ
     return GuidingLink{point, roles.along == no_dimension ? Complex(0) : guided_point(1) - point};
 }
 
-/// Numbers from 0 to n - 1, each once, those next to each other far apart: steps of nearly the golden section of n.
-std::vector<std::size_t> spread_out(std::size_t n) {
-    constexpr double golden = 0.6180339887498949;
-    auto step = std::max<std::size_t>(1, static_cast<std::size_t>(golden * static_cast<double>(n)));
-    while (std::gcd(step, n) != 1)
-        ++step;
-    std::vector<std::size_t> all(n);
-    for (std::size_t i = 0; i < n; ++i)
-        all[i] = i * step % n;
-    return all;
-}
-
 /// The guiding link at every target; empty where the mechanism does not assemble at one of them.
 std::vector<GuidingLink> guiding_links(const Program& program, const std::vector<double>& dimensions,
                                        const VectorXd& x) {
@@ -268,6 +256,18 @@ void fit_placement(const Program& program, VectorXd& x) {
     if (!can_fit(program, fitted)) return;
     const std::vector<GuidingLink> links = guiding_links(program, dimensions, x);
     if (!links.empty()) fit_to(program, dimensions, fitted, links, x);
+}
+
+/// By steps of nearly the golden section of n.
+std::vector<std::size_t> spread_out(std::size_t n) {
+    constexpr double golden = 0.6180339887498949;
+    auto step = std::max<std::size_t>(1, static_cast<std::size_t>(golden * static_cast<double>(n)));
+    while (std::gcd(step, n) != 1)
+        ++step;
+    std::vector<std::size_t> all(n);
+    for (std::size_t i = 0; i < n; ++i)
+        all[i] = i * step % n;
+    return all;
 }
 
 bool fit_assembled(const Program& program, VectorXd& x) {

@@ -11,28 +11,13 @@
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "analysis/linkage/placing/needed_back.h"
 #include "analysis/linkage/placing/needed_place.h"
 #include "synthesis/mechanism/linkage/model.h"
+#include "synthesis/mechanism/linkage/targets/working_row.h"
 
 namespace mechwright {
-
-/// So many numbers to work in, without needing for memory up to `Most`.
-template <class T, std::size_t Most>
-class WorkingRow {
-public:
-    std::span<T> of(std::size_t count) {
-        if (count <= Most) return {here_.data(), count};
-        more_.resize(count);
-        return more_;
-    }
-
-private:
-    std::array<T, Most> here_;
-    std::vector<T> more_{};
-};
 
 /// A linkage of some dimensions, its guided point at a crank angle.
 template <class T>
