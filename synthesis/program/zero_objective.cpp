@@ -14,8 +14,10 @@ namespace {
 
 /// Zero to this part of the size of what a value is computed from.
 constexpr double exact_within = 1e-13;
-/// What is given or measured to three or four digits is hardly met as well as this by chance.
+/// What is drawn by hand or measured is hardly met as well as this by chance; and what has less left than that is met
+/// as well as points that were written with eight digits can be.
 constexpr double nearly_within = 1e-4;
+constexpr double rounded_within = 1e-8;
 
 /// The greatest distance of a target from the first, or the length of a guided body that stays in one place; without
 /// targets the longest length.
@@ -61,7 +63,7 @@ bool is_at_zero(const Problem& problem, const Solution& solution) {
 }
 
 bool is_nearly_at_zero(const Problem& problem, const Solution& solution) {
-    return is_zero_within(nearly_within, problem, solution);
+    return is_zero_within(nearly_within, problem, solution) && !is_zero_within(rounded_within, problem, solution);
 }
 
 std::shared_ptr<const Proof> proof_by_zero(const Problem& problem) {

@@ -40,10 +40,11 @@ constexpr int least_rounds = 2;
 /// Of a path in any order, whose optima are many, it goes on while more than this share of searches would end at
 /// optima that are not known.
 constexpr double most_share_unseen = 0.05;
-/// There are so many rounds, and as many times more as the problem asks for more starts than a round has; and so many
-/// times more of them where the best design comes so close to all points that one is likely to meet them.
+/// There are so many rounds, and as many times more as the problem asks for more starts than a round has.
 constexpr int rounds_for_starts = 12;
-constexpr int times_more_near_zero = 4;
+/// Rounds and hits are so many times more where the best design comes so close to all points that one is likely to meet
+/// them: that searches end elsewhere again and again is then no sign that there is none.
+constexpr int times_more_near_zero = 3;
 
 /// All the state of one run.
 struct Search {
@@ -103,18 +104,20 @@ struct Search {
     /// Whether the best design meets every point to rounding: then no other is better.
     bool best_is_exact() const { return best && is_at_zero(problem, *best); }
 
-    /// Whether it is likely that some design meets every point: what searches end at again and again is then no sign
-    /// that there is no better one.
-    bool may_become_exact() const { return rounds.may_end_early() && best && is_nearly_at_zero(problem, *best); }
+    /// How many times more is done than where no design is likely to meet every point.
+    int times_more() const {
+        const bool likely = rounds.may_end_early() && best && is_nearly_at_zero(problem, *best);
+        return likely ? times_more_near_zero : 1;
+    }
 
-    int rounds_at_most() const { return (may_become_exact() ? times_more_near_zero : 1) * most_rounds; }
+    int rounds_at_most() const { return times_more() * most_rounds; }
 
     bool enough(int rounds_done) const {
         if (best_is_exact() || rounds_done >= rounds_at_most()) return true;
-        if (rounds_done < least_rounds || may_become_exact()) return false;
+        if (rounds_done < least_rounds) return false;
         if (rounds.led && problem.path->any_order && known_ends.unseen() > most_share_unseen) return false;
-        return hits >= enough_hits * thoroughness ||
-               (rounds.led && rounds_on_best >= enough_rounds_on_best * thoroughness);
+        const int times = times_more() * thoroughness;
+        return hits >= enough_hits * times || (rounds.led && rounds_on_best >= enough_rounds_on_best * times);
     }
 
     /// How many solutions are as good as the best.

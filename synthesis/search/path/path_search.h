@@ -12,9 +12,9 @@ namespace mechwright {
 std::string why_no_path_search(const Problem& problem);
 
 /// Searches in rounds, each by itself, until the points are met exactly, or the best design has been hit often enough,
-/// or the rounds are used up; there are more of them the more starts the problem asks for. Of linkages it goes on past
-/// hits, for several times the rounds, where the best design all but meets the points: then some design is likely to
-/// meet them. The result is the same for any number of jobs.
+/// or the rounds are used up; there are more of them the more starts the problem asks for. Of linkages it takes several
+/// times as many hits and rounds where the best design all but meets the points: then some design is likely to meet
+/// them. The result is the same for any number of jobs.
 Multistart path_search(const Problem& problem, const RunOptions& options,
                        std::chrono::steady_clock::time_point deadline);
 
