@@ -5,9 +5,10 @@
 namespace mechwright::bench {
 
 std::span<const Section> sections() {
-    static const std::array all{kernels(),        start_up(),      linkages(), derivatives(), gradients(),   extremes(),
-                                work_precision(), data_profiles(), recovery(), curves(),      curve_peers(), everyday(),
-                                agreement(),      exact(),         scaling(),  peers()};
+    static const std::array all{kernels(),  start_up(),       linkages(),      derivatives(), gradients(),
+                                extremes(), work_precision(), data_profiles(), recovery(),    linkage_synthesis(),
+                                curves(),   curve_peers(),    everyday(),      agreement(),   exact(),
+                                scaling(),  peers()};
     return all;
 }
 

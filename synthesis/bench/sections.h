@@ -8,6 +8,7 @@ namespace mechwright::bench {
 
 Section kernels();
 Section linkages();
+Section linkage_synthesis();
 Section start_up();
 Section derivatives();
 Section gradients();

@@ -18,4 +18,9 @@ struct TracedPath {
 /// are to be found, with the crank angles from point to point or without.
 TracedPath traced_six_bar(std::uint64_t k, bool watt, int count, bool timed);
 
+/// So many timed points of the k-th random linkage of 4, 6, ... 12 links: a four-bar, and dyads that hang one on the
+/// other. Sides are given, and the pivots of the third and fourth dyad; all else is to be found, in wide ranges or in
+/// narrow ones about what is known.
+TracedPath traced_chain(std::uint64_t k, int links, int count, bool about_known = false);
+
 }  // namespace mechwright::bench
