@@ -14,13 +14,13 @@ namespace {
 constexpr std::size_t of_group = std::tuple_size_v<Group>;
 
 /// A draw as its dimensions.
-struct Candidate {
+struct DrawnDimensions {
     std::size_t draw;
     std::vector<double> dimensions;
 };
 
 /// The margins of so many candidates from one on at a target; lanes that are left over repeat the last of them.
-Group margins_of(const Program& program, const std::vector<NumberedDraw>& draws, const Candidate* first,
+Group margins_of(const Program& program, const std::vector<NumberedDraw>& draws, const DrawnDimensions* first,
                  std::size_t count, std::size_t target) {
     const PointGuidance& point = *program.problem->mechanism->point;
     std::array<Group, Reads::most> arguments;
@@ -28,12 +28,12 @@ Group margins_of(const Program& program, const std::vector<NumberedDraw>& draws,
     std::array<double, Reads::most> room;
     std::size_t reads = 0;
     for (std::size_t lane = 0; lane < of_group; ++lane) {
-        const Candidate& candidate = first[std::min(lane, count - 1)];
-        const std::span<const double> own = point.reads.of(candidate.dimensions, room);
+        const DrawnDimensions& drawn = first[std::min(lane, count - 1)];
+        const std::span<const double> own = point.reads.of(drawn.dimensions, room);
         reads = own.size();
         for (std::size_t i = 0; i < reads; ++i)
             arguments[i][lane] = own[i];
-        angles[lane] = path_angle(program, candidate.dimensions, draws[candidate.draw].x, target).angle;
+        angles[lane] = path_angle(program, drawn.dimensions, draws[drawn.draw].x, target).angle;
     }
     const std::size_t guided = program.problem->path->target_of(target);
     return margins_in_lanes(widest_instruction_set(), program.form(guided), std::span(arguments).first(reads), angles);
@@ -41,7 +41,7 @@ Group margins_of(const Program& program, const std::vector<NumberedDraw>& draws,
 
 /// Leaves out those that do not assemble at a target.
 void keep_assembled_at(const Program& program, const std::vector<NumberedDraw>& draws, std::size_t target,
-                       std::vector<Candidate>& left) {
+                       std::vector<DrawnDimensions>& left) {
     std::size_t kept = 0;
     for (std::size_t first = 0; first < left.size(); first += of_group) {
         const std::size_t count = std::min(of_group, left.size() - first);
@@ -59,7 +59,7 @@ void keep_assembled_at(const Program& program, const std::vector<NumberedDraw>& 
 
 void keep_assembled(const Program& program, std::vector<NumberedDraw>& draws) {
     if (!has_margins_in_lanes(*program.problem->mechanism)) return;
-    std::vector<Candidate> left;
+    std::vector<DrawnDimensions> left;
     left.reserve(draws.size());
     for (std::size_t i = 0; i < draws.size(); ++i)
         left.push_back({i, dimensions_at(program, draws[i].x)});
