@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "synthesis/program/condition_margin.h"
-#include "synthesis/search/curve/chords.h"
 
 namespace mechwright {
 
@@ -73,17 +72,38 @@ bool add_requirements(const CurveProblem& p, Sums& s, CurveWork& work) {
     return true;
 }
 
+double& lane_of(std::vector<Group>& groups, std::size_t i) {
+    constexpr std::size_t lanes = std::tuple_size_v<Group>;
+    return groups[i / lanes][i % lanes];
+}
+
+/// Takes over what is nearer at another chord.
+void take_nearer(const std::vector<std::size_t>& targets, NearestOnCurve& others, NearestOnCurve& nearest) {
+    auto end = others.ends.begin();
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const bool at_end = end != others.ends.end() && end->target == i;
+        const std::size_t target = targets[i];
+        if (lane_of(others.square, i) < lane_of(nearest.square, target)) {
+            lane_of(nearest.square, target) = lane_of(others.square, i);
+            lane_of(nearest.crank_angle, target) = lane_of(others.crank_angle, i);
+            lane_of(nearest.miss, target) = lane_of(others.miss, i);
+            for (std::size_t k = 0; k < most_curve_arguments; ++k)
+                lane_of(nearest.gradient[k], target) = lane_of(others.gradient[k], i);
+            std::erase_if(nearest.ends, [&](const NearestEnd& known) { return known.target == target; });
+            if (at_end) {
+                nearest.ends.push_back(*end);
+                nearest.ends.back().target = target;
+            }
+        }
+        if (at_end) ++end;
+    }
+}
+
 bool evaluate(const CurveProblem& p, Sums& s, CurveWork& work) {
     ++work.evaluations;
     const CurveArguments& a = s.at.arguments;
     s.at.sum = unlimited;
-    const std::span<const double> arguments = std::span(a).first(p.arguments);
-    if (!p.fit->sample(p.set, s.at.assembly, arguments, coarse_chords, work.curve)) return false;
-    const std::size_t placement = p.lengths + 2;
-    targets_in_frame(p.targets, {a[placement], a[placement + 1]}, a[placement + 2], work.local);
-    nearest_chords(p.set, work.curve, work.local, work.chords);
-    p.fit->nearest(p.set, s.at.assembly, arguments, work.curve, work.chords, work.local, work.nearest);
-
+    if (!find_nearest_points(p, p.set, s.at.assembly, a, work)) return false;
     const auto n = static_cast<Eigen::Index>(p.arguments);
     const auto padded = static_cast<Eigen::Index>(8 * p.targets.x.size());
     const auto lanes = [&](const std::vector<Group>& groups) {
@@ -220,6 +240,20 @@ double promised(const Sums& s, const CurveArguments& to) {
 }  // namespace
 
 bool is_rounding(const CurveProblem& p, double sum) { return sum <= zero_within * p.weight * p.spread * p.spread; }
+
+bool find_nearest_points(const CurveProblem& p, InstructionSet set, std::size_t assembly, const CurveArguments& a,
+                         CurveWork& work) {
+    const std::span<const double> arguments = std::span(a).first(p.arguments);
+    if (!p.fit->sample(set, assembly, arguments, coarse_chords, work.curve)) return false;
+    const std::size_t placement = p.lengths + 2;
+    targets_in_frame(p.targets, {a[placement], a[placement + 1]}, a[placement + 2], work.local);
+    nearest_chords(set, work.curve, work.local, work.chords, work.others);
+    p.fit->nearest(set, assembly, arguments, work.curve, work.chords, work.local, work.nearest);
+    if (work.others.target.empty()) return true;
+    p.fit->nearest(set, assembly, arguments, work.curve, work.others.chords, work.others.targets, work.of_others);
+    take_nearer(work.others.target, work.of_others, work.nearest);
+    return true;
+}
 
 bool descend(const CurveProblem& p, FittedCurve& from, int most_evaluations, double tolerance, CurveWork& work) {
     Sums at{from, {}, {}}, next;

@@ -2,6 +2,7 @@
 /// \file
 /// Least squares of the distances from targets to the nearest points of a curve.
 
+#include "synthesis/search/curve/chords.h"
 #include "synthesis/search/curve/curve_problem.h"
 
 namespace mechwright {
@@ -22,9 +23,16 @@ struct CurveWork {
     GroupedTargets local;
     NearestChords chords;
     NearestOnCurve nearest;
+    OtherChords others;
+    NearestOnCurve of_others;
     RowsBesidePath beside;
     long evaluations = 0;
 };
+
+/// Finds `work.nearest`: from the nearest chords, and from others where the curve itself may be nearer, so that the
+/// distances go steadily with the arguments. False: the links assemble nowhere.
+bool find_nearest_points(const CurveProblem& problem, InstructionSet set, std::size_t assembly,
+                         const CurveArguments& arguments, CurveWork& work);
 
 /// Goes down from a design, by Levenberg's and Marquardt's method with nearest points found anew at every step. The
 /// kind of motion is kept: where a border (CurveFit) is in the way the search goes on along it. Ends where steps gain

@@ -52,8 +52,15 @@ Moving<T> moving(const FourBar<T>& m, const CouplerPoint<T>& point, const HalfTu
     return r;
 }
 
-/// The end of a motion as the crank range that ends there moves with the lengths: the diagonal from crank pin to rocker
-/// pivot is then coupler + rocker or their difference, and the coupler lies along it, but for sure_part.
+/// The end of a motion as the crank range that ends there moves with the lengths: the diagonal d from crank pin to
+/// rocker pivot is then coupler + rocker or their difference, but for a slack, which is a part of the longest link. The
+/// angle a between coupler and diagonal is small, or nearly half a turn; with coupler k, rocker r and slack s
+///
+///     1 - |cos a| = s (2 r - s) / (2 k d)
+///
+/// (+ s where that of the coupler folds it beyond the rocker), so that it goes with the lengths as
+///
+///     da = +-tan(a / 2) (ds / s + dr / r - dk / k - dd / d).
 NearestEnd end_of_motion(const Arguments& a, double crank_angle, const Vector<double>& target) {
     const auto& m = a.links;
     const Moving<double> at = moving(m, a.point, half_turn(crank_angle), a.assembly);
@@ -66,6 +73,11 @@ NearestEnd end_of_motion(const Arguments& a, double crank_angle, const Vector<do
         std::abs(length - (m.coupler + m.rocker)) < std::abs(length - std::abs(m.coupler - m.rocker));
     const double by_coupler = stretched || m.coupler > m.rocker ? 1 : -1;
     const double by_rocker = stretched ? 1 : -by_coupler;
+    // The slack is a part of the longest link.
+    const std::array<double, 4> lengths{m.ground, m.crank, m.coupler, m.rocker};
+    const auto longest = static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+    const double cosine = dot(at.pose.coupler, along), sine_of_angle = cross(along, at.pose.coupler);
+    const double angle = sine_of_angle / (1 + std::abs(cosine)) * (cosine < 0 ? -1 : 1);
     // length^2 = ground^2 + crank^2 - 2 ground crank cos: its differential gives that of the crank angle.
     const double sine = std::copysign(std::max(std::abs(at.pose.crank.y), 1e-6), at.pose.crank.y);
     const double per = 1 / (m.ground * m.crank * sine);
@@ -81,7 +93,10 @@ NearestEnd end_of_motion(const Arguments& a, double crank_angle, const Vector<do
         Vector<double> pin = (m.crank * turn[i]) * left_of(at.pose.crank);
         if (i == 1) pin = pin + at.pose.crank;
         const Vector<double> grown = Vector<double>{i == 0 ? 1.0 : 0.0, 0} - pin;
-        set(i, pin + (cross(along, grown) / length) * at.arm);
+        const double stretch = i == 2 ? by_coupler : i == 3 ? by_rocker : 0;
+        const double slack = (i == longest ? 1 / lengths[i] : 0) + (i == 3 ? 1 / m.rocker : 0) -
+                             (i == 2 ? 1 / m.coupler : 0) - stretch / length;
+        set(i, pin + (cross(along, grown) / length + angle * slack) * at.arm);
     }
     set(4, at.pose.coupler);
     set(5, left_of(at.pose.coupler));
