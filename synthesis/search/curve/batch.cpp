@@ -26,6 +26,10 @@ constexpr double promising_later = 1.3;
 /// A descent that has come so near to a design that is kept, by the arguments and by the sum, would end there.
 constexpr double known_within = 0.03;
 constexpr double tolerance = 1e-9;
+/// A batch is gone on with while the second half of its evaluations gains more than this part, until there are so many
+/// times as many as at least.
+constexpr double gain_of_half = 3e-6;
+constexpr long most_times_as_long = 16;
 /// Variations spread from this to that, small ones more often.
 constexpr double least_spread = 0.003;
 constexpr double most_spread = 0.5;
@@ -41,6 +45,7 @@ struct Batch {
     CurveBatch result{};
     CurveWork work{};
 
+    double least() const { return result.best.empty() ? unlimited : result.best.front().sum; }
     double last_kept() const { return result.best.size() < most_kept ? unlimited : result.best.back().sum; }
 
     void keep(const FittedCurve& design) {
@@ -113,6 +118,12 @@ struct Batch {
 
     bool is_exact() const { return !result.best.empty() && is_rounding(problem, result.best.front().sum); }
 
+    void settle_best() {
+        if (result.best.empty()) return;
+        descend(problem, result.best.front(), evaluations_to_settle, settled_within, work);
+        result.evaluations = work.evaluations;
+    }
+
     /// Descents from variations of what is kept, the better ones more often.
     void vary(double most, long most_evaluations, long most_drawn, RandomNumbers& random,
               const std::function<bool()>& stop) {
@@ -133,14 +144,20 @@ struct Batch {
 
 }  // namespace
 
-CurveBatch curve_batch(const CurveProblem& problem, std::uint64_t seed, long most_evaluations,
+CurveBatch curve_batch(const CurveProblem& problem, std::uint64_t seed, long evaluations,
                        const std::function<bool()>& stop) {
     Batch batch{problem};
     RandomNumbers random(seed);
-    const long most_drawn = most_evaluations;  // where shapes never assemble, there is an end
-    const auto of_shapes = static_cast<long>(drawn_part * static_cast<double>(most_evaluations));
-    batch.draw(of_shapes, most_drawn, random, stop);
-    batch.vary(most_spread, most_evaluations, 2 * most_drawn, random, stop);
+    const long most_drawn = evaluations;  // where shapes never assemble, there is an end
+    batch.draw(static_cast<long>(drawn_part * static_cast<double>(evaluations)), most_drawn, random, stop);
+    double before = unlimited;
+    for (long until = evaluations / 2; until <= most_times_as_long * evaluations; until *= 2) {
+        batch.vary(most_spread, until, 2 * until, random, stop);
+        batch.settle_best();
+        const double now = batch.least();
+        if (!(now < (1 - gain_of_half) * before)) break;
+        before = now;
+    }
     return std::move(batch.result);
 }
 

@@ -20,14 +20,14 @@ namespace mechwright {
 
 namespace {
 
-/// So many batches are run at a time, each of so many evaluations; the starts that a problem asks for are worth that
-/// many rounds for each `starts_of_rounds`.
+/// So many batches are run at a time, each of so many evaluations or more; the starts that a problem asks for are worth
+/// the evaluations of that many rounds for each `starts_of_rounds`.
 constexpr int most_batches_of_round = 4;
-constexpr long evaluations_of_batch = 10000;
-constexpr int rounds = 20;
+constexpr long evaluations_of_batch = 20000;
+constexpr int rounds = 10;
 constexpr int starts_of_rounds = 32;
 /// Where least squares only lead to the objective there is another search beside this one, and there are fewer rounds.
-constexpr int rounds_that_lead = 4;
+constexpr int rounds_that_lead = 2;
 /// Batches whose least sums of squares agree to this part came to one end; they hit the best one if they agree with it
 /// to the smaller part.
 constexpr double same_end_within = 3e-6;
@@ -45,9 +45,10 @@ constexpr int most_times = 12;
 constexpr std::size_t most_polished = 4;
 constexpr double polished_apart = 1e-3;
 constexpr std::size_t most_polished_variables = 60;
-/// Where the greatest distance counts so many designs of every batch are taken there, those of a greater program in no
-/// more than so many evaluations.
+/// Where the greatest distance counts so many designs of every batch are taken there, as far as it is no more than so
+/// many times the least of the batch; those of a greater program in no more than so many evaluations.
 constexpr std::size_t most_polished_of_batch = 3;
+constexpr double worth_polishing = 1.5;
 constexpr int evaluations_of_great_program = 60;
 /// Beside requirements the method of least squares that keeps to them (local.h) takes designs there, in so many passes
 /// with nearest points found anew.
@@ -111,6 +112,11 @@ struct Search {
     }
 
     bool stopped() const { return limits.reached(); }
+    /// Whether there were enough rounds, or as many evaluations as these take with the shortest batches.
+    bool used_up(int rounds_done) const {
+        return rounds_done >= most_rounds() ||
+               report.evaluations >= most_rounds() * batches_of_round() * evaluations_of_batch;
+    }
 
     void run_round(int round) {
         const int each = batches_of_round();
@@ -133,17 +139,22 @@ struct Search {
         return sums;
     }
 
-    /// Designs of a batch from which the greatest distance is made least: the best by their sums, and by that distance.
+    /// Designs of a batch from which the greatest distance is made least: those that least squares with other weights
+    /// bring the nearest to it, different ones.
     std::vector<FittedCurve> least_greatest(const CurveBatch& batch, CurveWork& work) const {
         std::vector<GreatestDistance> all;
         for (const FittedCurve& fitted : batch.best)
             if (const auto nearer = towards_least_greatest(*curve, fitted, work)) all.push_back(*nearer);
         std::stable_sort(all.begin(), all.end(),
                          [](const GreatestDistance& a, const GreatestDistance& b) { return a.distance < b.distance; });
-        std::vector<FittedCurve> chosen = batch.best;
-        chosen.resize(std::min(most_polished_of_batch, chosen.size()));
-        for (std::size_t k = 0; k < std::min(most_polished_of_batch, all.size()); ++k)
-            chosen.push_back(all[k].design);
+        std::vector<FittedCurve> chosen;
+        double last = 0;
+        for (const GreatestDistance& one : all) {
+            if (chosen.size() == most_polished_of_batch || one.distance > worth_polishing * all.front().distance) break;
+            if (!(one.distance > (1 + polished_apart) * last)) continue;
+            chosen.push_back(one.design);
+            last = one.distance;
+        }
         return chosen;
     }
 
@@ -317,12 +328,12 @@ Multistart curve_search(const Problem& problem, const RunOptions& options,
                         std::chrono::steady_clock::time_point deadline) {
     Multistart result;
     Search search(problem, options, deadline);
-    for (int round = 0; round < search.most_rounds() && !search.stopped(); ++round) {
+    for (int round = 0; !search.used_up(round) && !search.stopped(); ++round) {
         search.run_round(round);
         std::optional<Solution> now = search.best_so_far();
         search.tell_progress(now);
         result.milestones.push_back({search.report.drawn, search.report.evaluations, 0, std::move(now)});
-        if (!search.enough() && round + 1 < search.most_rounds()) continue;
+        if (!search.enough() && !search.used_up(round + 1)) continue;
         search.refine();
         // Where variations came to what no batch has come to, it goes on.
         if (search.enough()) break;
