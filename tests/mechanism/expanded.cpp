@@ -164,7 +164,6 @@ std::string reason_to_refuse(const std::string& name) {
     static const std::map<std::string, std::string> reasons{
         {"path/case-4-margin.toml", "no 'grashof-margin'"},
         {"exact/velocities-of-an-instant.toml", "cannot carry [instant]"},
-        {"exact/inverted-slider-crank-eight-points.toml", "this is a linkage already"},
         {"quick-return/uniform-speed-crank-shaper.toml", "no 'speed-variation'"},
         {"quick-return/uniform-speed-drag-link.toml", "no 'speed-variation'"},
         {"quick-return/uniform-speed-whitworth.toml", "no 'speed-variation'"},
@@ -176,6 +175,7 @@ std::string reason_to_refuse(const std::string& name) {
     if (const auto reason = reasons.find(name); reason != reasons.end()) return reason->second;
     if (name.starts_with("studies/")) return "cannot carry [study]";
     if (name.starts_with("cam/")) return "a cam is no linkage";
+    if (read_problem(problems + name).problem.mechanism->name == "linkage") return "this is a linkage already";
     return "";
 }
 

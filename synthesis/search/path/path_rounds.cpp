@@ -14,6 +14,7 @@
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/best_assemblies.h"
 #include "synthesis/search/path/path_objective.h"
+#include "synthesis/search/path/path_timing.h"
 #include "synthesis/search/starts_nearby.h"
 #include "synthesis/target/path/rows/nearest_point.h"
 
@@ -233,8 +234,20 @@ void PathRounds::go_on(std::vector<Trial>& trials, int evaluations) {
     sort_by_sum(trials);
 }
 
+/// Least squares leave whole cycles of crank angles as they were drawn: where those put points out of their order, the
+/// same poses in it, whichever way the crank turns.
 Solution PathRounds::assessed(const Trial& trial) const {
-    return assess(problem, design_at(programs.all[trial.program], trial.outcome.x));
+    const Program& program = programs.all[trial.program];
+    Solution best = assess(problem, design_at(program, trial.outcome.x));
+    if (best.feasible || problem.path->any_order || !program.untimed_path()) return best;
+    const Design as_found = best.design;
+    for (const int direction : {1, -1}) {
+        Design in_order = as_found;
+        meet_in_order(problem, direction, in_order);
+        Solution ordered = assess(problem, std::move(in_order));
+        if (preferred(problem, ordered, best)) best = std::move(ordered);
+    }
+    return best;
 }
 
 }  // namespace mechwright

@@ -133,4 +133,17 @@ std::vector<double> random_path_angles(const Program& program, const LowDiscrepa
     return angles;
 }
 
+void meet_in_order(const Problem& problem, int direction, Design& design) {
+    if (!comes_round(*problem.mechanism)) return;
+    const double cycle = cycle_of(*problem.mechanism);
+    for (std::size_t target = 0; target < problem.path->targets(); ++target) {
+        const PointRange points = problem.path->points_of(target);
+        for (std::size_t i = points.first + 1; i < points.end(); ++i) {
+            double& angle = design.path_angles[i];
+            const double before = design.path_angles[i - 1];
+            angle -= direction * cycle * std::floor(direction * (angle - before) / cycle);
+        }
+    }
+}
+
 }  // namespace mechwright

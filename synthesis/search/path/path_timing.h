@@ -31,4 +31,8 @@ std::vector<double> path_angles(const Program& program, const PathTiming& timing
 std::vector<double> random_path_angles(const Program& program, const LowDiscrepancy& sequence, std::uint64_t k,
                                        Eigen::VectorXd& x);
 
+/// Takes crank angles of a design less or more whole cycles, so that from each point of a target to the next the crank
+/// turns in a direction (1 or -1) by less than a cycle.
+void meet_in_order(const Problem& problem, int direction, Design& design);
+
 }  // namespace mechwright
