@@ -174,4 +174,12 @@ using BaselineLanes = Lanes<4, 2>;
 using Avx2Lanes = Lanes<8, 2>;
 using Avx512Lanes = Lanes<8>;
 
+/// Lanes of a group of numbers, as many as there are of T, from one on.
+template <class T, std::size_t N>
+T loaded(const std::array<double, N>& group, std::size_t first) {
+    T lanes;
+    lanes.read(group.data() + first);
+    return lanes;
+}
+
 }  // namespace mechwright

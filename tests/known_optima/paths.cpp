@@ -26,6 +26,20 @@ TEST(Paths, CaseOneIsMetExactlyAndInOrder) {
         EXPECT_GT(direction * (angles[i] - angles[i - 1]), 0);
 }
 
+/// Without an objective, too, points of a given linkage are met where it passes them, before and after a full turn.
+TEST(Paths, OfAGivenLinkageAreMetFromEverySeed) {
+    const std::string text =
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 100\ncrank = 40\ncoupler = 90\nrocker = 80\n"
+        "point-along = 20\npoint-across = 5\nassembly = \"open\"\n[motion]\nfrom = \"first-target\"\nto = "
+        "\"last-target\"\n[path]\npoints = [[38.94831, 6.88977], [42.62152, 13.41512], [46.46387, 23.01128]]\n";
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const Solved s = solved(text, "auto", seed);
+        EXPECT_LT(s.value("path-rms"), 1e-5) << seed;
+        const auto& angles = s.result.best->design.path_angles;
+        EXPECT_NEAR(angles[2] - angles[0], 25 * degree, 1e-6) << seed;
+    }
+}
+
 /// Each point of a path without timing counts by the nearest point of the whole curve.
 TEST(Paths, WithoutTimingCountByTheNearestPoints) {
     const Solved s = solved(shipped("yu1.toml", "path"));

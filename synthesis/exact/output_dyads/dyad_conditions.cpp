@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "analysis/linkage/placing/pose.h"
 #include "analysis/numbers/unit_vector.h"
 #include "synthesis/exact/poses/dyad_equation.h"
 
@@ -15,11 +16,6 @@ struct PlacedLine {
     Vector<T> through;
     Vector<T> direction;
 };
-
-template <class T>
-Vector<T> conjugate(const Vector<T>& a) {
-    return {a.x, -a.y};
-}
 
 /// The lines on which a pin is in the frame of its link, where some of its coordinates are found: one for each that is
 /// not. A distance that is not found while its angle is has none.
@@ -94,7 +90,7 @@ OutputConditions<T> conditions_of(const LinkageModel& model, const DyadPlan& pla
     OutputConditions<T> made;
     std::size_t row = 0;
     for (std::size_t i = 1; i < known.outer.size(); ++i) {
-        const Vector<T> back = turned(known.turns.front(), conjugate(known.turns[i]));
+        const Vector<T> back = turned(known.turns.front(), linkage::detail::conjugate(known.turns[i]));
         made.rows[row++] = dyad_factors(per * turned(known.outer[i] - first, back), back);
     }
     made.displacements = row;

@@ -70,11 +70,6 @@ std::optional<OutputDyad> slide_at(const LinkageModel& model, std::size_t step, 
 }
 
 template <class T>
-Vector<T> conjugate(const Vector<T>& a) {
-    return {a.x, -a.y};
-}
-
-template <class T>
 std::optional<KnownPlaces<T>> placed(const LinkageModel& model, const OutputDyad& dyad, std::span<const T> dimensions,
                                      std::size_t scales, std::size_t assembly, std::span<const Vector<double>> points,
                                      std::span<const linkage::DriveLawIn<T>> laws) {
@@ -87,7 +82,7 @@ std::optional<KnownPlaces<T>> placed(const LinkageModel& model, const OutputDyad
         const T input = dimensions[scales] + dimensions[scales + 1] * T(point.x);
         if (!moving.place(input / T(model.input_length))) return {};
         const linkage::LinkPlace<T>& carrier = moving.pose.links[dyad.carrier];
-        const Vector<T> back = conjugate(carrier.along);
+        const Vector<T> back = linkage::detail::conjugate(carrier.along);
         const T output = T(dyad.sense) * dimensions[scales + 3] * T(point.y);
         known.outer.push_back(turned(moving.pose.pins[dyad.outer] - carrier.origin, back));
         if (dyad.slides())

@@ -144,7 +144,7 @@ struct Search {
             outcome = rounds.programs.long_search(trial.program, x, some);
             if (outcome.x.size() > 0)
                 solution = better(std::move(solution), assess(problem, design_at(program, outcome.x)));
-            if (is_at_zero(problem, solution) || solution.feasible) return solution;
+            if (solution.feasible) return solution;
             x = point_of(program, solution.design);
             some.most_evaluations = evaluations_of_great_program;
         }
@@ -158,9 +158,8 @@ struct Search {
     /// Where rounds leave feasible designs to least squares: the best, polished once all rounds are done.
     void polish_best() {
         if (!rounds.may_end_early() || !best || !best->feasible || best_is_exact()) return;
-        const auto own = [&](const Program& p) { return p.variant.assembly == best->design.assembly; };
         for (const Program& program : rounds.programs.all) {
-            if (!own(program) || rounds.limits.reached()) continue;
+            if (program.variant.assembly != best->design.assembly || rounds.limits.reached()) continue;
             LocalLimits some = rounds.limits;
             some.most_evaluations = evaluations_of_great_program;
             const LocalOutcome outcome = polished_search(program, point_of(program, best->design), slsqp, some);

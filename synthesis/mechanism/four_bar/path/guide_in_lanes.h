@@ -14,14 +14,6 @@
 
 namespace mechwright {
 
-/// Lanes of a group from the number `first` on.
-template <class T>
-T loaded(const Group& group, std::size_t first) {
-    T lanes;
-    lanes.read(group.data() + first);
-    return lanes;
-}
-
 /// Sums over the targets, complex ones as vectors.
 template <class T>
 struct PathMoments {

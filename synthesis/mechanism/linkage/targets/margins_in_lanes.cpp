@@ -32,17 +32,10 @@ struct Designs {
 };
 
 template <class T>
-T lanes_from(const Group& all, std::size_t first) {
-    T lanes;
-    lanes.read(all.data() + first);
-    return lanes;
-}
-
-template <class T>
 T number_at(const Affine& number, std::span<const Group> dimensions, std::size_t first) {
     T sum(number.constant);
     for (const auto& [dimension, factor] : number.terms)
-        sum = sum + T(factor) * lanes_from<T>(dimensions[dimension], first);
+        sum = sum + T(factor) * loaded<T>(dimensions[dimension], first);
     return sum;
 }
 
@@ -57,8 +50,8 @@ template <class T>
     linkage::set_design<T, T>(needed, numbers, designs.sides, row, any);
     for (std::size_t i = 0; i < designs.drives.size(); ++i) {
         const InputGroup& drive = designs.drives[i];
-        linkage::set_input<T>(needed, i, lanes_from<T>(drive.input, first),
-                              {lanes_from<T>(drive.cosine, first), lanes_from<T>(drive.sine, first)}, row);
+        linkage::set_input<T>(needed, i, loaded<T>(drive.input, first),
+                              {loaded<T>(drive.cosine, first), loaded<T>(drive.sine, first)}, row);
     }
     linkage::place_needed<T>(needed, row, any);
     T margin(any), sum(0.0);
