@@ -5,6 +5,7 @@
 
 #include "synthesis/mechanism/cycle.h"
 #include "synthesis/problem/input_tasks.h"
+#include "synthesis/program/choices.h"
 
 namespace mechwright {
 
@@ -72,22 +73,6 @@ bool has_directions(const Problem& problem) {
     return false;
 }
 
-/// All ways to choose one component for each disjunction.
-std::vector<std::vector<std::size_t>> all_choices(const std::vector<Disjunction>& all) {
-    constexpr std::size_t most = 64;
-    std::vector<std::vector<std::size_t>> choices{{}};
-    for (const Disjunction& d : all) {
-        std::vector<std::vector<std::size_t>> longer;
-        for (const auto& choice : choices)
-            for (std::size_t k = 0; k < d.components && longer.size() < most; ++k) {
-                longer.push_back(choice);
-                longer.back().push_back(k);
-            }
-        choices = std::move(longer);
-    }
-    return choices;
-}
-
 }  // namespace
 
 std::vector<Variant> variants(const Problem& problem) {
@@ -96,7 +81,7 @@ std::vector<Variant> variants(const Problem& problem) {
     for (const std::size_t family : families_of(problem))
         for (const std::size_t assembly : problem.assemblies)
             for (const int direction : untimed ? std::vector<int>{1, -1} : std::vector<int>{1})
-                for (auto& choice : all_choices(disjunctions(problem, motion_of(problem, family, assembly))))
+                for (auto& choice : choices_of_components(problem, family, assembly))
                     all.push_back({family, assembly, direction, std::move(choice)});
     return all;
 }

@@ -44,8 +44,8 @@ std::vector<Eigen::RowVectorXd> equality_rows(const Program& program, const Eige
 
 std::size_t free_numbers(const Program& program, const Eigen::VectorXd& x) {
     PathResiduals path;
-    if (!path_residuals(program, x, true, path)) return 0;
     const auto dimensions = static_cast<Eigen::Index>(program.dimension_variables);
+    if (dimensions == 0 || !path_residuals(program, x, true, path)) return 0;
     const auto each = static_cast<Eigen::Index>(residuals_per_point(program));
     const auto required = equality_rows(program, x);
     Eigen::MatrixXd rows(path.value.size() + static_cast<Eigen::Index>(required.size()), dimensions);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "synthesis/search/draws.h"
@@ -23,6 +24,17 @@ double merit(const Program& program, const VectorXd& x, ProgramValues& values) {
     if (!values.assembled) return unlimited;
     const double worst = violation(program, x, values);
     return values.objective + 10 * worst;
+}
+
+/// Whether a draw is fitted to a function: where its error is asked for, not only its input range, and the scales vary
+/// from draw to draw. Otherwise every draw would come to one and the same fit.
+bool is_fitted_to(const Program& program, const InputTask& task) {
+    const bool asked = std::any_of(program.blocks.begin(), program.blocks.end(), [&](const QuantityBlock& block) {
+        const std::size_t target = block.quantity->of_target;
+        return block.quantity->section == task.section() && (target == every_target || target == task.number);
+    });
+    const auto scales = std::span(program.variable_of).subspan(task.start, 4);
+    return asked && std::any_of(scales.begin(), scales.end(), [](std::ptrdiff_t v) { return v >= 0; });
 }
 
 bool mechanism_closes_rarely(const Program& program) {
@@ -49,12 +61,22 @@ Start screened_start(const Program& program, std::uint64_t seed, int index, int 
     ProgramValues values;
     // Of linkages few random ones close: only those count as candidates.
     const bool few_close = mechanism_closes_rarely(program);
+    const auto merit_where_placed = [&](VectorXd& x) {
+        for (const InputTask& task : tasks)
+            if (!task.is_function()) fit_followed(program, task, x);
+        settle_epigraphs(program, x);
+        return merit(program, x, values);
+    };
     const auto consider = [&](VectorXd x, bool preferred) {
         if (program.path) fit_placement(program, x);
+        VectorXd fitted = x;
         for (const InputTask& task : tasks)
-            task.is_function() ? fit_function(program, task, x) : fit_followed(program, task, x);
-        settle_epigraphs(program, x);
-        const double m = merit(program, x, values);
+            if (task.is_function() && (preferred || is_fitted_to(program, task))) fit_function(program, task, fitted);
+        double m = merit_where_placed(fitted);
+        if (m < unlimited)
+            x = std::move(fitted);
+        else
+            m = merit_where_placed(x);
         counts += {1, m < unlimited ? 1 : 0};
         if (found && !(m < best.merit)) return m < unlimited;
         best = {std::move(x), preferred, m};

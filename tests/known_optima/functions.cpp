@@ -2,6 +2,8 @@
 // what a minimax optimum must look like.
 
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <numbers>
 
 #include "synthesis/mechanism/four_bar/function.h"
@@ -133,6 +135,45 @@ TEST(Functions, LeastSquaresAndMinimaxDiffer) {
     const Solved minimax = solved(shipped("power.toml", "function"));
     EXPECT_LT(squares.value("function-rms"), minimax.value("function-rms"));
     EXPECT_GT(squares.value("function-max"), minimax.value("function-max"));
+}
+
+/// The least velocity ratio of a four-bar over crank angles from 30 to 130 deg, by the triangles of the loop; where it
+/// does not close, none.
+double least_velocity_ratio(double crank, double coupler, double rocker, double side) {
+    constexpr double ground = 5;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= 200; ++i) {
+        const double angle = (30 + 0.5 * i) * degree;
+        const std::complex<double> pin = std::polar(crank, angle), across = ground - pin;
+        const double d = std::abs(across);
+        const double cosine = (coupler * coupler + d * d - rocker * rocker) / (2 * coupler * d);
+        if (!(std::abs(cosine) < 1)) return -std::numeric_limits<double>::infinity();
+        const double of_coupler = std::arg(across) + side * std::acos(cosine);
+        const double of_rocker = std::arg(pin + std::polar(coupler, of_coupler) - ground);
+        least = std::min(least, crank * std::sin(angle - of_coupler) / (rocker * std::sin(of_rocker - of_coupler)));
+    }
+    return least;
+}
+
+/// A function of which nothing is asked gives the input range alone, and searches begin at designs of all kinds.
+TEST(Functions, OfWhichNothingIsAskedLeaveTheDesignToTheObjective) {
+    const Solved s = solved(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 5\ncrank = { min = 1, max = 20 }\n"
+        "coupler = { min = 13, max = 15 }\nrocker = { min = 1, max = 20 }\nassembly = \"either\"\n"
+        "[function]\nexpression = \"1/x\"\nx = [1, 2]\ninput = { start = 30, range = 100 }\n"
+        "output = { start = 120, range = 90 }\n[objective]\nmaximize = \"velocity-ratio-min\"\n");
+    ASSERT_EQ(s.result.status, Status::solved);
+    double best = 0;
+    for (double crank = 1; crank <= 20; crank += 0.5)
+        for (double rocker = 1; rocker <= 20; rocker += 0.5)
+            for (const double coupler : {13.0, 14.0, 15.0})
+                for (const double side : {1.0, -1.0})
+                    best = std::max(best, least_velocity_ratio(crank, coupler, rocker, side));
+    EXPECT_GT(best, 0);
+    EXPECT_GE(s.value("velocity-ratio-min"), best - 1e-9);
+    const double reached = least_velocity_ratio(s.dimension("crank"), s.dimension("coupler"), s.dimension("rocker"),
+                                                s.result.best->design.assembly == 0 ? 1 : -1);
+    EXPECT_NEAR(s.value("velocity-ratio-min"), reached, 1e-3);
 }
 
 /// The ram by the loop equation, scanned: five dimensions are free, so that six extremes alternate.

@@ -31,6 +31,22 @@ TEST(Poses, NineOfALinkageAreMetByIt) {
     EXPECT_NEAR(s.dimension("body-angle"), 0.5, 1e-6);
 }
 
+/// A Grashof margin has three values where the crank turns fully and one elsewhere: programs of both have other
+/// variables.
+TEST(Poses, OfALinkageWithTheGreatestGrashofMargin) {
+    const Solved s = solved(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = { min = 70, max = 130 }\n"
+        "crank = { min = 28, max = 52 }\ncoupler = { min = 0, max = 1000 }\nrocker = { min = 0, max = 1000 }\n"
+        "point-along = { min = -100, max = 100 }\npoint-across = { min = -100, max = 100 }\n"
+        "origin-x = { min = -1, max = 1 }\norigin-y = { min = -100, max = 100 }\ntilt = { min = 0, max = 360 }\n"
+        "body-angle = { min = 0, max = 360 }\n"
+        "[poses]\nposes = [[41.3, 91.7, 47.5], [44.9, 109.2], [-6.1, 87.3, 27.0]]\n"
+        "[objective]\nmaximize = \"grashof-margin\"\n");
+    ASSERT_EQ(s.result.status, Status::solved);
+    // The crank is the shortest link; of the other three the longest and one more cancel at best.
+    EXPECT_NEAR(s.value("grashof-margin"), 130 - 28, 1e-6);
+}
+
 /// The distance of a pose by its definition: place and, times the length, the chord of the angle.
 TEST(Poses, HaveTheDistanceThatIsDefined) {
     const Solved s = solved(shipped("tipper.toml", "poses"));

@@ -108,6 +108,19 @@ INSTANTIATE_TEST_SUITE_P(QuickReturns, EveryDriveMethod, ::testing::Values("clos
                              return method.param == "closed-form" ? "closed_form" : method.param;
                          });
 
+/// Time ratio, speed and speed variation have many values each, of which the greatest counts: there are more ways to
+/// choose one of each than programs that are searched.
+TEST(QuickReturns, MayHaveManyLimitsOnGreatestValues) {
+    const Solved s = solved(
+        "schema = 1\nmechanism = \"slider-crank\"\n[dimensions]\ncrank = { min = 10, max = 200 }\n"
+        "rod = { min = 20, max = 800 }\noffset = { min = 0, max = 400 }\n"
+        "[[require]]\nquantity = \"time-ratio\"\nequal = 1.2\n[[require]]\nquantity = \"ram-speed-max\"\nmin = 117\n"
+        "[[require]]\nquantity = \"speed-variation\"\nmin = 0.28\n"
+        "[objective]\nmaximize = \"transmission-angle-worst\"\n");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.value("transmission-angle-worst") / degree, best_transmission_by_scan(1.2), 1e-7);
+}
+
 TEST(QuickReturns, NoSliderCrankHasATimeRatioOfMoreThanThree) {
     const Solved s = solved(slider_crank_problem(3.001), "auto");
     EXPECT_EQ(s.result.status, Status::infeasible);

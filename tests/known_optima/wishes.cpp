@@ -76,6 +76,17 @@ TEST(Wishes, OfSixPointsTheSmallestLinkageIsTheShippedOne) {
     EXPECT_TRUE(s.result.search.complete());
 }
 
+TEST(Wishes, OfALinkageThatIsGivenNothingIsFree) {
+    // Without a variable there is no family to look along, and a matrix without columns has no rank to ask for.
+    const Solved s = solved(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = 4\ncrank = 1.5\ncoupler = 3.5\nrocker = 3\n"
+        "point-along = 0\npoint-across = 0\n[path]\npoints = [[1.5, 0], [0, 1.5], [-1.5, 0]]\ntiming = \"none\"\n"
+        "[objective]\nminimize = \"path-rms\"\n");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_LT(s.value("path-rms"), 1e-12);  // the crank pin goes round its circle
+    EXPECT_EQ(s.result.search.free_numbers, 0u);
+}
+
 TEST(Wishes, WhatCannotBeMetIsInfeasibleWithoutThem) {
     const std::string text = transmission_then_size(
         "[[require]]\nquantity = \"transmission-angle-worst\"\nmin = 60\n[[objective]]\nminimize = \"link-ratio\"\n"

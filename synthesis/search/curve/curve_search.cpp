@@ -26,6 +26,8 @@ constexpr int most_batches_of_round = 4;
 constexpr long evaluations_of_batch = 20000;
 constexpr int rounds = 10;
 constexpr int starts_of_rounds = 32;
+/// Of a linkage that is given, so that only assemblies are left to be chosen.
+constexpr long evaluations_of_given = 100;
 /// Where least squares only lead to the objective there is another search beside this one, and there are fewer rounds.
 constexpr int rounds_that_lead = 2;
 /// Batches whose least sums of squares agree to this part came to one end; they hit the best one if they agree with it
@@ -85,6 +87,13 @@ struct Search {
                ((problem.solver.starts + starts_of_rounds - 1) / starts_of_rounds);
     }
 
+    /// So many evaluations as are of use: few where no argument is free.
+    long useful(long evaluations) const {
+        for (std::size_t i = 0; i < curve->arguments; ++i)
+            if (curve->is_free(i)) return evaluations;
+        return std::min(evaluations, evaluations_of_given);
+    }
+
     /// The design of a fit in the program of its kind of motion.
     std::optional<Solution> assessed(const FittedCurve& fitted) const {
         const std::size_t at = program_of(programs, fitted.arguments, fitted.assembly);
@@ -122,7 +131,7 @@ struct Search {
         const int each = batches_of_round();
         const auto done = run(each, [&](int i) {
             const auto number = static_cast<std::uint64_t>(round * each + i);
-            return curve_batch(*curve, mixed(problem.solver.seed) + number, evaluations_of_batch,
+            return curve_batch(*curve, mixed(problem.solver.seed) + number, useful(evaluations_of_batch),
                                [&] { return stopped(); });
         });
         for (const double least : leads ? led_objectives(done) : least_sums(done)) {
@@ -200,8 +209,8 @@ struct Search {
             const std::vector<FittedCurve> from = best;
             run(chains_at_a_time, [&, first = chains](int i) {
                 const auto number = static_cast<std::uint64_t>(first + i);
-                return curve_variations(*curve, from, mixed(problem.solver.seed + 1) + number, evaluations_of_chain,
-                                        [&] { return stopped(); });
+                return curve_variations(*curve, from, mixed(problem.solver.seed + 1) + number,
+                                        useful(evaluations_of_chain), [&] { return stopped(); });
             });
             chains += chains_at_a_time;
         }

@@ -8,12 +8,21 @@ namespace mechwright {
 
 namespace {
 
-/// The program of the same assembly and direction whose designs may have any motion; without one the program itself.
+/// Whether points of one program are points of the other. A quantity with one value in one kind of motion and several
+/// in another has a variable for the worst of these there alone.
+bool have_same_variables(const Program& a, const Program& b) {
+    return std::equal(a.variables.begin(), a.variables.end(), b.variables.begin(), b.variables.end(),
+                      [](const Variable& one, const Variable& other) { return one.name == other.name; });
+}
+
+/// The program of the same assembly, direction and variables whose designs may have any motion; without one the program
+/// itself.
 std::size_t widest(const std::vector<Program>& programs, std::size_t program) {
     const Variant& own = programs[program].variant;
     const auto at = std::find_if(programs.begin(), programs.end(), [&](const Program& p) {
         return !p.problem->mechanism->families[p.variant.family].full_turn && p.variant.assembly == own.assembly &&
-               p.variant.direction == own.direction && p.variant.choices == own.choices;
+               p.variant.direction == own.direction && p.variant.choices == own.choices &&
+               have_same_variables(p, programs[program]);
     });
     return at == programs.end() ? program : static_cast<std::size_t>(at - programs.begin());
 }
