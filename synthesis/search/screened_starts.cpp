@@ -23,6 +23,9 @@ namespace {
 /// Shapes are drawn with lengths over this range, evenly in their logarithm.
 constexpr double widest_ratio = 1e-2;
 constexpr std::size_t shape_count = 2048;
+/// A length whose range is narrower than by this factor says how large a linkage is: lengths are drawn in their ranges
+/// then, where a size that is fitted to any proportions would leave them.
+constexpr double narrow = 3;
 /// Draws for one shape until the conditions of motion hold.
 constexpr int most_draws = 60;
 /// Where lengths or guided point are given, starts are drawn among so many for each variable: few variables are filled
@@ -61,10 +64,10 @@ ScreenedStarts::ScreenedStarts(const Program& program, std::uint64_t seed)
     free_.size = true;
     for (std::size_t i = 0; i < lengths_; ++i) {
         const bool free = is_free(program, i);
-        free_.size = free_.size && free;
         const auto v = static_cast<std::size_t>(program.variable_of[i]);
         lower_[i] = free ? program.variables[v].lower : program.dimensions[i];
         upper_[i] = free ? program.variables[v].upper : program.dimensions[i];
+        free_.size = free_.size && upper_[i] >= narrow * lower_[i];
     }
     free_.origin = is_free(program, roles.origin_x) && is_free(program, roles.origin_y);
     free_.tilt = is_free(program, roles.tilt);

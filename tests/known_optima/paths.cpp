@@ -41,6 +41,23 @@ TEST(Paths, OfAGivenLinkageAreMetFromEverySeed) {
 }
 
 /// Each point of a path without timing counts by the nearest point of the whole curve.
+/// Links whose lengths are nearly given, as where a machine is rebuilt: the best known of the wide ranges is among
+/// them.
+TEST(Paths, OfLengthsInNarrowRangesAreFound) {
+    const Solved s = solved(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = { min = 47.5, max = 50 }\n"
+        "crank = { min = 0, max = 50 }\ncoupler = { min = 3.34, max = 3.68 }\nrocker = { min = 34.8, max = 50 }\n"
+        "point-along = { min = 0, max = 50 }\npoint-across = { min = 4.72, max = 8.75 }\n"
+        "origin-x = { min = -50, max = 50 }\norigin-y = { min = -9, max = -8.2 }\ntilt = { min = 0, max = 360 }\n"
+        "assembly = \"either\"\n[path]\npoints = [[0, 0], [1.9098, 5.8779], [6.9098, 9.5106], [13.09, 9.5106], "
+        "[18.09, 5.8779], [20, 0]]\ntiming = \"prescribed\"\ncrank_angles = [30, 60, 90, 120, 150, 180]\n"
+        "[objective]\nminimize = \"path-sse\"\n"
+        "[[require]]\nquantity = \"grashof-margin\"\nmin = 0.05\nmax = 1\n"
+        "[[require]]\nquantity = \"transmission-angle-min\"\nequal = 36.68906230623069\n");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.value("path-sse"), 1.79823, 1e-5);  // of trade-off/case-4-margin, which is found in wide ranges
+}
+
 TEST(Paths, WithoutTimingCountByTheNearestPoints) {
     const Solved s = solved(shipped("yu1.toml", "path"));
     const Design& design = s.result.best->design;
