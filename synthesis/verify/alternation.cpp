@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 
@@ -22,6 +23,23 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_listed = 40;  // extremes of a document
 
+const Digits50& half_a_turn() { return boost::math::constants::pi<Digits50>(); }
+
+/// The extremes, with one of half a turn for both sides of a jump from half a turn to minus half a turn.
+std::vector<ExtremeAgain> without_jumps(const std::vector<ExtremeAgain>& all, Unit unit) {
+    constexpr double sides_within = 1e-5;
+    std::vector<ExtremeAgain> kept;
+    for (const ExtremeAgain& e : all) {
+        const bool other_side = unit == Unit::angle && !kept.empty() && e.share - kept.back().share <= sides_within &&
+                                abs(e.error - kept.back().error) > half_a_turn();
+        if (other_side)
+            kept.back().error = kept.back().error < 0 ? Digits50(-half_a_turn()) : half_a_turn();
+        else
+            kept.push_back(e);
+    }
+    return kept;
+}
+
 struct Error {
     const Claim& claim;
     InputTask task;
@@ -31,7 +49,7 @@ struct Error {
     Digits50 greatest = 0;
 
     Error(const Claim& c, const InputTask& t)
-        : claim(c), task(t), design(rebuilt(c)), curve(design, t), extremes(curve.extremes()) {
+        : claim(c), task(t), design(rebuilt(c)), curve(design, t), extremes(without_jumps(curve.extremes(), t.unit())) {
         for (const ExtremeAgain& e : extremes)
             greatest = std::max<Digits50>(greatest, abs(e.error));
     }
@@ -42,6 +60,11 @@ struct Error {
     /// What an error is off by rounding of the dimensions.
     Digits50 rounding() const {
         return 8 * std::numeric_limits<double>::epsilon() * (unit() == Unit::angle ? Digits50(1) : design.longest);
+    }
+    /// By how much two errors differ: half a turn is minus half a turn.
+    Digits50 apart(const Digits50& a, const Digits50& b) const {
+        const Digits50 difference = abs(a - b);
+        return unit() == Unit::angle ? std::min<Digits50>(difference, abs(difference - 2 * half_a_turn())) : difference;
     }
     /// The place as a document has it: x of a function, else the crank angle, or displacement.
     double place(double share) const {
@@ -70,7 +93,8 @@ std::string extremes_defect(const Json& stated, const Error& error) {
         bool known = false;
         for (std::size_t i = 0; i < error.extremes.size(); ++i) {
             const ExtremeAgain& e = error.extremes[i];
-            if (std::abs(error.place(e.share) - place) > place_within * span || abs(e.error - size) > room) continue;
+            if (std::abs(error.place(e.share) - place) > place_within * span || error.apart(e.error, size) > room)
+                continue;
             known = listed[i] = true;
         }
         if (!known) return fmt::format("there is none at {} {} of {}", where, place, one[what].dump());

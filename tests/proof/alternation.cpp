@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "synthesis/verify/verify.h"
 #include "tests/known_optima/solved.h"
@@ -70,6 +71,39 @@ minimize = "function-max"
     json["function"]["extremes"][0]["error"] = 1e-9;
     EXPECT_FALSE(of_extremes().passed);
     json["function"]["extremes"] = "none";
+    EXPECT_FALSE(of_extremes().passed);
+}
+
+// Where an error passes half a turn it goes on from minus half a turn: two sides of one place, neither of which is more
+// an extreme than the other.
+TEST(Alternation, HalfATurnOfErrorIsOneExtremeOfEitherSign) {
+    const Solved s = solved(R"file(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 6
+crank = 4.68344959
+coupler = 7.07427496
+rocker = 2.8088018
+[function]
+expression = "tan(x * pi / 180)"
+x = [0, 45]
+input = { start = 225, range = 89.9 }
+output = { start = 270, range = 90 }
+[objective]
+minimize = "function-max"
+)file");
+    auto json = document(s.problem, s.result);
+    const auto of_extremes = [&] {
+        for (const Check& check : verify(json))
+            if (check.name == "extremes of the error are as stated") return check;
+        return Check{"none", false, {}};
+    };
+    ASSERT_EQ(json["function"]["extremes"].size(), 3u);
+    EXPECT_NEAR(std::abs(json["function"]["extremes"][1]["error"].get<double>()), 180, 1e-9);
+    EXPECT_TRUE(of_extremes().passed) << of_extremes().detail;
+    json["function"]["extremes"][1]["error"] = -json["function"]["extremes"][1]["error"].get<double>();
+    EXPECT_TRUE(of_extremes().passed) << of_extremes().detail;
+    json["function"]["extremes"][1]["error"] = 179;
     EXPECT_FALSE(of_extremes().passed);
 }
 
