@@ -32,7 +32,7 @@ std::vector<Row> measure(const Effort& effort, const std::string& name, const st
              timings[3].median, instructions ? Cell(*instructions) : Cell()}};
 }
 
-std::vector<Measurement> measurements(const Effort& effort) {
+std::vector<Measurement> gradients_measurements(const Effort& effort) {
     std::vector<Measurement> all;
     std::set<std::string> kinds;
     for (const ShippedProblem& p : shipped_problems(effort.problems)) {
@@ -107,7 +107,7 @@ MarkdownTable dearest(const std::vector<Cost>& all) {
     return table;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string gradients_chapter(const Sheet& sheet) {
     const std::vector<Cost> all = costs(sheet);
     std::string text =
         "The program of a problem at one point: the value of objective and constraints, in medians over the problems; "
@@ -128,7 +128,7 @@ std::string chapter(const Sheet& sheet) {
     return text;
 }
 
-std::vector<Diagram> diagrams(const Sheet& sheet) {
+std::vector<Diagram> gradients_diagrams(const Sheet& sheet) {
     Diagram d;
     d.name = "gradients";
     d.title = "Value with derivatives over the value alone";
@@ -151,9 +151,9 @@ Section gradients() {
     return {"gradients",
             "Gradients: every problem that comes with mechwright",
             {"problem", "kind", "variables", "rows", "value", "gradient", "differences", "hessian", "instructions"},
-            measurements,
-            chapter,
-            diagrams};
+            gradients_measurements,
+            gradients_chapter,
+            gradients_diagrams};
 }
 
 }  // namespace mechwright::bench

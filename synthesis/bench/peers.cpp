@@ -87,7 +87,7 @@ std::vector<Row> rate_rows(const Effort& effort) {
     return rows;
 }
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> peers_measurements(const Effort&) {
     std::vector<Measurement> all{{std::string(points), rate_rows}};
     for (const PublishedPath& peer : published)
         all.push_back({fmt::format("{} by {}", peer.problem, peer.peer),
@@ -136,14 +136,14 @@ std::string paths_paragraph(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string peers_chapter(const Sheet& sheet) {
     return "Figures of peers, as they were published or measured of their programs on a machine of the kind that the "
            "results in\nthe source tree are from (`synthesis/bench/peers.cpp` names the sources), and ours in this "
            "run.\n\n" +
            rates_paragraph(sheet) + paths_paragraph(sheet);
 }
 
-std::vector<Diagram> diagrams(const Sheet&) { return {}; }
+std::vector<Diagram> peers_diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -152,9 +152,9 @@ Section peers() {
             "Peers",
             {"measurement", "of", "peer", "their error", "their evaluations", "their seconds", "our error",
              "our evaluations", "our seconds", "their rate", "our rate one by one", "our rate in lanes"},
-            measurements,
-            chapter,
-            diagrams};
+            peers_measurements,
+            peers_chapter,
+            peers_diagrams};
 }
 
 }  // namespace mechwright::bench

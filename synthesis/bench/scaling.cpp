@@ -154,7 +154,7 @@ std::vector<int> thread_counts(int most) {
     return counts;
 }
 
-std::vector<Measurement> measurements(const Effort& effort) {
+std::vector<Measurement> scaling_measurements(const Effort& effort) {
     std::vector<Measurement> all;
     for (const int points : {6, 12, 24, 48, 96}) {
         all.push_back({fmt::format("program of {} points", points),
@@ -242,7 +242,7 @@ std::string threads_text(const Sheet& sheet) {
     return text;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string scaling_chapter(const Sheet& sheet) {
     return "How times grow with the size of what is asked. An untimed path has a variable more for each point. Where "
            "few "
            "dimensions are free, they come to be so in this order: place, tilt and crank angle, coupler point, links. "
@@ -269,7 +269,7 @@ Diagram diagram(const Sheet& sheet, const char* name, const char* title, const c
     return d;
 }
 
-std::vector<Diagram> diagrams(const Sheet& sheet) {
+std::vector<Diagram> scaling_diagrams(const Sheet& sheet) {
     return {diagram(sheet, "scaling-points", "Time over the points of a path", "points",
                     {timed_value, timed_gradient, untimed_value, untimed_gradient, untimed_hessian, solve_points}),
             diagram(sheet, "scaling-runs", "Time of whole runs",
@@ -283,9 +283,9 @@ Section scaling() {
     return {"scaling",
             "Scaling: time over the size of the problem",
             {"measurement", "series", "size", "seconds", "lower", "upper"},
-            measurements,
-            chapter,
-            diagrams};
+            scaling_measurements,
+            scaling_chapter,
+            scaling_diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -50,14 +50,14 @@ std::vector<Row> measured(const CommandLine& line, const Effort& effort) {
     return {{1e3 * t.median, 1e3 * t.lower, 1e3 * t.upper}};
 }
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> start_up_measurements(const Effort&) {
     std::vector<Measurement> all;
     for (const CommandLine& line : command_lines())
         all.push_back({std::string(line.what), [&line](const Effort& effort) { return measured(line, effort); }});
     return all;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string start_up_chapter(const Sheet& sheet) {
     MarkdownTable table{{"command", "median", "quartiles", "ratio to " + std::string(baseline)}, {}};
     const auto first = sheet.where("command", baseline);
     const double nothing = first.empty() ? std::nan("") : sheet.number(first.front(), "ms");
@@ -74,7 +74,7 @@ std::string chapter(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::vector<Diagram> diagrams(const Sheet&) { return {}; }
+std::vector<Diagram> start_up_diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -82,9 +82,9 @@ Section start_up() {
     return {"start-up",
             "Whole runs of the program",
             {"command", "ms", "ms lower quartile", "ms upper quartile"},
-            measurements,
-            chapter,
-            diagrams};
+            start_up_measurements,
+            start_up_chapter,
+            start_up_diagrams};
 }
 
 }  // namespace mechwright::bench

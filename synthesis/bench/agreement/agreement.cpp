@@ -79,7 +79,7 @@ std::vector<Row> compared(const Problem& problem, const Effort& effort) {
 }
 
 /// All problems, or every fifth in a quick look.
-std::vector<Measurement> measurements(const Effort& effort) {
+std::vector<Measurement> agreement_measurements(const Effort& effort) {
     std::vector<Measurement> all;
     std::vector<ShippedProblem> shipped = shipped_problems(effort.problems);
     for (std::size_t i = 0; i < shipped.size(); i += effort.pick<std::size_t>(5, 1))
@@ -188,7 +188,7 @@ std::string alone(const Sheet& sheet, const std::vector<Compared>& all) {
     return "\nProblems that one method answers:\n\n" + to_markdown(table);
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string agreement_chapter(const Sheet& sheet) {
     std::vector<Compared> all;
     for (const std::string& problem : sheet.distinct("problem"))
         all.push_back(compared(sheet, problem));
@@ -212,7 +212,7 @@ std::string chapter(const Sheet& sheet) {
            agreeing(sheet, all) + elsewhere(sheet, all) + alone(sheet, all);
 }
 
-std::vector<Diagram> diagrams(const Sheet&) { return {}; }
+std::vector<Diagram> agreement_diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -221,9 +221,9 @@ Section agreement() {
             "The same optimum by two methods",
             {"problem", "method", "answer", "status", "verified", "proved", "value", "second value", "difference",
              "away", "nearby", "evaluations", "starts", "hits", "seconds", "alone"},
-            measurements,
-            chapter,
-            diagrams};
+            agreement_measurements,
+            agreement_chapter,
+            agreement_diagrams};
 }
 
 }  // namespace mechwright::bench

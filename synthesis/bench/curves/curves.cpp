@@ -36,7 +36,7 @@ std::vector<Row> measured(const Shape& shape, const Effort& effort) {
     return rows;
 }
 
-std::vector<Measurement> measurements(const Effort& effort) {
+std::vector<Measurement> curves_measurements(const Effort& effort) {
     std::vector<Measurement> all;
     const std::vector<Shape> every = shapes();
     const std::size_t step = effort.pick<std::size_t>(12, 1);
@@ -106,7 +106,7 @@ std::string calibration_table(const Sheet& sheet) {
     return to_markdown(table);
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string curves_chapter(const Sheet& sheet) {
     return "Letters, hearts, feet, airfoils, loops, noisy ovals, in any order, by four-bars whose every dimension is "
            "to "
            "be\nfound; some with limits of length, of the transmission angle, of the ratio of links. The best known "
@@ -114,7 +114,7 @@ std::string chapter(const Sheet& sheet) {
            success_table(sheet) + "\n" + calibration_table(sheet);
 }
 
-std::vector<Diagram> diagrams(const Sheet&) { return {}; }
+std::vector<Diagram> curves_diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -122,9 +122,9 @@ Section curves() {
     return {"curves",
             "Shapes that no linkage draws",
             {"shape", "seed", "path-rms", "missed", "evaluations", "seconds"},
-            measurements,
-            chapter,
-            diagrams};
+            curves_measurements,
+            curves_chapter,
+            curves_diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -29,7 +29,7 @@ std::vector<Row> measured(const Shape& shape, const Effort& effort) {
     return rows;
 }
 
-std::vector<Measurement> measurements(const Effort& effort) {
+std::vector<Measurement> side_by_side_measurements(const Effort& effort) {
     std::vector<Measurement> all;
     std::vector<Shape> without_requirements = shapes();
     std::erase_if(without_requirements, [](const Shape& s) { return !s.requirement.empty() || s.longest != 200; });
@@ -39,7 +39,7 @@ std::vector<Measurement> measurements(const Effort& effort) {
     return all;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string side_by_side_chapter(const Sheet& sheet) {
     MarkdownTable table{{"method", "runs", "within 1e-6 of the best known", "within 1e-3", "within 10 %",
                          "median error", "median evaluations", "median time", "95 % of times below"},
                         {}};
@@ -71,7 +71,7 @@ std::string chapter(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::vector<Diagram> diagrams(const Sheet&) { return {}; }
+std::vector<Diagram> side_by_side_diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -79,9 +79,9 @@ Section curve_peers() {
     return {"curve-peers",
             "Shapes that no linkage draws, side by side",
             {"shape", "method", "seed", "path-rms", "evaluations", "seconds"},
-            measurements,
-            chapter,
-            diagrams};
+            side_by_side_measurements,
+            side_by_side_chapter,
+            side_by_side_diagrams};
 }
 
 }  // namespace mechwright::bench

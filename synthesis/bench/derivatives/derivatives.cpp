@@ -93,7 +93,7 @@ Measurement measured() {
             }};
 }
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> derivatives_measurements(const Effort&) {
     return {measured<CouplerPointMiss>(), measured<AngleNearToggle>(), measured<RamVelocity>(),
             measured<CamPressureAngle>()};
 }
@@ -166,7 +166,7 @@ CommonStep common_step(const Sheet& sheet, const char* method) {
     return best;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string derivatives_chapter(const Sheet& sheet) {
     const auto measures = sheet.distinct("measure");
     const auto digits = [&](const char* method) {
         return span_of(measures, [&](const std::string& m) { return digits_left(way(sheet, m, method).error); });
@@ -218,7 +218,7 @@ Diagram diagram(const Sheet& sheet, const std::string& measure, std::size_t numb
     return d;
 }
 
-std::vector<Diagram> diagrams(const Sheet& sheet) {
+std::vector<Diagram> derivatives_diagrams(const Sheet& sheet) {
     std::vector<Diagram> diagrams;
     for (const std::string& measure : sheet.distinct("measure"))
         diagrams.push_back(diagram(sheet, measure, diagrams.size() + 1));
@@ -231,9 +231,9 @@ Section derivatives() {
     return {"derivatives",
             "Derivatives: differences, dual numbers, implicit functions",
             {"measure", "method", "step", "error", "seconds", "lower", "upper"},
-            measurements,
-            chapter,
-            diagrams};
+            derivatives_measurements,
+            derivatives_chapter,
+            derivatives_diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -93,7 +93,7 @@ std::vector<Row> prove(const Effort& effort) {
     return {timed_row(certificate, "", nullptr, 1, t, nullptr, one ? 1 : 0)};
 }
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> exact_measurements(const Effort&) {
     std::vector<Measurement> all;
     const auto add = [&](const PathsBy& way, double tolerance) {
         all.push_back({fmt::format("{}, {:g}, {}", all_paths, tolerance, way.name),
@@ -174,7 +174,7 @@ std::string of_all(const Sheet& sheet, const Paths& paths) {
     return to_markdown(table);
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string exact_chapter(const Sheet& sheet) {
     const auto paths = paths_of(sheet);
     if (!paths) return {};
     std::string text = fmt::format(
@@ -200,7 +200,7 @@ std::string chapter(const Sheet& sheet) {
     return text;
 }
 
-std::vector<Diagram> diagrams(const Sheet& sheet) {
+std::vector<Diagram> exact_diagrams(const Sheet& sheet) {
     const auto paths = paths_of(sheet);
     if (!paths) return {};
     Diagram rate;
@@ -230,9 +230,9 @@ Section exact() {
     return {"exact",
             "Exact synthesis: paths, dyads, certificates",
             {"measurement", "piece", "way", "tolerance", "solutions", "seconds", "lower", "upper", "steps", "distinct"},
-            measurements,
-            chapter,
-            diagrams};
+            exact_measurements,
+            exact_chapter,
+            exact_diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -47,7 +47,7 @@ std::vector<Row> measure(const ExtremeCase& c, const Effort& effort) {
     return rows;
 }
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> extremes_measurements(const Effort&) {
     std::vector<Measurement> all;
     for (auto cases : {linkage_extremes, cam_extremes})
         for (const ExtremeCase& c : cases())
@@ -131,7 +131,7 @@ std::string at_equal_time(const std::vector<Found>& slower) {
                        span_of(slower, [](const Found& f) { return f.error_at_equal_time(); }));
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string extremes_chapter(const Sheet& sheet) {
     constexpr double tolerance = 1e-9;  // that of a problem, unless it says another
     const auto all = all_found(sheet);
     std::vector<Found> slower;  // than the coarsest sampling
@@ -160,7 +160,7 @@ std::string chapter(const Sheet& sheet) {
                all.size(), sample_counts.front(), at_equal_time(slower));
 }
 
-std::vector<Diagram> diagrams(const Sheet& sheet) {
+std::vector<Diagram> extremes_diagrams(const Sheet& sheet) {
     Diagram d;
     d.name = "extremes";
     d.title = "Extremes over the motion: error over time";
@@ -185,9 +185,9 @@ Section extremes() {
     return {"extremes",
             "Extremes over the motion: exact against sampled",
             {"extreme", "method", "samples", "error", "seconds", "lower", "upper"},
-            measurements,
-            chapter,
-            diagrams};
+            extremes_measurements,
+            extremes_chapter,
+            extremes_diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -38,7 +38,7 @@ Measurement measurement() {
     return {std::string(Kernel::name), measured_kernel<Kernel>};
 }
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> kernels_measurements(const Effort&) {
     return {measurement<CouplerPointKernel>(),         measurement<SliderCrankKernel>(),
             measurement<CrankShaperKernel>(),          measurement<RollerKernel>(),
             {std::string(lanes_name), measured_lanes}, {std::string(screening_name), measured_screening}};
@@ -53,7 +53,7 @@ Section kernels() {
              "sums and products", "quotients", "roots", "sines and cosines", "angles", "ns by operations",
              "ns by instructions", "ns of the longest chain", "digits usual median", "digits usual least",
              "digits hard median", "digits hard least"},
-            measurements,
+            kernels_measurements,
             kernel_chapter,
             kernel_diagrams};
 }

@@ -10,7 +10,7 @@ namespace mechwright::bench {
 
 namespace {
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> linkages_measurements(const Effort&) {
     return {{"a point, one by one", measured_one_by_one},
             {"a point, in lanes", measured_blocks},
             {"value with gradient", measured_gradients},
@@ -22,7 +22,7 @@ std::string number_text(double number, const std::string& unit) {
     return std::isnan(number) ? "" : significant(number) + " " + unit;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string linkages_chapter(const Sheet& sheet) {
     MarkdownTable table{{"measurement", "what", "median", "compared with", "that", "ratio", "aim"}, {}};
     for (const Row& row : sheet.rows) {
         const std::string unit = sheet.text(row, "unit"), aim = sheet.text(row, "aim");
@@ -42,7 +42,7 @@ std::string chapter(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::vector<Diagram> diagrams(const Sheet&) { return {}; }
+std::vector<Diagram> linkages_diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -50,9 +50,9 @@ Section linkages() {
     return {"linkages",
             "Linkages that files describe",
             {"measurement", "what", "median", "unit", "compared with", "that", "ratio", "aim"},
-            measurements,
-            chapter,
-            diagrams};
+            linkages_measurements,
+            linkages_chapter,
+            linkages_diagrams};
 }
 
 }  // namespace mechwright::bench

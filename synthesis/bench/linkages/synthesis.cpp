@@ -162,7 +162,7 @@ std::vector<Row> by_peer(const Effort& effort, const PeerOfLinkages& peer, long 
                    timing_of(errors).median)};
 }
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> synthesis_measurements(const Effort&) {
     std::vector<Measurement> all{{"cold starts", cold_starts}};
     for (const int links : {4, 6, 8, 10, 12}) {
         all.push_back({fmt::format("program of {} links", links), [links](const Effort& e) {
@@ -257,7 +257,7 @@ MarkdownTable side_by_side(const Sheet& sheet) {
     return table;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string synthesis_chapter(const Sheet& sheet) {
     const double ratio = std::max(greatest_ratio(sheet, over_links), greatest_ratio(sheet, over_points));
     return "Linkages that files describe, found again from timed points of the paths of random ones, with every "
            "dimension "
@@ -274,7 +274,7 @@ std::string chapter(const Sheet& sheet) {
            to_markdown(side_by_side(sheet));
 }
 
-std::vector<Diagram> diagrams(const Sheet& sheet) {
+std::vector<Diagram> synthesis_diagrams(const Sheet& sheet) {
     Diagram d;
     d.name = "linkage-synthesis-growth";
     d.title = "Time over links and points";
@@ -292,9 +292,9 @@ Section linkage_synthesis() {
     return {"linkage-synthesis",
             "Linkages that files describe, found from their paths",
             {"measurement", "series", "size", "seconds", "lower", "upper", "evaluations", "met", "of", "error"},
-            measurements,
-            chapter,
-            diagrams};
+            synthesis_measurements,
+            synthesis_chapter,
+            synthesis_diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -170,7 +170,7 @@ bool measurable(const ShippedProblem& shipped) {
     return p.objective && p.solver.pareto == 0 && p.solver.method == "auto" && why_not_applicable("slsqp", p).empty();
 }
 
-std::vector<Measurement> measurements(const Effort& effort) {
+std::vector<Measurement> work_precision_measurements(const Effort& effort) {
     std::vector<Measurement> all;
     for (ShippedProblem& shipped : shipped_problems(effort.problems)) {
         const bool chosen =
@@ -265,7 +265,7 @@ std::vector<std::string> summary_of(const Sheet& sheet, const std::string& metho
     return line;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string work_precision_chapter(const Sheet& sheet) {
     std::string text =
         "Local searches from the same starts, each with tolerances from 1e-2 to 1e-14. An error is that of the "
         "objective,\nrelative to the best that is known (absolute where that is 0), or the greatest violation if that "
@@ -286,7 +286,7 @@ std::string chapter(const Sheet& sheet) {
 /// Errors of less than a rounding are drawn as one.
 constexpr double least_in_diagram = 1e-16;
 
-std::vector<Diagram> diagrams(const Sheet& sheet) {
+std::vector<Diagram> work_precision_diagrams(const Sheet& sheet) {
     std::vector<Diagram> all;
     for (const std::string& problem : sheet.distinct("problem")) {
         if (!is_representative(problem)) continue;
@@ -319,9 +319,9 @@ Section work_precision() {
             "Local methods: work against error",
             {"problem", "method", "tolerance", "starts", "arrived", "1e-3", "1e-6", "1e-9", "evaluations", "seconds",
              "error", "evaluations of one", "seconds of one"},
-            measurements,
-            chapter,
-            diagrams};
+            work_precision_measurements,
+            work_precision_chapter,
+            work_precision_diagrams};
 }
 
 }  // namespace mechwright::bench

@@ -131,7 +131,7 @@ std::vector<Row> measured(const Chosen& c, const Effort& effort) {
     return rows;
 }
 
-std::vector<Measurement> measurements(const Effort& effort) {
+std::vector<Measurement> data_profiles_measurements(const Effort& effort) {
     std::vector<Measurement> all;
     for (const std::string_view name : chosen) {
         const auto problem = shipped_problem(effort.problems, name);
@@ -224,7 +224,7 @@ MarkdownTable profile_table(const std::vector<Runs>& all) {
     return table;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string data_profiles_chapter(const Sheet& sheet) {
     const std::vector<Runs> all = runs_of(sheet);
     if (all.empty()) return {};
     std::string text = fmt::format(
@@ -269,7 +269,7 @@ Diagram profile(const std::vector<Runs>& all, const char* name, const char* targ
     return diagram;
 }
 
-std::vector<Diagram> diagrams(const Sheet& sheet) {
+std::vector<Diagram> data_profiles_diagrams(const Sheet& sheet) {
     const std::vector<Runs> all = runs_of(sheet);
     if (all.empty()) return {};
     return {profile(all, "data-profiles-3", "way 1e-3", "1e-3"), profile(all, "data-profiles-7", "way 1e-7", "1e-7")};
@@ -281,9 +281,9 @@ Section data_profiles() {
     return {"data-profiles",
             "Whole searches: seeds that come to the optimum",
             {"measurement", "problem", "search", "seed", "target", "variables", "values", "gradients", "hessians"},
-            measurements,
-            chapter,
-            diagrams};
+            data_profiles_measurements,
+            data_profiles_chapter,
+            data_profiles_diagrams};
 }
 
 }  // namespace mechwright::bench

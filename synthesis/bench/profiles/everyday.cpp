@@ -135,7 +135,7 @@ std::vector<Row> measured(const Task& task, bool four_bar, const Effort& effort)
     return {{problems, 2 * problems, solved, unverified, alike, timing_of(seconds).median, slowest}};
 }
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> everyday_measurements(const Effort&) {
     std::vector<Measurement> all;
     for (const bool four_bar : {true, false})
         for (const Task& task : tasks)
@@ -144,7 +144,7 @@ std::vector<Measurement> measurements(const Effort&) {
     return all;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string everyday_chapter(const Sheet& sheet) {
     MarkdownTable table{
         {"task", "runs", "solved", "95 % interval", "unverified", "two seeds agree", "median time", "slowest"}, {}};
     for (const Row& row : sheet.rows) {
@@ -165,7 +165,7 @@ std::string chapter(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::vector<Diagram> diagrams(const Sheet&) { return {}; }
+std::vector<Diagram> everyday_diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -173,9 +173,9 @@ Section everyday() {
     return {"everyday",
             "Everyday tasks",
             {"task", "problems", "runs", "solved", "unverified", "alike", "seconds", "slowest"},
-            measurements,
-            chapter,
-            diagrams};
+            everyday_measurements,
+            everyday_chapter,
+            everyday_diagrams};
 }
 
 }  // namespace mechwright::bench

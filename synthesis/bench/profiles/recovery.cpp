@@ -93,7 +93,7 @@ std::vector<Row> measured(int count, bool is_timed, int linkages, const Effort& 
     return {{count, is_timed ? "prescribed" : "free", linkages, met, timing_of(seconds).median, slowest}};
 }
 
-std::vector<Measurement> measurements(const Effort&) {
+std::vector<Measurement> recovery_measurements(const Effort&) {
     std::vector<Measurement> all;
     for (const int count : {10, 25, 100})
         for (const bool is_timed : {true, false})
@@ -115,7 +115,7 @@ std::vector<Measurement> measurements(const Effort&) {
     return all;
 }
 
-std::string chapter(const Sheet& sheet) {
+std::string recovery_chapter(const Sheet& sheet) {
     MarkdownTable table{{"path", "linkages", "met", "95 % interval", "median time", "slowest"}, {}};
     for (const Row& row : sheet.rows) {
         const double linkages = sheet.number(row, "linkages"), met = sheet.number(row, "met");
@@ -133,7 +133,7 @@ std::string chapter(const Sheet& sheet) {
            to_markdown(table);
 }
 
-std::vector<Diagram> diagrams(const Sheet&) { return {}; }
+std::vector<Diagram> recovery_diagrams(const Sheet&) { return {}; }
 
 }  // namespace
 
@@ -141,9 +141,9 @@ Section recovery() {
     return {"recovery",
             "Random linkages found again from their paths",
             {"path", "points", "timing", "linkages", "met", "seconds", "slowest"},
-            measurements,
-            chapter,
-            diagrams};
+            recovery_measurements,
+            recovery_chapter,
+            recovery_diagrams};
 }
 
 }  // namespace mechwright::bench
