@@ -14,4 +14,5 @@ esac
 
 command -v clang-format >/dev/null || { echo "style.sh: clang-format 14 is needed (Debian: clang-format)" >&2; exit 1; }
 # shellcheck disable=SC2086  # two options, or one
-find analysis synthesis tests \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang-format --style=file $mode
+find analysis synthesis tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+    xargs -0 -n 50 -P "$(nproc)" clang-format --style=file $mode
