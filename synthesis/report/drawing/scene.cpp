@@ -16,7 +16,7 @@ namespace mechwright {
 
 namespace {
 
-constexpr int samples = 360;
+constexpr int samples_of_motion = 360;
 
 const Drawing& drawing_of(const FinishedDesign& design) {
     const std::optional<Drawing>& drawing = design.mechanism->drawing;
@@ -35,13 +35,13 @@ struct Box {
     double extent() const { return std::max(high.x - low.x, high.y - low.y); }
 };
 
-double angle_at(const Motion& motion, int i) { return motion.from + (motion.to - motion.from) * i / samples; }
+double angle_at(const Motion& motion, int i) { return motion.from + (motion.to - motion.from) * i / samples_of_motion; }
 
 /// Hands out the places of the bodies at crank angles spread over the motion.
 template <class Take>
 void over_motion(const FinishedDesign& design, std::size_t bodies, const Take& take) {
     std::vector<BodyPlace> places(bodies);
-    for (int i = 0; i <= samples; ++i)
+    for (int i = 0; i <= samples_of_motion; ++i)
         if (place_bodies(design, angle_at(design.motion, i), design.motion.assembly, places))
             take(std::span<const BodyPlace>(places));
 }

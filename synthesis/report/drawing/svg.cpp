@@ -16,7 +16,7 @@ constexpr double fineness = 1e-4;  // of curves, over the extent: a tenth of a p
 constexpr double paper_margin = 28;
 
 /// Colours that are told apart in print and by most who are colour-blind.
-constexpr std::string_view style =
+constexpr std::string_view style_sheet =
     "<style>"
     ".paper{fill:#fff}"
     "text{font-family:sans-serif;fill:#222}"
@@ -228,11 +228,11 @@ double pictured_angle(const FinishedDesign& design) {
 
 namespace {
 
-constexpr double head = 34;  ///< the title's height
+constexpr double title_height = 34;
 
 }  // namespace
 
-Vector<double> svg_file_size(double width, double height) { return {width, head + height}; }
+Vector<double> svg_file_size(double width, double height) { return {width, title_height + height}; }
 
 std::string svg_file(std::string_view title, double width, double height, std::string_view content) {
     // A letter is about half as wide as its size.
@@ -241,10 +241,10 @@ std::string svg_file(std::string_view title, double width, double height, std::s
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
         "role=\"img\"><title>{2}</title>{3}<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>",
-        px(width), px(head + height), escaped(title), style);
+        px(width), px(title_height + height), escaped(title), style_sheet);
     text += fmt::format("<text x=\"{}\" y=\"23\" font-size=\"{}\" text-anchor=\"middle\">{}</text>\n", px(0.5 * width),
                         px(letter_size), escaped(title));
-    return text + fmt::format("<g transform=\"translate(0 {})\">\n", px(head)) + std::string(content) +
+    return text + fmt::format("<g transform=\"translate(0 {})\">\n", px(title_height)) + std::string(content) +
            "</g>\n</svg>\n";
 }
 
