@@ -19,7 +19,7 @@
 #include "tests/long_form.h"
 #include "tests/mechanism/linkage_texts.h"
 
-namespace mechwright::over_input {
+namespace mechwright::over_input_tests {
 
 namespace {
 
@@ -243,4 +243,4 @@ TEST(OverInput, AFeederIsFoundByItsPathAndItsFunctions) {
     refused([&](Json& json) { json.erase("function"); });
 }
 
-}  // namespace mechwright::over_input
+}  // namespace mechwright::over_input_tests
