@@ -13,6 +13,7 @@
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/best_assemblies.h"
+#include "synthesis/search/path/cognate_starts.h"
 #include "synthesis/search/path/path_objective.h"
 #include "synthesis/search/path/path_timing.h"
 #include "synthesis/search/starts_nearby.h"
@@ -167,6 +168,16 @@ void PathRounds::run_to_end(std::vector<Trial>& trials) {
     go_on(trials, evaluations_of_long_search);
     trials.resize(std::min(trials.size(), most_whole_searches));
     go_on(trials, evaluations_of_whole_search);
+}
+
+std::vector<Solution> PathRounds::cognates_of_design(const Design& design) const {
+    std::vector<Solution> all;
+    for (std::size_t p = 0; p < programs.all.size(); ++p) {
+        if (programs.all[p].variant.assembly != design.assembly) continue;
+        for (const PointOfProgram& point : cognates_of(programs.all, p, point_of(programs.all[p], design)))
+            all.push_back(assess(problem, design_at(programs.all[point.program], point.x)));
+    }
+    return all;
 }
 
 /// Goes on from the best of a round to starts nearby, and from what is better there; adds what it comes to.

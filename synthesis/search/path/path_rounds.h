@@ -45,6 +45,9 @@ struct PathRounds {
 
     Solution assessed(const Trial& trial) const;
 
+    /// The cognates of a design as they are, none searched from; none where its mechanism has none.
+    std::vector<Solution> cognates_of_design(const Design& design) const;
+
 private:
     std::vector<Eigen::VectorXd> screened(std::size_t program, int number, int keep, DrawCounts& counts) const;
     std::vector<Trial> short_searches(int round);

@@ -235,6 +235,25 @@ struct Search {
     }
 };
 
+/// Puts feasible cognates of the best design among the optima, after those that are as good: they follow the path as
+/// closely, may meet limits that it does not, and may be better in what is not asked for.
+void add_cognates_of_best(const PathRounds& rounds, std::vector<Solution>& optima) {
+    constexpr double as_good_within = 1e-9;  // it is the best that has been polished
+    if (optima.empty()) return;
+    const Solution best = optima.front();
+    for (Solution& cognate : rounds.cognates_of_design(best.design)) {
+        const bool known = std::any_of(optima.begin(), optima.end(), [&](const Solution& one) {
+            return same_optimum(rounds.problem, one.design, cognate.design);
+        });
+        if (!cognate.feasible || known) continue;
+        const bool as_good =
+            best.feasible && std::abs(cognate.objective - best.objective) <= as_good_within * std::abs(best.objective);
+        const auto at = std::find_if(optima.begin() + (as_good ? 1 : 0), optima.end(),
+                                     [&](const Solution& one) { return preferred(rounds.problem, cognate, one); });
+        optima.insert(at, std::move(cognate));
+    }
+}
+
 }  // namespace
 
 std::string why_no_path_search(const Problem& problem) {
@@ -271,6 +290,7 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
         all.push_back(&s);
     result.report = search.rounds.report;
     result.optima = distinct_optima(problem, all, result.report);
+    add_cognates_of_best(search.rounds, result.optima);
     if (search.rounds.least_squares) result.report.hits = std::max(result.report.hits, search.hits);
     if (search.rounds.led && problem.path->any_order) result.report.missed_chance = search.known_ends.unseen();
     if (!by_curves.optima.empty())

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Cognates of linkages (mechanism/linkage/targets/cognates.h) among the designs of a problem with a path: they come
+/// as close to its points and differ in all else, so that one may meet limits that another does not.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "synthesis/program/program.h"
+
+namespace mechwright {
+
+/// A point of one of some programs.
+struct PointOfProgram {
+    std::size_t program;
+    Eigen::VectorXd x;
+};
+
+/// The cognates of a design as points of programs with the same motion and direction, brought into their ranges; none
+/// where the mechanism has none, or the problem has several targets or poses.
+std::vector<PointOfProgram> cognates_of(const std::vector<Program>& programs, std::size_t program,
+                                        const Eigen::VectorXd& x);
+
+}  // namespace mechwright
