@@ -44,8 +44,9 @@ constexpr std::size_t directions = 64;
 constexpr double between_directions = std::numbers::pi / (2 * directions);
 /// Rounding of a function of size 1, with that of the transformation that follows.
 constexpr double rounding = 1e-14;
-/// What the result is made smaller by, for rounding of the targets and of the last steps.
-constexpr double rounding_of_bound = 1e-9;
+/// What the result is made smaller by, for rounding of the targets and of the last steps, and so that it can be proven
+/// again in another way.
+constexpr double rounding_of_bound = 1e-6;
 /// Weights are made better in so many rounds, by this power of what is uneven, and less later on.
 constexpr int rounds = 24;
 constexpr double power_of_round = 0.5;
@@ -270,6 +271,12 @@ Scaled scaled(std::span<const Vector<double>> points, std::span<const double> we
     return s;
 }
 
+void keep_greater(double bound, const Eigen::VectorXd& weights, double& best, std::vector<double>& of_best) {
+    if (!(bound > best)) return;
+    best = bound;
+    of_best.assign(weights.begin(), weights.end());
+}
+
 }  // namespace
 
 DistancesFromCouplerCurves least_distances_from_coupler_curves(std::span<const Vector<double>> points,
@@ -281,8 +288,8 @@ DistancesFromCouplerCurves least_distances_from_coupler_curves(std::span<const V
     for (int round = 0; round < rounds; ++round) {
         const Weighed now = weighed(s.targets, trial);
         if (!(now.sum > 0)) break;
-        best.sum_of_squares = std::max(best.sum_of_squares, now.sum);
-        best.greatest = std::max(best.greatest, now.greatest);
+        keep_greater(now.sum, trial, best.sum_of_squares, best.weights_of_sum);
+        keep_greater(now.greatest, trial, best.greatest, best.weights_of_greatest);
         const double power = round < rounds / 2 ? power_of_round : power_of_late_round;
         trial = trial.array() * (now.per_square.array() / now.per_square.maxCoeff()).pow(-power);
         trial /= trial.maxCoeff();

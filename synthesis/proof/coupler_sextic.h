@@ -29,6 +29,7 @@
 /// points, and points that lie on one such sextic (three straight lines), have the bound 0.
 
 #include <span>
+#include <vector>
 
 #include "analysis/geometry/vector.h"
 
@@ -37,6 +38,9 @@ namespace mechwright {
 struct DistancesFromCouplerCurves {
     double sum_of_squares = 0;  ///< least weighted sum of squared distances from points to a curve
     double greatest = 0;        ///< least greatest distance
+    /// The w_i that prove the one and the other; any proof of these bounds can begin with them.
+    std::vector<double> weights_of_sum{};
+    std::vector<double> weights_of_greatest{};
 };
 
 /// Bounds for such points. Preconditions: as many weights, all positive.

@@ -9,9 +9,14 @@
 #include <optional>
 #include <random>
 
+#include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
+#include "synthesis/program/assess.h"
 #include "synthesis/proof/coupler_sextic.h"
 #include "synthesis/proof/prove.h"
+#include "synthesis/verify/proofs/proof_checks.h"
+#include "synthesis/verify/proofs/untimed_path_again.h"
+#include "synthesis/verify/verify.h"
 #include "tests/long_form.h"
 
 namespace mechwright {
@@ -187,6 +192,69 @@ TEST(BoundOfAnyOrder, IsThatOfTheObjective) {
     EXPECT_GT(bound_of_untimed_path(square_of("none", "path-max")).value(), root);
     EXPECT_EQ(bound_of_untimed_path(square_of("free", "path-rms")), root);  // an order allows no more
     EXPECT_FALSE(bound_of_untimed_path(square_of("none", "total-length")));
+}
+
+/// A document that states a bound of any four-bar's distances from a square.
+nlohmann::ordered_json with_bound(const std::string& objective) {
+    const Problem problem = square_of("none", objective);
+    Design design;
+    for (const DimensionRange& range : problem.dimensions)
+        design.dimensions.push_back(range.min + 0.4 * (range.max - range.min));
+    design.path_angles.assign(24, 1.0);
+    Result result;
+    result.best = assess(problem, design);
+    result.search.method = "least-squares";
+    result.search.bound = bound_of_untimed_path(problem);
+    return document(problem, result);
+}
+
+TEST(BoundOfAnyOrder, IsProvenAgainByVerification) {
+    for (const char* objective : {"path-rms", "path-sse", "path-max"}) {
+        nlohmann::ordered_json json = with_bound(objective);
+        const auto checks = check_proof(json);
+        ASSERT_EQ(checks.size(), 1U);
+        EXPECT_TRUE(checks[0].passed) << objective << ": " << checks[0].detail;
+        const double bound = json["search"]["bound"];
+        for (const double other : {1.06 * bound, 2 * bound, 1e9}) {
+            json["search"]["bound"] = other;
+            EXPECT_FALSE(all_passed(check_proof(json))) << objective << " " << other / bound;
+        }
+        json["search"]["bound"] = bound;
+        json["objective"]["value"] = 0.9 * bound;
+        EXPECT_FALSE(all_passed(check_proof(json))) << objective;
+        json["search"]["bound"] = "none";
+        EXPECT_FALSE(all_passed(check_proof(json))) << objective;
+    }
+}
+
+// The two proofs of any points agree: what one shows the other does, and not much more.
+TEST(BoundOfAnyOrder, IsThatOfAnotherEnclosure) {
+    for (int i = 0; i < cases_to_try(3, 60); ++i) {
+        std::vector<Vector<double>> points;
+        std::vector<double> weights;
+        for (int k = 0; k < 20 + 4 * (i % 5); ++k) {
+            points.push_back({100 * even_between(-1, 1), 30 + 60 * even_between(-1, 1)});
+            weights.push_back(even_between(0.2, 3));
+        }
+        const DistancesFromCouplerCurves least = least_distances_from_coupler_curves(points, weights);
+        ASSERT_GT(least.sum_of_squares, 0);
+        const MissedPoints by_sum{points, weights, least.weights_of_sum};
+        EXPECT_TRUE(no_curve_has_lesser_sum(by_sum, least.sum_of_squares));
+        EXPECT_FALSE(no_curve_has_lesser_sum(by_sum, 1.1 * least.sum_of_squares));
+        const MissedPoints by_greatest{points, weights, least.weights_of_greatest};
+        EXPECT_TRUE(no_curve_comes_within(by_greatest, least.greatest));
+        EXPECT_FALSE(no_curve_comes_within(by_greatest, 1.05 * least.greatest));
+    }
+}
+
+// Of points of one curve nothing is shown, whatever the witness.
+TEST(BoundOfAnyOrder, IsNotProvenAgainOfACurve) {
+    std::vector<Vector<double>> points;
+    for (const Plane& p : points_of_any_curve(24))
+        points.push_back({p.real(), p.imag()});
+    const std::vector<double> ones(24, 1.0);
+    EXPECT_FALSE(no_curve_has_lesser_sum({points, ones, ones}, 1e-12));
+    EXPECT_FALSE(no_curve_comes_within({points, ones, ones}, 1e-9));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include "synthesis/mechanism/four_bar/function.h"
 #include "synthesis/proof/function_bound.h"
+#include "synthesis/verify/proofs/proof_checks.h"
+#include "synthesis/verify/verify.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -53,6 +55,11 @@ TEST(FunctionBound, LeavesAGapWhereARangeIsActive) {
     ASSERT_EQ(s.result.status, Status::solved);
     EXPECT_FALSE(s.result.search.complete());
     EXPECT_LT(*s.result.search.bound, s.result.best->objective * (1 - 1e-3));
+    nlohmann::ordered_json json = document(s.problem, s.result);
+    EXPECT_TRUE(all_passed(check_proof(json)));
+    // Above what linkages without the limit reach.
+    json["search"]["bound"] = s.result.best->objective * (1 - 1e-4);
+    EXPECT_FALSE(all_passed(check_proof(json)));
 }
 
 /// The error of random linkages at the places that the bound looks at is not below it, whatever their scales.

@@ -7,6 +7,8 @@
 
 #include "analysis/four_bar.h"
 #include "synthesis/proof/timed_path_bound.h"
+#include "synthesis/verify/proofs/proof_checks.h"
+#include "synthesis/verify/verify.h"
 #include "tests/known_optima/solved.h"
 
 namespace mechwright {
@@ -161,6 +163,15 @@ TEST(TimedPathBound, ProvesTheSecondCaseOfTheLiterature) {
     EXPECT_NEAR(s.result.best->objective, 7.41575130678e-7, 1e-16);
     EXPECT_GE(*s.result.search.bound, s.result.best->objective * (1 - 1.1e-6));
     EXPECT_LE(*s.result.search.bound, s.result.best->objective);
+    // A bound below the objective of a worse design, without a certificate: another four-bar may come below it.
+    nlohmann::ordered_json json = document(s.problem, s.result);
+    json["search"]["complete"] = false;
+    json["search"].erase("certificate");
+    json["objective"]["value"] = 2e-6;
+    for (const double bound : {0.0, 7e-7, 7.415e-7, 1e-6, 1.9e-6}) {
+        json["search"]["bound"] = bound;
+        EXPECT_EQ(all_passed(check_proof(json)), bound < 7.4157e-7) << bound;
+    }
 }
 
 /// A range that makes the best design worse leaves a gap: the bound does not know it.
@@ -174,6 +185,10 @@ TEST(TimedPathBound, LeavesAGapWhereARangeIsActive) {
     ASSERT_TRUE(s.result.search.bound);
     EXPECT_LE(*s.result.search.bound, 7.41575130678e-7);
     EXPECT_GT(s.result.best->objective, 7.42e-7);
+    nlohmann::ordered_json json = document(s.problem, s.result);
+    EXPECT_TRUE(all_passed(check_proof(json)));
+    json["search"]["bound"] = s.result.best->objective * 1.001;
+    EXPECT_FALSE(all_passed(check_proof(json)));
 }
 
 }  // namespace

@@ -7,11 +7,16 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <optional>
 #include <vector>
 
+#include "synthesis/mechanism/possible_values.h"
+#include "synthesis/proof/coupler_sextic.h"
 #include "synthesis/verify/error_again.h"
 #include "synthesis/verify/proofs/function_bound_again.h"
 #include "synthesis/verify/proofs/timed_path_again.h"
+#include "synthesis/verify/proofs/untimed_path_again.h"
 
 namespace mechwright {
 
@@ -127,28 +132,78 @@ Finding check_path(const ProofContext& c, const Digits50& bound, PathMeasure mea
                     found.linkages));
 }
 
-}  // namespace
+/// The weights that the bound was found with are found again: whatever they are, what they prove is proven.
+Finding check_untimed_path(const ProofContext& c, const Digits50& bound, PathMeasure measure) {
+    const PathTarget& path = *c.problem.path;
+    const DistancesFromCouplerCurves found = least_distances_from_coupler_curves(path.points, path.weights);
+    const bool greatest = measure == PathMeasure::greatest;
+    const std::vector<double>& witness = greatest ? found.weights_of_greatest : found.weights_of_sum;
+    if (witness.size() != path.points.size()) return fails("nothing is known of curves near these points");
+    const MissedPoints missed{path.points, path.weights, witness};
+    Digits50 sum = bound;
+    if (measure == PathMeasure::root_mean_square)
+        sum = bound * bound * std::accumulate(path.weights.begin(), path.weights.end(), Digits50(0));
+    if (greatest ? no_curve_comes_within(missed, bound) : no_curve_has_lesser_sum(missed, sum))
+        return holds("no coupler curve comes nearer to the points, proven again in fifty digits");
+    return fails("it is above what is proven of all coupler curves");
+}
 
-Finding check_bound_again(const ProofContext& c) {
-    constexpr double closed_within = 1.1e-6, same_within = 1e-9;
+/// Whether nothing is better than a bound of an objective, in the units of the analysis.
+Finding check_least(const ProofContext& c, const Quantity& quantity, const Digits50& bound) {
+    const Claim& claim = *c.design.claim;
+    if (claim.function && &quantity == &deviation_from(*claim.mechanism, "function")) return check_function(c, bound);
+    const bool points = claim.mechanism->name == "four-bar" && claim.path && claim.path->directions.empty() &&
+                        quantity.path != PathMeasure::none && c.problem.path && c.problem.path->parts.empty();
+    if (points && !claim.path->prescribed_timing) return check_untimed_path(c, bound, quantity.path);
+    if (points && quantity.path != PathMeasure::greatest) return check_path(c, bound, quantity.path);
+    return fails("no bound of such an objective is known");
+}
+
+constexpr double same_within = 1e-9;
+
+/// A bound as the document states it, and the value of the objective where there is a design.
+struct StatedBound {
+    double least;
+    std::optional<double> reached;
+};
+
+std::optional<StatedBound> stated_bound(const ProofContext& c) {
     const Json* bound = member(c.search, "bound");
     const Json* objective = member(c.document, "objective");
     const Json* value = objective && objective->is_object() ? member(*objective, "value") : nullptr;
-    if (c.infeasible || !bound || !bound->is_number() || !value || !value->is_number())
-        return fails("there is no bound of an objective");
-    const double least = bound->get<double>(), reached = value->get<double>();
-    if (!(least >= (1 - closed_within) * reached && least <= (1 + same_within) * reached))
-        return fails(fmt::format("the bound {} does not meet the objective {}", least, reached));
+    if (!bound || !bound->is_number()) return {};
+    StatedBound stated{bound->get<double>(), {}};
+    if (value && value->is_number()) stated.reached = value->get<double>();
+    return stated;
+}
+
+/// That nothing is better than the bound, but for rounding.
+Finding check_least(const ProofContext& c, double stated) {
     const Quantity* quantity = single_objective(c, false);
     if (!quantity) return fails("one quantity is to be least for this");
-    const Digits50 inside = from_document(least, quantity->unit, c.problem.units) * (1 - same_within);
-    const Claim& claim = *c.design.claim;
-    const bool timed = claim.path && claim.path->prescribed_timing && claim.path->directions.empty();
-    if (claim.function && quantity == &deviation_from(*claim.mechanism, "function")) return check_function(c, inside);
-    if (claim.mechanism->name == "four-bar" && timed &&
-        (quantity->path == PathMeasure::sum_of_squares || quantity->path == PathMeasure::root_mean_square))
-        return check_path(c, inside, quantity->path);
-    return fails("no bound of such an objective is known");
+    if (stated <= 0 && possible_values(quantity->name).least >= 0)
+        return holds(fmt::format("{} cannot be negative", quantity->name));
+    return check_least(c, *quantity, from_document(stated, quantity->unit, c.problem.units) * (1 - same_within));
+}
+
+}  // namespace
+
+Finding check_bound_again(const ProofContext& c) {
+    constexpr double closed_within = 1.1e-6;
+    const auto stated = stated_bound(c);
+    if (c.infeasible || !stated || !stated->reached) return fails("there is no bound of an objective");
+    const double least = stated->least, reached = *stated->reached;
+    if (!(least >= (1 - closed_within) * reached && least <= (1 + same_within) * reached))
+        return fails(fmt::format("the bound {} does not meet the objective {}", least, reached));
+    return check_least(c, least);
+}
+
+Finding check_bound_below(const ProofContext& c) {
+    const auto stated = stated_bound(c);
+    if (!stated) return fails("it is no number");
+    if (stated->reached && !(stated->least <= (1 + same_within) * *stated->reached))
+        return fails(fmt::format("the bound {} is above the objective {}", stated->least, *stated->reached));
+    return check_least(c, stated->least);
 }
 
 }  // namespace mechwright

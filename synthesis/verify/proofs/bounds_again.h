@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Whether the bound of branch and bound holds, for verification: by another enclosure in fifty digits where that can
-/// be done, else at many places.
+/// Whether the bounds of objectives hold, for verification: by another enclosure in fifty digits where that can be
+/// done, else at many places.
 
 #include "synthesis/verify/proofs/proof_context.h"
 
@@ -18,5 +18,9 @@ namespace mechwright {
 /// least sum of squares over all linkages of such a place, by linear least squares, must not be below the bound. What
 /// lies between the places is not covered again, which the check says.
 Finding check_bound_again(const ProofContext& c);
+
+/// The same of a bound that does not meet the objective: that it is not above it, and that nothing speaks against it.
+/// That of points at any crank angles is proven again (untimed_path_again.h).
+Finding check_bound_below(const ProofContext& c);
 
 }  // namespace mechwright
