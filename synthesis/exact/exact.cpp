@@ -5,6 +5,8 @@
 
 #include "synthesis/exact/accuracy_points.h"
 #include "synthesis/exact/extreme_velocity_ratio.h"
+#include "synthesis/exact/geared/geared_five_bar.h"
+#include "synthesis/exact/geared/geared_points.h"
 #include "synthesis/exact/guided_parts.h"
 #include "synthesis/exact/instant.h"
 #include "synthesis/exact/output_dyads/output_points.h"
@@ -34,12 +36,14 @@ bool has_ram_or_block(const Problem& p) {
     return second && *second != homotopy::SecondDyad::rocker;
 }
 
-constexpr std::array<ExactKind, 9> kinds{{
+constexpr std::array<ExactKind, 10> kinds{{
     {[](const Problem& p) { return has_poses_alone(p) && has_ram_or_block(p); }, why_no_slider_crank_poses,
      slider_crank_pose_designs},
     {has_poses_alone, why_no_poses, pose_designs},
     {[](const Problem& p) { return is_slider_crank(*p.mechanism) && p.path && p.path->prescribed_timing; },
      why_no_slider_crank_timed_points, slider_crank_timed_designs},
+    {[](const Problem& p) { return p.path && p.path->prescribed_timing && geared_five_bar(p); },
+     why_no_geared_timed_points, geared_timed_designs},
     {[](const Problem& p) { return p.path && p.path->prescribed_timing; }, why_no_timed_points, timed_point_designs},
     {[](const Problem& p) { return p.path.has_value(); }, why_no_places, place_designs},
     {[](const Problem& p) { return p.function != nullptr && is_linkage(p); }, why_no_output_points,

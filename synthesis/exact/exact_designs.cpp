@@ -67,10 +67,12 @@ std::string miss_defect(const Problem& problem, const Design& design) {
     return fmt::format("accuracy: a target is missed by {:.3g}", values->greatest);
 }
 
-/// An angle of a full turn, moved by whole turns into its range where that can be done.
+/// An angle of a full turn, moved by whole turns into its range where that can be done. In a range of more than a turn
+/// it stays where it is.
 double moved_into(double angle, const DimensionRange& range) {
     constexpr double turn = 2 * std::numbers::pi;
     constexpr double same_within = 1e-11;
+    if (range.max - range.min > turn + same_within && angle >= range.min && angle <= range.max) return angle;
     const double moved = angle + turn * std::ceil((range.min - same_within - angle) / turn);
     return moved <= range.max + same_within ? std::clamp(moved, range.min, range.max) : angle;
 }

@@ -18,10 +18,6 @@ using homotopy::SecondDyad;
 
 const LinkageModel& model_of(const Problem& problem) { return *problem.mechanism->model.as<LinkageModel>(); }
 
-bool is_angle(const Problem& problem, std::size_t dimension) {
-    return problem.mechanism->dimensions[dimension].kind == DimensionKind::angle;
-}
-
 /// A linkage that stands in for any other: rows of its readings have what all have in common.
 GuidedParts some_parts(SecondDyad kind) {
     return {{{0.31, 0.23}, {0.83, 1.07}},
@@ -127,21 +123,6 @@ ExactDesign design_of(const Problem& problem, const GuidedChains& chains, const 
     return *std::move(best);
 }
 
-/// The open dimensions that rows say nothing of.
-std::vector<std::size_t> unsaid(const Problem& problem, const std::vector<ChainRow>& rows) {
-    std::vector<std::size_t> all;
-    for (const std::size_t i : open_dimensions(*problem.mechanism, problem.dimensions)) {
-        const bool angle = is_angle(problem, i);
-        const bool said = std::any_of(rows.begin(), rows.end(), [&](const ChainRow& row) {
-            return row.angle == angle && (!angle || is_turn_of_one(row.number)) &&
-                   std::any_of(row.number.terms.begin(), row.number.terms.end(),
-                               [&](const auto& term) { return term.first == i; });
-        });
-        if (!said) all.push_back(i);
-    }
-    return all;
-}
-
 }  // namespace
 
 std::string why_no_chain_design(const Problem& problem, const GuidedChains& chains) {
@@ -157,7 +138,7 @@ std::string why_no_chain_design(const Problem& problem, const GuidedChains& chai
     // What a drive beside the chains is made of can be searched where poses say all of these.
     const bool searched = !chains.by_crank && chains.second == SecondDyad::rocker && problem.path &&
                           problem.path->poses() == problem.path->points.size();
-    const auto beside = unsaid(problem, rows);
+    const auto beside = dimensions_unsaid(*problem.mechanism, problem.dimensions, rows);
     if (!beside.empty() && !searched)
         return fmt::format(
             "'{}' does not say where the guided body hangs, on {} and one more link, slide or slot: give it",
@@ -172,7 +153,8 @@ std::string why_no_chain_design(const Problem& problem, const GuidedChains& chai
 
 std::vector<std::size_t> dimensions_beside_chains(const Problem& problem, const GuidedChains& chains) {
     const auto readings = readings_of(problem, chains, some_parts(chains.second), {1.1, 2.3});
-    return readings.empty() ? std::vector<std::size_t>{} : unsaid(problem, readings.front().rows);
+    if (readings.empty()) return {};
+    return dimensions_unsaid(*problem.mechanism, problem.dimensions, readings.front().rows);
 }
 
 std::string why_no_chain_family(const Problem& problem, const GuidedChains& chains, std::size_t dimensions) {

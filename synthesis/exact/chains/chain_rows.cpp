@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "synthesis/exact/chains/link_frames.h"
+
 namespace mechwright {
 
 namespace {
@@ -13,73 +15,6 @@ using Point = std::complex<double>;
 using homotopy::SecondDyad;
 
 constexpr std::size_t of_frame = 0;
-
-/// The frame of a link in the drawing; a length of 1 on it is `size` there.
-struct LinkFrame {
-    Point origin;
-    Point direction;
-    double size = 1;
-
-    Point on_link(const Point& drawn) const { return (drawn - origin) / (size * direction); }
-};
-
-/// A pin that is known, on a link.
-struct KnownPin {
-    linkage::Coordinates at;
-    Point drawn;
-};
-
-/// A line of a link: what its angle is, and how it runs in the drawing.
-struct KnownLine {
-    Affine angle;
-    Point along;
-};
-
-struct Reader {
-    const LinkageModel& model;
-    LinkNumbers numbers;
-    double size;
-
-    /// How a link may lie in the drawing: its directions where they are given, else by two pins or a line.
-    std::vector<LinkFrame> frames_of(const std::vector<KnownPin>& pins, const std::optional<KnownLine>& line,
-                                     const std::optional<Point>& given = {}) const {
-        const auto anchor = std::find_if(
-            pins.begin(), pins.end(), [&](const KnownPin& pin) { return numbers.constant_place(pin.at).has_value(); });
-        if (anchor == pins.end()) return {};
-        const Point from = *numbers.constant_place(anchor->at);
-        std::vector<Point> directions;
-        if (given) directions.push_back(*given);
-        for (auto pin = pins.begin(); pin != pins.end() && directions.empty(); ++pin) {
-            if (pin == anchor || std::abs(pin->drawn - anchor->drawn) == 0) continue;
-            const auto to = numbers.direction_to(pin->at, from);
-            const Point drawn = pin->drawn - anchor->drawn;
-            if (to) directions.push_back(drawn / std::abs(drawn) / *to);
-        }
-        if (directions.empty() && line)
-            if (const auto angle = numbers.constant(line->angle))
-                for (const double sense : {1.0, -1.0})
-                    directions.push_back(sense * line->along / std::polar(1.0, *angle));
-        std::vector<LinkFrame> frames;
-        for (const Point& direction : directions)
-            frames.push_back({anchor->drawn - size * direction * from, direction, size});
-        return frames;
-    }
-
-    /// The frame, whose placement may be given.
-    std::vector<LinkFrame> frames_of_frame(const std::vector<KnownPin>& pins,
-                                           const std::optional<KnownLine>& line) const {
-        const auto x = numbers.constant(model.placement[0]), y = numbers.constant(model.placement[1]);
-        const auto tilt = numbers.constant(model.placement[2]);
-        const auto direction = tilt ? std::optional(std::polar(1.0, *tilt)) : std::nullopt;
-        if (x && y && direction) return {{Point(*x, *y), *direction, size}};
-        std::vector<LinkFrame> frames = frames_of(pins, line, direction);
-        return frames;
-    }
-
-    const linkage::Coordinates& at(std::size_t pin, std::size_t link) const {
-        return coordinates_on(model.structure.pins[pin], link);
-    }
-};
 
 /// A sum of multiples of numbers.
 Affine sum_of(const std::vector<std::pair<double, const Affine*>>& terms) {
@@ -113,7 +48,7 @@ std::optional<Sliding> sliding_of(const linkage::Structure& s, const GuidedChain
 }
 
 /// The angle of a line on its link.
-std::optional<Affine> angle_of(const Reader& reader, const linkage::Line& line) {
+std::optional<Affine> angle_of(const LinkReader& reader, const linkage::Line& line) {
     if (line.by_angle) return reader.numbers.number(line.angle);
     const auto from = reader.numbers.constant_place(line.through), to = reader.numbers.constant_place(line.towards);
     if (!from || !to || *from == *to) return {};
@@ -121,8 +56,8 @@ std::optional<Affine> angle_of(const Reader& reader, const linkage::Line& line) 
 }
 
 /// That the pin's place on the link of the line keeps its distance from it.
-bool add_line(const Reader& reader, const Sliding& sliding, const Affine& angle, const Point& along, const Point& pin,
-              std::vector<ChainRow>& rows) {
+bool add_line(const LinkReader& reader, const Sliding& sliding, const Affine& angle, const Point& along,
+              const Point& pin, std::vector<ChainRow>& rows) {
     if (sliding.line.through.polar && !reader.numbers.constant_place(sliding.line.through)) return false;
     Point origin = pin;
     const Affine zero;
@@ -152,7 +87,7 @@ bool add_line(const Reader& reader, const Sliding& sliding, const Affine& angle,
 std::vector<ChainReading> readings_of(const Problem& problem, const GuidedChains& chains, const GuidedParts& parts,
                                       std::complex<double> guided_point) {
     const LinkageModel& model = *problem.mechanism->model.as<LinkageModel>();
-    const Reader reader{model, {problem.dimensions, model}, model.scale.constant};
+    const LinkReader reader{model, {problem.dimensions, model}, model.scale.constant};
     const bool ram = chains.second == SecondDyad::ram, rocker = chains.second == SecondDyad::rocker;
     const auto sliding = sliding_of(model.structure, chains);
     const Point normal = ram ? parts.second.fixed : parts.second.moving;

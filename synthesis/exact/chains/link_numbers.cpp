@@ -102,6 +102,21 @@ bool is_turn_of_one(const Affine& number) {
     return number.terms.size() == 1 && std::abs(number.terms.front().second) == 1;
 }
 
+std::vector<std::size_t> dimensions_unsaid(const Mechanism& mechanism, std::span<const DimensionRange> ranges,
+                                           const std::vector<ChainRow>& rows) {
+    std::vector<std::size_t> all;
+    for (const std::size_t i : open_dimensions(mechanism, ranges)) {
+        const bool angle = is_angle(mechanism, i);
+        const bool said = std::any_of(rows.begin(), rows.end(), [&](const ChainRow& row) {
+            return row.angle == angle && (!angle || is_turn_of_one(row.number)) &&
+                   std::any_of(row.number.terms.begin(), row.number.terms.end(),
+                               [&](const auto& term) { return term.first == i; });
+        });
+        if (!said) all.push_back(i);
+    }
+    return all;
+}
+
 std::size_t undetermined_lengths(const Mechanism& mechanism, std::span<const DimensionRange> ranges,
                                  const std::vector<ChainRow>& rows) {
     const LengthEquations e = length_equations(mechanism, ranges, rows);

@@ -45,6 +45,10 @@ std::vector<std::size_t> open_dimensions(const Mechanism& mechanism, std::span<c
 /// Whether a number is one dimension, or less one, and a constant.
 bool is_turn_of_one(const Affine& number);
 
+/// The open dimensions that rows say nothing of.
+std::vector<std::size_t> dimensions_unsaid(const Mechanism& mechanism, std::span<const DimensionRange> ranges,
+                                           const std::vector<ChainRow>& rows);
+
 /// How many of the open dimensions rows of lengths leave undetermined.
 std::size_t undetermined_lengths(const Mechanism& mechanism, std::span<const DimensionRange> ranges,
                                  const std::vector<ChainRow>& rows);

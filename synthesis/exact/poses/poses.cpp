@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "synthesis/exact/guided_parts.h"
-#include "synthesis/exact/poses/certified_dyad.h"
+#include "synthesis/exact/poses/counted_dyads.h"
 #include "synthesis/exact/poses/timed_crank.h"
 #include "synthesis/mechanism/four_bar/four_bar.h"
 
@@ -72,56 +72,6 @@ std::optional<ExactDesign> member_of_timed_points(const PoseTargets& g, std::spa
     return best;
 }
 
-/// A real dyad of five poses, rounded from its certificate where there is one.
-struct RealDyad {
-    Dyad dyad;
-    std::optional<CertifiedDyad> proof;
-};
-
-/// The dyads of five poses, added to what has been counted. Those that doubles do not part are parted in fifty digits.
-std::vector<RealDyad> counted(const std::vector<Displacement>& displacements,
-                              const std::vector<ExactDisplacement>& exact, SolutionCounts& counts, bool& complete) {
-    const DyadSolutions found = dyads_through(std::span<const Displacement, 4>(displacements));
-    std::array<ExactCondition, 4> conditions;
-    if (exact.size() == 4) std::transform(exact.begin(), exact.end(), conditions.begin(), exact_condition);
-    std::size_t distinct = found.dyads.size(), singular = found.singular;
-    std::vector<RealDyad> dyads;
-    const PartedDyads fine = exact.size() == 4 && singular > 0 ? parted(found, conditions) : PartedDyads{};
-    if (fine.real.size() + fine.others > distinct) {
-        distinct = fine.real.size() + fine.others;
-        singular -= std::min(singular, distinct - found.dyads.size());
-        for (const CertifiedDyad& dyad : fine.real)
-            dyads.push_back({dyad.dyad, dyad});
-    } else {
-        for (const ComplexDyad& dyad : found.dyads) {
-            const auto real = real_dyad(dyad);
-            if (!real) continue;
-            RealDyad one{*real, {}};
-            if (exact.size() == 4) one.proof = certified(*real, conditions);
-            if (one.proof) one.dyad = one.proof->dyad;
-            dyads.push_back(std::move(one));
-        }
-    }
-    counts.tracked += 4;
-    counts.distinct += distinct;
-    counts.at_infinity += found.at_infinity;
-    counts.singular += singular;
-    complete = complete && found.isolated && distinct + found.at_infinity == 4;
-    return dyads;
-}
-
-std::vector<Dyad> plain(const std::vector<RealDyad>& dyads) {
-    std::vector<Dyad> all;
-    for (const RealDyad& one : dyads)
-        all.push_back(one.dyad);
-    return all;
-}
-
-std::size_t certified_of(const std::vector<RealDyad>& dyads) {
-    return static_cast<std::size_t>(
-        std::count_if(dyads.begin(), dyads.end(), [](const RealDyad& one) { return one.proof.has_value(); }));
-}
-
 /// How the coupler turns with a crank at five points, in fifty digits; nothing without a proof of the crank.
 std::vector<ExactDisplacement> exact_coupler(const PoseTargets& g, const std::optional<CertifiedDyad>& seen) {
     std::vector<ExactDisplacement> all;
@@ -138,18 +88,16 @@ std::vector<ExactDisplacement> exact_coupler(const PoseTargets& g, const std::op
     return all;
 }
 
-constexpr std::string_view not_independent =
-    "the targets are special, like poses without a turn: their conditions on dyads depend on each other, so that whole "
-    "families meet them or none, and none are listed; one target less leaves a family that is searched";
-
 ExactDesigns through_five_poses(const PoseTargets& g) {
     ExactDesigns out;
     bool complete = true;
     SolutionCounts counts;
-    const std::vector<RealDyad> real = counted(g.displacements, exact_displacements(g), counts, complete);
+    const std::vector<RealDyad> real = counted_dyads(g.displacements, exact_displacements(g), counts, complete);
     counts.real = real.size();
     counts.certified = certified_of(real);
-    const std::vector<Dyad> dyads = plain(real);
+    std::vector<Dyad> dyads;
+    for (const RealDyad& one : real)
+        dyads.push_back(one.dyad);
     for (const Dyad& crank : dyads)
         for_each_linkage(g, crank, g.displacements, dyads,
                          [&](ExactDesign design) { add_design(out, std::move(design)); });
@@ -166,10 +114,11 @@ ExactDesigns through_five_timed_points(const PoseTargets& g) {
     ExactDesigns out;
     bool complete = true;
     SolutionCounts counts;
-    const std::vector<RealDyad> cranks = counted(g.displacements, exact_displacements(g), counts, complete);
+    const std::vector<RealDyad> cranks = counted_dyads(g.displacements, exact_displacements(g), counts, complete);
     for (const auto& [seen, proof] : cranks) {
         const TimedCrank crank = timed_crank(g, seen);
-        const std::vector<RealDyad> rockers = counted(crank.displacements, exact_coupler(g, proof), counts, complete);
+        const std::vector<RealDyad> rockers =
+            counted_dyads(crank.displacements, exact_coupler(g, proof), counts, complete);
         for (const RealDyad& rocker : rockers)
             for_each_linkage(g, crank.dyad, crank.displacements, {rocker.dyad}, [&](ExactDesign design) {
                 ++counts.real;
@@ -188,33 +137,13 @@ ExactDesigns through_five_timed_points(const PoseTargets& g) {
     return out;
 }
 
-/// A number of targets that the method does not take.
-std::string why_not_so_many(std::size_t count, std::string_view targets) {
-    if (count < 2) return fmt::format("it needs from two to five {}, and there is one", targets);
-    if (count <= 5) return {};
-    return fmt::format(
-        "it finds four-bars through up to five {}, and there are {}: through more no linkage passes in "
-        "general; least-squares finds the closest",
-        targets, count);
-}
-
-ExactDesigns finished(const Problem& problem, ExactDesigns out) {
-    if (out.counts && out.counts->distinct + out.counts->at_infinity + out.counts->singular < out.counts->tracked)
-        out.note = not_independent;
-    else if (out.counts && out.counts->singular > 0)
-        out.note = some_are_singular;
-    claim_no_more_than_seen(problem, out);
-    rank(problem, out);
-    return out;
-}
-
 }  // namespace
 
 std::string why_no_poses(const Problem& problem) {
     if (const std::string why = why_no_parts(problem); !why.empty()) return why;
     if (!problem.path || !problem.path->guides_body()) return "it needs [poses]";
     if (problem.path->prescribed_timing) return "it needs poses that are met at any crank angle: timing = \"free\"";
-    const std::string why = why_not_so_many(problem.path->points.size(), "poses");
+    const std::string why = why_not_so_many_targets("four-bars", problem.path->points.size(), "poses");
     return why.empty() && problem.path->points.size() < 5 ? why_no_family(problem) : why;
 }
 
@@ -223,7 +152,7 @@ ExactDesigns pose_designs(const Problem& problem, const RunOptions& options, con
     const PoseTargets g = pose_targets(problem);
     const auto of_drive = dimensions_of_drive(problem);
     const std::vector<std::size_t> searched = of_drive.value_or(std::vector<std::size_t>{});
-    if (g.places() == 5 && searched.empty()) return finished(problem, through_five_poses(g));
+    if (g.places() == 5 && searched.empty()) return with_count_noted(problem, through_five_poses(g));
     const auto member = [&](std::span<const double> numbers) {
         if (searched.empty()) return member_of_poses(g, numbers);
         Problem driven = problem;
@@ -242,16 +171,17 @@ ExactDesigns pose_designs(const Problem& problem, const RunOptions& options, con
 }
 
 std::string why_no_timed_points(const Problem& problem) {
-    if (!is_four_bar(*problem.mechanism)) return "at given crank angles it guides by four-bars and slider-cranks alone";
+    if (!is_four_bar(*problem.mechanism))
+        return "at given crank angles it guides by four-bars, slider-cranks and geared five-bars alone";
     if (has_ties(problem)) return "dimensions are tied to others";
     if (!problem.path || problem.path->guides_body()) return "it needs a [path]";
     if (!problem.path->prescribed_timing) return "it needs timing = \"prescribed\"";
-    return why_not_so_many(problem.path->points.size(), "points at given crank angles");
+    return why_not_so_many_targets("four-bars", problem.path->points.size(), "points at given crank angles");
 }
 
 ExactDesigns timed_point_designs(const Problem& problem, const RunOptions& options, const RunEnd& end) {
     const PoseTargets g = pose_targets(problem);
-    if (g.places() == 5) return finished(problem, through_five_timed_points(g));
+    if (g.places() == 5) return with_count_noted(problem, through_five_timed_points(g));
     const DesignFamily family{2 * numbers_of_dyad(g.places()),
                               [&](std::span<const double> numbers) { return member_of_timed_points(g, numbers); }};
     return search_family(problem, family, options, end);
