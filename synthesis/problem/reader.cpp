@@ -122,8 +122,7 @@ void read_whole(const toml::table& table, const MakeVaried& varied, Problem& pro
                          "the file is empty: a problem needs at least schema = 1, mechanism = \"...\" and a section "
                          "[dimensions]");
     read_problem_table(table, problem, messages);
-    if (problem.study && !messages.failed)
-        check_ends(varied(), place_of(*table.get("study")), *problem.study, messages);
+    if (problem.study) check_ends(varied(), place_of(*table.get("study")), *problem.study, messages);
 }
 
 ReadProblem concluded(Problem&& problem, Messages&& messages, std::string text) {

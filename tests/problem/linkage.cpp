@@ -273,6 +273,56 @@ TEST(LinkageFile, SaysAllErrorsAtOnce) {
     EXPECT_GE(read.messages.size(), 3u) << all_messages(read);
 }
 
+/// Whether a problem is told so many errors, and one at each of these places, each with words.
+void expect_told(const std::string& text,
+                 std::initializer_list<std::pair<const char*, std::initializer_list<std::string_view>>> errors) {
+    const ReadProblem problem = read(text);
+    EXPECT_FALSE(problem.ok());
+    EXPECT_EQ(problem.messages.size(), errors.size()) << all_messages(problem);
+    for (const auto& [place, words] : errors)
+        EXPECT_TRUE(says(problem, place, words));
+}
+
+// Sections that have nothing to do with each other hide nothing of each other, and no error brings others after it.
+TEST(LinkageFile, SaysErrorsOfAllSectionsAtOnce) {
+    expect_told(four_bar_text +
+                    "[assembly]\nC = \"lefft\"\n[signals]\nswing = { angle = \"rocker\" }\n"
+                    "[function]\nsignal = \"swing\"\nexpression = \"x^1.5\"\nx = [1, 4]\n"
+                    "input = { start = 30, range = 90 }\noutput = { start = 30, range = 60 }\n"
+                    "accuracy_points = 7\n"
+                    "[[require]]\nquantity = \"transmission-angle-worst\"\nmn = 40\n"
+                    "[objective]\nminimise = \"function-max\"\n[solver]\nstarts = -3\n",
+                {{"p.toml:13:5", {"'lefft'", "left"}},
+                 {"p.toml:22:19", {"3, 4 or 5", "7"}},
+                 {"p.toml:23:1", {"asks for nothing"}},
+                 {"p.toml:25:1", {"'mn'", "min"}},
+                 {"p.toml:26:1", {"minimize"}},
+                 {"p.toml:27:1", {"'minimise'", "minimize"}},
+                 {"p.toml:29:10", {"starts"}}});
+    // A signal that cannot be read, and what is asked of it: the one error is its own.
+    expect_told(
+        four_bar_text +
+            "[signals]\nswing = { angle = \"rockr\" }\n[path]\npoint = \"P\"\n"
+            "points = [[1, 2], [3]]\n[[require]]\nquantity = \"swing.range\"\nmin = 40\n"
+            "[assembly]\nQ = \"right\"\n",
+        {{"p.toml:13:19", {"'rockr'", "rocker"}}, {"p.toml:16:19", {"point 2"}}, {"p.toml:21:1", {"'Q'", "no dyad"}}});
+    // Motion and study.
+    expect_told(four_bar_text +
+                    "[motion]\nat = \"x\"\n[assembly]\nC = \"up\"\n[path]\npoint = \"P\"\n"
+                    "points = [[1, 2], [3]]\n",
+                {{"p.toml:13:6", {"at"}}, {"p.toml:15:5", {"'up'"}}, {"p.toml:18:19", {"point 2"}}});
+    // A dimension that nothing uses.
+    expect_told(changed("ground = 4", "ground = 4\nspare = 3") + "[assembly]\nC = \"up\"\n",
+                {{"p.toml:5:1", {"'spare'"}}, {"p.toml:14:5", {"'up'"}}});
+    expect_told(four_bar_text +
+                    "[objective]\nminimize = \"total-length\"\nwieght = 2\n[study]\n\"dimensions.grund\" = [3, 4]\n",
+                {{"p.toml:14:1", {"'wieght'", "weight"}}, {"p.toml:15:1", {"dimensions.grund = 3", "'grund'"}}});
+    // A structure that does not hold together is told with what else can be read.
+    expect_told(changed("rocker = { D = [0, 0], C = [3, 0] }", "rocker = { D = [0, 0], E = [3, 0] }") +
+                    "[objective]\nminimise = \"total-length\"\n",
+                {{"p.toml:5:1", {"mobility"}}, {"p.toml:12:1", {"minimize"}}, {"p.toml:13:1", {"'minimise'"}}});
+}
+
 TEST(LinkageFile, IsAProblemLikeAnyOther) {
     const ReadProblem read = parse_problem(four_bar_text, "p.toml");
     ASSERT_TRUE(read.ok()) << all_messages(read);

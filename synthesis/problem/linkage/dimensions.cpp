@@ -134,7 +134,7 @@ void read_linkage_dimensions(LinkageReading& reading) {
     report_case_twins(reading, names, reading.dimension_places, "dimension");
 }
 
-void conclude_dimensions(LinkageReading& reading) {
+void conclude_dimensions(LinkageReading& reading, bool all_named) {
     std::vector<LinkageDimension>& dimensions = reading.made.dimensions;
     std::vector<bool> passed_on(dimensions.size(), false);
     for (std::size_t round = 0; round < dimensions.size(); ++round)
@@ -144,7 +144,7 @@ void conclude_dimensions(LinkageReading& reading) {
             for (const auto& [other, factor] : reading.ties[i].terms)
                 use(reading, other, dimensions[i].measure, reading.dimension_places[i]);
         }
-    if (reading.messages.failed) return;  // a name that is misspelt elsewhere may be this one
+    if (!all_named) return;
     for (std::size_t i = 0; i < dimensions.size(); ++i)
         if (dimensions[i].measure == Measure::unknown)
             add_error(reading.messages, reading.dimension_places[i],

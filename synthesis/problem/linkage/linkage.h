@@ -146,7 +146,16 @@ ReadLinkage parse_linkage(std::string_view text, const std::string& file);
 
 namespace mechwright::reading {
 
+/// What of a linkage has been read without an error, so that what builds on it can be read, too: errors of other
+/// sections do not hide what is wrong there.
+struct LinkageParts {
+    bool structure = false;  ///< links and joints, which move as their drives say, and where they are
+    bool motion = false;     ///< over which inputs they do
+    bool signals = false;    ///< with rooms and regions: what can be asked for
+    bool targets = false;    ///< points and signals that targets name
+};
+
 /// The same from a table.
-void read_linkage_table(const toml::table& table, Linkage& made, Messages& messages);
+LinkageParts read_linkage_table(const toml::table& table, Linkage& made, Messages& messages);
 
 }  // namespace mechwright::reading

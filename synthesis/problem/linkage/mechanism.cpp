@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -265,10 +266,34 @@ void require_regions(Problem& problem) {
 
 bool names_linkage(const toml::table& table) { return table["mechanism"].value_exact<std::string>() == "linkage"; }
 
-void read_linkage_problem(const toml::table& table, Problem& problem, Messages& messages) {
-    Linkage linkage;
-    read_linkage_table(table, linkage, messages);
-    if (messages.failed) return;
+namespace {
+
+/// What keeps a linkage from having a motion, or its targets from saying over which.
+void check_course(const toml::table& table, const Linkage& linkage, const LinkageModel& model, const Mechanism& made,
+                  Messages& messages) {
+    const FilePlace place = place_of(*table.get("drive"));
+    if (greatest_turn(model, usual(ranges_of(linkage))) > fastest_link)
+        return add_error(messages, place,
+                         "a link of it turns more than ten thousand times as fast as its drive: give lesser ratios");
+    if (model.driven_by_slide() && !linkage.crank_range && is_endless(made.form(0), usual(ranges_of(linkage))))
+        return add_error(
+            messages, place,
+            "nothing ends the motion of the slide that is driven: give it stops, 'min' and 'max' in [drive], "
+            "or the motion an end, [motion] crank_range = [0, 100]");
+    if (model.turns == 0 && !linkage.crank_range && !model.has_stops())
+        return add_error(messages, place,
+                         fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "
+                                     "give the motion an end, [motion] crank_range = [0, 360]",
+                                     linkage::most_turns));
+    if (model.turns == 0 && covers_several(linkage))
+        add_error(messages, place,
+                  "with these ratios it never is where it was, so that several targets, each of which may be "
+                  "met whole turns later, do not say over which motion: ask for one, or give other ratios");
+}
+
+/// The sections that need the mechanism; those that name quantities where its signals are known.
+void read_by_mechanism(const toml::table& table, const Linkage& linkage, const LinkageParts& parts, Problem& problem,
+                       Messages& messages) {
     if (const std::string why = why_no_mechanism(linkage); !why.empty())
         return add_error(messages, place_of(*table.get("mechanism")),
                          why + "; 'mechwright structure' shows how the linkage is made up");
@@ -276,25 +301,8 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     problem.units = linkage.units;
     problem.mechanism = mechanism_of(linkage, sections_of_linkage(table).dump(), quantities_in(table));
     add_whole_quantities(table, problem);
-    const LinkageModel& model = linkage_of(problem.mechanism->model.data());
-    if (greatest_turn(model, usual(ranges_of(linkage))) > fastest_link)
-        return add_error(messages, place_of(*table.get("drive")),
-                         "a link of it turns more than ten thousand times as fast as its drive: give lesser ratios");
-    if (model.driven_by_slide() && !linkage.crank_range &&
-        is_endless(problem.mechanism->form(0), usual(ranges_of(linkage))))
-        return add_error(
-            messages, place_of(*table.get("drive")),
-            "nothing ends the motion of the slide that is driven: give it stops, 'min' and 'max' in [drive], "
-            "or the motion an end, [motion] crank_range = [0, 100]");
-    if (model.turns == 0 && !linkage.crank_range && !model.has_stops())
-        return add_error(messages, place_of(*table.get("drive")),
-                         fmt::format("with these ratios it is not where it was after {} turns of its drive or fewer: "
-                                     "give the motion an end, [motion] crank_range = [0, 360]",
-                                     linkage::most_turns));
-    if (model.turns == 0 && covers_several(linkage))
-        return add_error(messages, place_of(*table.get("drive")),
-                         "with these ratios it never is where it was, so that several targets, each of which may be "
-                         "met whole turns later, do not say over which motion: ask for one, or give other ratios");
+    if (parts.motion)
+        check_course(table, linkage, linkage_of(problem.mechanism->model.data()), *problem.mechanism, messages);
     problem.dimensions = ranges_of(linkage);
     problem.dimensions.resize(problem.mechanism->dimensions.size());
     problem.crank_range = linkage.crank_range;
@@ -311,11 +319,36 @@ void read_linkage_problem(const toml::table& table, Problem& problem, Messages& 
     read_followed(file, problem, messages);
     resolve_ties(file, problem, messages);
     set_crank_range(problem);
+    if (!parts.signals) return;
     read_objective(file, problem, messages);
     check_front(file, problem, messages);
     read_requirements(file, problem, messages);
     require_regions(problem);
     read_study(file, problem, messages);
+}
+
+/// Adds what another reading has found, but for what is said of places of which something is said already.
+void add_beside(Messages& messages, Messages&& more) {
+    std::vector<FilePlace> said;
+    for (const Entry& entry : messages.entries)
+        said.push_back(entry.order);
+    for (Entry& entry : more.entries)
+        if (std::find(said.begin(), said.end(), entry.order) == said.end())
+            messages.entries.push_back(std::move(entry));
+    std::move(more.named_files.begin(), more.named_files.end(), std::back_inserter(messages.named_files));
+    messages.unreadable |= more.unreadable;
+}
+
+}  // namespace
+
+void read_linkage_problem(const toml::table& table, Problem& problem, Messages& messages) {
+    Linkage linkage;
+    const LinkageParts parts = read_linkage_table(table, linkage, messages);
+    if (!parts.structure || !parts.targets) return;
+    if (!messages.failed) return read_by_mechanism(table, linkage, parts, problem, messages);
+    Messages more{.file = messages.file, .nodes = messages.nodes};
+    read_by_mechanism(table, linkage, parts, problem, more);
+    add_beside(messages, std::move(more));
 }
 
 }  // namespace reading

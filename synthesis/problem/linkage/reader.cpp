@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "synthesis/problem/bytes.h"
 #include "synthesis/problem/linkage/reading.h"
@@ -50,42 +51,63 @@ bool ReadLinkage::ok() const {
 
 namespace reading {
 
-void read_linkage_table(const toml::table& table, Linkage& made, Messages& messages) {
-    Section file{&table, "", {1, 1}, keys::of_file()};
-    LinkageReading reading{file, made, messages};
-    if (const auto name = table["mechanism"].value_exact<std::string>(); name != "linkage")
-        return add_error(
-            messages, place_of(file, "mechanism"),
-            "this is no linkage: its structure is that of its kind; write mechanism = \"linkage\" for links "
-            "and joints of your own");
+namespace {
+
+/// Steps of reading as if nothing had failed before; whether they pass.
+template <class... Steps>
+bool passes(LinkageReading& reading, const Steps&... steps) {
+    const bool failed_before = std::exchange(reading.messages.failed, false);
+    (steps(reading), ...);
+    const bool passed = !reading.messages.failed;
+    reading.messages.failed |= failed_before;
+    return passed;
+}
+
+void read_head(LinkageReading& reading) {
+    Section& file = reading.file;
+    Messages& messages = reading.messages;
     if (!has(file, "schema")) add_error(messages, file.place, "'schema' is missing: write schema = 1");
     if (const auto schema = read_whole_number(file, "schema", messages); schema && *schema != 1)
         add_error(messages, place_of(file, "schema"), "this schema is not known to this version: write schema = 1");
     find(file, "mechanism");
-    made.title = read_string(file, "title", messages).value_or("");
+    reading.made.title = read_string(file, "title", messages).value_or("");
     Problem settings;
     read_units(file, settings, messages);
     read_solver(file, settings, messages);
     find(file, "study");
-    made.units = settings.units;
-    read_linkage_dimensions(reading);
-    read_links(reading);
-    read_slides(reading);
-    read_slots(reading);
-    read_gears(reading);
-    read_racks(reading);
-    read_drives(reading);
-    read_linkage_motion(reading);
-    read_sketch(reading);
-    read_placement(reading);
-    read_rooms(reading);
-    read_signals(reading);
-    read_linkage_targets(reading);
-    conclude_dimensions(reading);
-    if (!messages.failed) settle(reading);
-    read_assembly(reading);
-    if (!messages.failed) assemble_larger(reading);
+    reading.made.units = settings.units;
+}
+
+}  // namespace
+
+LinkageParts read_linkage_table(const toml::table& table, Linkage& made, Messages& messages) {
+    Section file{&table, "", {1, 1}, keys::of_file()};
+    LinkageReading reading{file, made, messages};
+    if (const auto name = table["mechanism"].value_exact<std::string>(); name != "linkage") {
+        add_error(messages, place_of(file, "mechanism"),
+                  "this is no linkage: its structure is that of its kind; write mechanism = \"linkage\" for links "
+                  "and joints of your own");
+        return {};
+    }
+    read_head(reading);
+    const bool joined = passes(reading, read_linkage_dimensions, read_links, read_slides, read_slots, read_gears,
+                               read_racks, read_drives);
+    LinkageParts parts;
+    parts.motion = passes(reading, read_linkage_motion);
+    const bool placed = passes(reading, read_sketch, read_placement);
+    const bool rooms = passes(reading, read_rooms);
+    parts.signals = passes(reading, read_signal_section) && rooms;
+    read_asked(reading);
+    parts.targets = passes(reading, read_linkage_targets);
+    // A name that is misspelt elsewhere may be that of a dimension that nothing seems to use.
+    conclude_dimensions(reading, joined && placed && parts.motion && rooms && parts.signals && parts.targets);
+    const bool settled = joined && passes(reading, settle);
+    const bool closed = settled && passes(reading, read_assembly);
+    if (!settled) find(file, "assembly");  // of dyads that are not known
+    const bool assembled = closed && placed && passes(reading, assemble_larger);
+    parts.structure = settled && placed && (assembled || made.order.closed());
     report_unknown_keys(file, messages);
+    return parts;
 }
 
 }  // namespace reading

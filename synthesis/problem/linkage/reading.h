@@ -74,8 +74,9 @@ linkage::Stops read_stops(LinkageReading& reading, Section& section, Measure mea
 void read_linkage_dimensions(LinkageReading& reading);
 /// { min, max } or { choices }; false where it cannot be read, which is reported.
 bool read_linkage_range(LinkageReading& reading, const toml::table& table, LinkageDimension& dimension);
-/// After every other section: dimensions that nothing uses, measures of tied ones.
-void conclude_dimensions(LinkageReading& reading);
+/// After every other section: measures of tied dimensions and, where all sections that can name some could be read,
+/// dimensions that nothing uses.
+void conclude_dimensions(LinkageReading& reading, bool all_named);
 void read_links(LinkageReading& reading);
 void read_slides(LinkageReading& reading);
 void read_slots(LinkageReading& reading);
@@ -97,8 +98,8 @@ bool is_name_of_room(const Linkage& linkage, std::string_view name);
 /// The section of signals, after rooms and regions: those of the file follow what there are already, as a built-in kind
 /// has some as a linkage.
 void read_signal_section(LinkageReading& reading);
-/// The same, and the quantities that are required or optimised.
-void read_signals(LinkageReading& reading);
+/// The quantities that are required or optimised.
+void read_asked(LinkageReading& reading);
 /// The points that targets name.
 void read_linkage_targets(LinkageReading& reading);
 /// Mobility, order and, where all dimensions are given, whether it closes: only of a structure without errors.

@@ -335,8 +335,7 @@ void read_signal_section(LinkageReading& reading) {
     }
 }
 
-void read_signals(LinkageReading& reading) {
-    read_signal_section(reading);
+void read_asked(LinkageReading& reading) {
     const SignalReading signals{reading};
     for (Section& section : sections_in(reading, "require", keys::requirement)) {
         if (const toml::node* node = find(section, "quantity"))

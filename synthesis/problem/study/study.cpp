@@ -161,8 +161,8 @@ struct AxisReader {
         } else if (const toml::array* list = node.as_array()) {
             read_list(*list, axis, messages);
         } else {
-            read_list(toml::array{}, axis, messages);
-            return;
+            return report_kind(node, fmt::format("the values of {}", reading::quoted(path)),
+                               "a list, or steps like { from = 10, to = 20, count = 11 }", messages);
         }
         study.axes.push_back(std::move(axis));
     }
@@ -276,8 +276,8 @@ void read_study(Section& file, Problem& problem, Messages& messages) {
         add_error(messages, place_of(*section, section->table->contains("tolerance") ? "tolerance" : "clearance"),
                   "a study varies values or samples tolerances, not both: use two files");
     check_size(*section, *study, messages);
+    if (!messages.failed) problem.study = std::move(study);
     messages.failed |= failed_before;
-    problem.study = std::move(study);
 }
 
 }  // namespace reading

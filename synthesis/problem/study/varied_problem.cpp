@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "synthesis/problem/sections/sections.h"
@@ -128,6 +129,16 @@ std::string said(const Study& study, std::span<const AxisValue> values) {
     return text;
 }
 
+/// Whether the first messages say it already of the file as it is: the same, or something else of the place.
+bool is_said(const Messages& messages, std::size_t first, const Message& message) {
+    const auto end = messages.entries.begin() + static_cast<std::ptrdiff_t>(std::min(first, messages.entries.size()));
+    return std::any_of(messages.entries.begin(), end, [&](const Entry& entry) {
+        const bool at =
+            message.line > 0 && entry.message.line == message.line && entry.message.column == message.column;
+        return !entry.message.warning && (at || entry.message.text == message.text);
+    });
+}
+
 }  // namespace
 
 void check_ends(VariedProblem&& varied, FilePlace study_place, const Study& study, Messages& messages) {
@@ -142,13 +153,14 @@ void check_ends(VariedProblem&& varied, FilePlace study_place, const Study& stud
         }
         ReadProblem read = varied.read();
         messages.unreadable |= read.unreadable;
+        const std::size_t before = messages.entries.size();
         for (const Message& message : read.messages)
-            if (!message.warning)
+            if (!message.warning && !is_said(messages, before, message))
                 add_error(messages,
                           message.line > 0 && messages.nodes == nullptr ? FilePlace{message.line, message.column}
                                                                         : study_place,
                           fmt::format("[study] {}: {}", said(study, values), message.text));
-        if (messages.failed) return;
+        if (messages.entries.size() != before) return;
     }
 }
 
