@@ -53,7 +53,16 @@ TEST(Study, WhatIsWrongAtItsFirstOrLastPointIsAnError) {
                           {"with dimensions.ground = -1", "must be greater than 0"}));
 }
 
+// What is wrong elsewhere does not hide it, and is not told again of the points.
+TEST(Study, WhatIsWrongAtItsPointsIsToldBesideOtherErrors) {
+    const ReadProblem problem = read(study("\"dimensions.grund\" = [90, 100]\n") + "[solver]\nmethd = \"slsqp\"\n");
+    EXPECT_EQ(problem.messages.size(), 2U) << all_messages(problem);
+    EXPECT_TRUE(says(problem, "p.toml:11:1", {"'grund'", "dimensions.grund = 90"}));
+    EXPECT_TRUE(says(problem, "p.toml:14:1", {"'methd'", "method"}));
+}
+
 TEST(Study, WrongRangesAreErrors) {
+    EXPECT_TRUE(only_says(read(study("\"dimensions.ground\" = \"all\"\n")), "p.toml:12:23", {"a list", "from"}));
     EXPECT_TRUE(only_says(read(study("\"dimensions.ground\" = { from = 1, count = 3 }\n")), "p.toml:12:23",
                           {"'to' in 'dimensions.ground' is missing"}));
     EXPECT_TRUE(only_says(read(study("\"dimensions.ground\" = { from = 1, to = 3, count = 1 }\n")), "p.toml:12:51",

