@@ -159,7 +159,7 @@ Finding check_least(const ProofContext& c, const Quantity& quantity, const Digit
     return fails("no bound of such an objective is known");
 }
 
-constexpr double same_within = 1e-9;
+constexpr double rounding_of_bounds = 1e-9;
 
 /// A bound as the document states it, and the value of the objective where there is a design.
 struct StatedBound {
@@ -183,7 +183,7 @@ Finding check_least(const ProofContext& c, double stated) {
     if (!quantity) return fails("one quantity is to be least for this");
     if (stated <= 0 && possible_values(quantity->name).least >= 0)
         return holds(fmt::format("{} cannot be negative", quantity->name));
-    return check_least(c, *quantity, from_document(stated, quantity->unit, c.problem.units) * (1 - same_within));
+    return check_least(c, *quantity, from_document(stated, quantity->unit, c.problem.units) * (1 - rounding_of_bounds));
 }
 
 }  // namespace
@@ -193,7 +193,7 @@ Finding check_bound_again(const ProofContext& c) {
     const auto stated = stated_bound(c);
     if (c.infeasible || !stated || !stated->reached) return fails("there is no bound of an objective");
     const double least = stated->least, reached = *stated->reached;
-    if (!(least >= (1 - closed_within) * reached && least <= (1 + same_within) * reached))
+    if (!(least >= (1 - closed_within) * reached && least <= (1 + rounding_of_bounds) * reached))
         return fails(fmt::format("the bound {} does not meet the objective {}", least, reached));
     return check_least(c, least);
 }
@@ -201,7 +201,7 @@ Finding check_bound_again(const ProofContext& c) {
 Finding check_bound_below(const ProofContext& c) {
     const auto stated = stated_bound(c);
     if (!stated) return fails("it is no number");
-    if (stated->reached && !(stated->least <= (1 + same_within) * *stated->reached))
+    if (stated->reached && !(stated->least <= (1 + rounding_of_bounds) * *stated->reached))
         return fails(fmt::format("the bound {} is above the objective {}", stated->least, *stated->reached));
     return check_least(c, stated->least);
 }
