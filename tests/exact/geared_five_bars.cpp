@@ -33,7 +33,7 @@ struct FiveBar {
     }
 };
 
-constexpr double start = 40 * degree;
+constexpr double angle_of_first_point = 40 * degree;
 
 FiveBar random_five_bar(std::mt19937_64& random, double speed, double span) {
     std::uniform_real_distribution<double> part(0, 1);
@@ -48,7 +48,7 @@ FiveBar random_five_bar(std::mt19937_64& random, double speed, double span) {
                            2 * part(random)};
         bool closes = true;
         for (int i = 0; i <= 360 && closes; ++i)
-            closes = bars.at(start + span * i / 360).has_value();
+            closes = bars.at(angle_of_first_point + span * i / 360).has_value();
         if (closes) return bars;
     }
 }
@@ -58,7 +58,7 @@ std::string points_of(const FiveBar& bars, int count, double span, bool timed) {
     std::string points, angles;
     for (int i = 0; i < count; ++i) {
         const double turned = span * i / count;
-        const auto p = *bars.at(start + turned);
+        const auto p = *bars.at(angle_of_first_point + turned);
         points += fmt::format("[{:.17g}, {:.17g}], ", p.real(), p.imag());
         angles += fmt::format("{:.17g}, ", turned / degree);
     }
