@@ -69,6 +69,17 @@ struct NearestOnCurve {
     std::vector<NearestEnd> ends{};
 };
 
+/// How curves of a mechanism are related.
+struct CurveKin {
+    /// Linear functions of the lengths whose signs tell the kinds of motion from each other: where one passes zero the
+    /// curve may lose half of itself.
+    const std::vector<LinearCondition>& (*borders)() = nullptr;
+    /// Changes a linkage to a relative: its cognate, whose point draws the same curve at the same crank angles, or,
+    /// `other_drive`, itself driven at the other fixed pivot, whose point draws the same curve as far as it comes
+    /// there. False: there is none, and nothing is changed.
+    bool (*to_relative)(bool other_drive, std::size_t& assembly, std::span<double> arguments) = nullptr;
+};
+
 /// How a mechanism's guided point is fitted. Its arguments are those of PointGuidance: lengths first, then the point on
 /// its link, origin and tilt.
 struct CurveFit {
@@ -81,9 +92,7 @@ struct CurveFit {
     /// The nearest points, from those of the chords; targets are in the frame of the mechanism.
     void (*nearest)(InstructionSet, std::size_t assembly, std::span<const double> arguments, const SampledCurve& curve,
                     const NearestChords& chords, const GroupedTargets& targets, NearestOnCurve& out) = nullptr;
-    /// Linear functions of the lengths whose signs tell the kinds of motion from each other: where one passes zero the
-    /// curve may lose half of itself.
-    const std::vector<LinearCondition>& (*borders)() = nullptr;
+    const CurveKin* kin = nullptr;
 };
 
 }  // namespace mechwright

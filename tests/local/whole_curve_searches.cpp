@@ -131,12 +131,16 @@ TEST(WholeCurvesOfLinkages, AreFoundAgainByTheirPoints) {
         const std::vector<Program> own = programs_of(problem);
         const auto curve = curve_problem(own);
         ASSERT_TRUE(curve);
-        const CurveBatch batch = curve_batch(*curve, n, 20000, [] { return false; });
-        ASSERT_FALSE(batch.best.empty());
-        // Points are written with six digits.
-        found += std::sqrt(batch.best.front().sum / curve->weight) < 1e-5 * curve->spread ? 1 : 0;
+        // A search runs four batches at a time. Points are written with six digits.
+        bool again = false;
+        for (std::uint64_t k = 0; k < 4 && !again; ++k) {
+            const CurveBatch batch = curve_batch(*curve, n + 12 * k, 20000, [] { return false; });
+            ASSERT_FALSE(batch.best.empty());
+            again = std::sqrt(batch.best.front().sum / curve->weight) < 1e-5 * curve->spread;
+        }
+        found += again ? 1 : 0;
     }
-    EXPECT_GE(found, 11);
+    EXPECT_EQ(found, 12);
 }
 
 TEST(WholeCurvesOfLinkages, TurnFullyWhereTheirPathIsClosed) {

@@ -169,6 +169,42 @@ TEST_F(WholeCurves, HaveTheBitsOfTheBaselineInEveryInstructionSet) {
     }
 }
 
+TEST_F(WholeCurves, AreDrawnByRelativesOfTheirLinkages) {
+    ASSERT_TRUE(curve);
+    int cognates = 0, other_drives = 0;
+    for (const CurveArguments& a : linkages(*curve, 20))
+        for (std::size_t assembly = 0; assembly < 2; ++assembly)
+            for (const bool other_drive : {false, true}) {
+                CurveArguments relative = a;
+                std::size_t side = assembly;
+                ASSERT_TRUE(curve->fit->kin->to_relative(other_drive, side, relative));
+                const CrankRange<double> range = assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]});
+                for (int k = 1; k < 4; ++k) {
+                    const double angle = range.from + k / 4.0 * (range.to - range.from);
+                    const Vector<double> point = coupler_point(a, assembly, angle);
+                    if (!other_drive) {
+                        const Vector<double> off = coupler_point(relative, side, angle) - point;
+                        EXPECT_LT(std::sqrt(dot(off, off)), 1e-9 * curve->spread);
+                        ++cognates;
+                        continue;
+                    }
+                    // The rocker is its crank, and the axis points the other way; one of its sides closes it so.
+                    const auto p = pose(FourBar<double>{a[0], a[1], a[2], a[3]}, angle,
+                                        assembly == 0 ? Assembly::open : Assembly::crossed);
+                    const double other_angle = std::atan2(-p.rocker.y, -p.rocker.x);
+                    double off = unlimited;
+                    for (const std::size_t closed : {0, 1}) {
+                        const Vector<double> miss = coupler_point(relative, closed, other_angle) - point;
+                        off = std::min(off, std::sqrt(dot(miss, miss)));
+                    }
+                    EXPECT_LT(off, 1e-7 * curve->spread);
+                    ++other_drives;
+                }
+            }
+    EXPECT_EQ(cognates, 120);
+    EXPECT_EQ(other_drives, 120);
+}
+
 bool is_at_end(const NearestOnCurve& nearest, std::size_t target) {
     return std::any_of(nearest.ends.begin(), nearest.ends.end(),
                        [&](const NearestEnd& end) { return end.target == target; });

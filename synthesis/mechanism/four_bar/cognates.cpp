@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/four_bar/cognates.h"
-
 namespace mechwright::four_bar {
 
 namespace {
@@ -14,17 +12,6 @@ using Linkage = PathLinkage<double>;
 
 Linkage linkage_of(std::span<const double> d) {
     return {{d[0], d[1], d[2], d[3]}, {d[4], d[5]}, {{d[6], d[7]}, d[8]}, Assembly::open};
-}
-
-/// The same four-bar driven at the other fixed pivot.
-Linkage from_other_pivot(const Linkage& m) {
-    const auto& [x, y] = m.placement.origin;
-    const Vector<double> other{x + m.links.ground * std::cos(m.placement.tilt),
-                               y + m.links.ground * std::sin(m.placement.tilt)};
-    return {{m.links.ground, m.links.rocker, m.links.coupler, m.links.crank},
-            {m.links.coupler - m.point.along, -m.point.across},
-            {other, m.placement.tilt + std::acos(-1.0)},
-            m.assembly};
 }
 
 double longest_of(const Linkage& m) {
@@ -47,6 +34,16 @@ bool alike(const Linkage& a, const Linkage& b) {
 }
 
 }  // namespace
+
+Linkage from_other_pivot(const Linkage& m) {
+    const auto& [x, y] = m.placement.origin;
+    const Vector<double> other{x + m.links.ground * std::cos(m.placement.tilt),
+                               y + m.links.ground * std::sin(m.placement.tilt)};
+    return {{m.links.ground, m.links.rocker, m.links.coupler, m.links.crank},
+            {m.links.coupler - m.point.along, -m.point.across},
+            {other, m.placement.tilt + std::acos(-1.0)},
+            m.assembly};
+}
 
 bool are_cognates(std::span<const double> a, std::span<const double> b) {
     const Linkage first = linkage_of(a), second = linkage_of(b);

@@ -80,7 +80,10 @@ struct Batch {
     /// The first part of a descent. False: the design does not assemble.
     bool take_first_part(FittedCurve& design) {
         ++result.optimised;
-        return descend(problem, design, first_part, tolerance, work);
+        work.roughly = true;
+        const bool assembles = descend(problem, design, first_part, tolerance, work);
+        work.roughly = false;
+        return assembles;
     }
 
     /// The others; it is given up where it does not come close to what is kept.

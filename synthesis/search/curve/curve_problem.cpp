@@ -115,7 +115,7 @@ void set_way(CurveProblem& p, const std::vector<Vector<double>>& targets) {
 }  // namespace
 
 bool CurveProblem::keeps_from_borders(const CurveArguments& a) const {
-    return std::all_of(fit->borders().begin(), fit->borders().end(), [&](const LinearCondition& c) {
+    return std::all_of(fit->kin->borders().begin(), fit->kin->borders().end(), [&](const LinearCondition& c) {
         bool moves = false;
         for (std::size_t i = 0; i < c.coefficients.size(); ++i)
             moves = moves || (c.coefficients[i] != 0 && is_free(i));

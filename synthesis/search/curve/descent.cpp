@@ -1,19 +1,14 @@
 #include "synthesis/search/curve/descent.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <boost/container/static_vector.hpp>
 #include <cmath>
 
 #include "synthesis/program/condition_margin.h"
+#include "synthesis/search/curve/bounded_step.h"
 
 namespace mechwright {
 
 namespace {
-
-constexpr int most_arguments = static_cast<int>(most_curve_arguments);
-using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_arguments, most_arguments>;
-using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_arguments, 1>;
 
 /// Chords of the curve, before those that are long are divided.
 constexpr std::size_t coarse_chords = 96;
@@ -27,18 +22,20 @@ constexpr int most_small_gains = 3;
 constexpr double scale_kept = 0.7;
 /// A design keeps this far from a border, as programs have it (condition_margin), or as close as it is; to rounding.
 constexpr double border_rounding = 1e-13;
-constexpr std::size_t most_borders = 3;
+/// Bends count where with them the last step was promised by so much better; they are learnt from steps along which the
+/// slope grows at all.
+constexpr double much_better = 0.5;
+constexpr double least_cosine = 1e-3;
 /// Against the spread of the targets a sum of squares below this part is rounding.
 constexpr double zero_within = 1e-26;
 
 using Indices = boost::container::static_vector<Eigen::Index, most_curve_arguments>;
-using Borders = boost::container::static_vector<std::size_t, most_borders>;
 
 /// Sums over the targets at a design: half gradient and Gauss-Newton matrix.
 struct Sums {
     FittedCurve at;
-    Column slope;
-    Square matrix;
+    StepVector slope;
+    StepMatrix matrix;
 };
 
 double side_of_border(double value) { return value < 0 ? -1 : 1; }
@@ -54,7 +51,7 @@ bool add_requirements(const CurveProblem& p, Sums& s, CurveWork& work) {
     const Eigen::VectorXd x = point_with(program, s.at.arguments);
     if (!evaluate_beside_path(program, p.rows[k], x, true, work.beside)) return false;
     const auto& reads = program.problem->mechanism->point->reads;
-    Column row = Column::Zero(s.slope.size());
+    StepVector row = StepVector::Zero(s.slope.size());
     for (std::size_t r = 0; r < p.rows[k].size(); ++r) {
         const Row& limits = program.rows[p.rows[k][r]];
         const auto at = static_cast<Eigen::Index>(r);
@@ -139,83 +136,38 @@ bool evaluate(const CurveProblem& p, Sums& s, CurveWork& work) {
     return false;
 }
 
-/// The arguments that a step from here may move.
+/// The arguments that steps from here may move.
 Indices moving(const CurveProblem& p, const Sums& s) {
     Indices all;
-    for (std::size_t i = 0; i < p.arguments; ++i) {
-        const auto k = static_cast<Eigen::Index>(i);
-        const double x = s.at.arguments[i];
-        const bool held = (x <= p.lower[i] && s.slope[k] > 0) || (x >= p.upper[i] && s.slope[k] < 0);
-        if (p.is_free(i) && !held && s.matrix(k, k) > 0) all.push_back(k);
-    }
+    for (std::size_t i = 0; i < p.arguments; ++i)
+        if (const auto k = static_cast<Eigen::Index>(i); p.is_free(i) && s.matrix(k, k) > 0) all.push_back(k);
     return all;
 }
 
-/// Steps from a design whose arguments `free` move, and whose borders are not passed.
-struct Step {
-    const CurveProblem& p;
-    const Sums& s;
-    const Indices& free;
-    Eigen::LLT<Square> factors;
-
-    Column coefficients(std::size_t b) const {
-        const LinearCondition& c = p.fit->borders()[b];
-        Column row(static_cast<Eigen::Index>(free.size()));
-        for (std::size_t i = 0; i < free.size(); ++i) {
-            const auto argument = static_cast<std::size_t>(free[i]);
-            row[static_cast<Eigen::Index>(i)] = argument < c.coefficients.size() ? c.coefficients[argument] : 0;
-        }
-        return row;
+/// The limits of such steps: ranges, and borders as far as they may be gone up to.
+StepLimits limits_of_step(const CurveProblem& p, const CurveArguments& a, const Indices& free) {
+    StepLimits limits;
+    const auto n = static_cast<Eigen::Index>(free.size());
+    const auto add = [&](const StepVector& normal, double least) { limits.push_back({normal, std::min(least, 0.0)}); };
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto k = static_cast<std::size_t>(free[static_cast<std::size_t>(i)]);
+        add(StepVector::Unit(n, i), p.lower[k] - a[k]);
+        add(-StepVector::Unit(n, i), a[k] - p.upper[k]);
     }
-
-    /// The border that a step passes the farthest.
-    std::optional<std::size_t> passed(const Column& step, const Borders& kept) const {
-        std::optional<std::size_t> worst;
-        double farthest = -border_rounding;
-        for (std::size_t b = 0; b < p.fit->borders().size(); ++b) {
-            if (std::find(kept.begin(), kept.end(), b) != kept.end()) continue;
-            const double here = margin_of(p.fit->borders()[b], s.at.arguments);
-            const double there = side_of_border(here) * (here + coefficients(b).dot(step)) - kept_margin(here);
-            if (there < farthest) {
-                farthest = there;
-                worst = b;
-            }
-        }
-        return worst;
+    for (const LinearCondition& border : p.fit->kin->borders()) {
+        const double here = margin_of(border, a);
+        StepVector normal = StepVector::Zero(n);
+        for (Eigen::Index i = 0; i < n; ++i)
+            if (const auto k = static_cast<std::size_t>(free[static_cast<std::size_t>(i)]);
+                k < border.coefficients.size())
+                normal[i] = side_of_border(here) * border.coefficients[k];
+        if (!normal.isZero(0)) add(normal, kept_margin(here) - std::abs(here));
     }
-
-    /// The damped step; where it would pass borders, the one that ends on them.
-    Column operator()() const {
-        Column slope(static_cast<Eigen::Index>(free.size()));
-        for (std::size_t i = 0; i < free.size(); ++i)
-            slope[static_cast<Eigen::Index>(i)] = s.slope[free[i]];
-        const Column straight = -factors.solve(slope);
-        Column step = straight;
-        Borders kept;
-        while (kept.size() < most_borders) {
-            const std::optional<std::size_t> next = passed(step, kept);
-            if (!next) break;
-            kept.push_back(*next);
-            const auto k = static_cast<Eigen::Index>(kept.size());
-            Square rows(k, straight.size());
-            Column wanted(k);
-            for (Eigen::Index i = 0; i < k; ++i) {
-                const std::size_t b = kept[static_cast<std::size_t>(i)];
-                rows.row(i) = coefficients(b).transpose();
-                const double here = margin_of(p.fit->borders()[b], s.at.arguments);
-                wanted[i] = side_of_border(here) * kept_margin(here) - here - rows.row(i).dot(straight);
-            }
-            const Square columns = factors.solve(Square(rows.transpose()));
-            const Column multipliers = Square(rows * columns).llt().solve(wanted);
-            if (!multipliers.allFinite()) break;
-            step = straight + columns * multipliers;
-        }
-        return step;
-    }
-};
+    return limits;
+}
 
 bool passes_border(const CurveProblem& p, const CurveArguments& from, const CurveArguments& to) {
-    const auto& borders = p.fit->borders();
+    const auto& borders = p.fit->kin->borders();
     return std::any_of(borders.begin(), borders.end(), [&](const LinearCondition& c) {
         const double here = margin_of(c, from);
         return side_of_border(here) * margin_of(c, to) < kept_margin(here) - border_rounding;
@@ -230,12 +182,37 @@ double length_of_step(const CurveArguments& from, const CurveArguments& to) {
     return greatest;
 }
 
-/// What the sum would be if misses were linear.
-double promised(const Sums& s, const CurveArguments& to) {
+StepVector change_to(const Sums& s, const CurveArguments& to) {
     const auto n = s.slope.size();
-    const Column change = Eigen::Map<const Column>(to.data(), n) - Eigen::Map<const Column>(s.at.arguments.data(), n);
-    return s.at.sum + 2 * s.slope.dot(change) + change.dot(s.matrix * change);
+    return Eigen::Map<const StepVector>(to.data(), n) - Eigen::Map<const StepVector>(s.at.arguments.data(), n);
 }
+
+/// What the sum would be after a change with such half second derivatives.
+double promised(const Sums& s, const StepMatrix& second, const StepVector& change) {
+    return s.at.sum + 2 * s.slope.dot(change) + change.dot(second * change);
+}
+
+/// What Gauss's and Newton's matrix leaves out of half the second derivatives: where targets are missed by much, the
+/// bends of their distances. It is learnt from how slopes change (Dennis, Gay and Welsch, ACM TOMS 7, 1981).
+struct Bends {
+    StepMatrix matrix;
+    bool count = false;  ///< with them the last step was promised much better
+
+    void learn(const Sums& from, const Sums& to, const StepVector& step) {
+        const double off_without = std::abs(to.at.sum - promised(from, from.matrix, step));
+        const double off_with = std::abs(to.at.sum - promised(from, from.matrix + matrix, step));
+        count = off_with < much_better * off_without;
+        const StepVector change = to.slope - from.slope;
+        const double along = change.dot(step);
+        if (!(along > least_cosine * step.norm() * change.norm())) return;
+        const StepVector of_bends = change - to.matrix * step;
+        const double known = std::abs(step.dot(matrix * step));
+        if (known > 0) matrix *= std::min(1.0, std::abs(step.dot(of_bends)) / known);
+        const StepVector left = of_bends - matrix * step;
+        matrix += (left * change.transpose() + change * left.transpose()) / along -
+                  (step.dot(left) / (along * along)) * change * change.transpose();
+    }
+};
 
 }  // namespace
 
@@ -244,12 +221,16 @@ bool is_rounding(const CurveProblem& p, double sum) { return sum <= zero_within 
 bool find_nearest_points(const CurveProblem& p, InstructionSet set, std::size_t assembly, const CurveArguments& a,
                          CurveWork& work) {
     const std::span<const double> arguments = std::span(a).first(p.arguments);
-    if (!p.fit->sample(set, assembly, arguments, coarse_chords, work.curve)) return false;
+    const std::size_t chords = work.roughly ? coarse_chords / 2 : coarse_chords;
+    if (!p.fit->sample(set, assembly, arguments, chords, work.curve)) return false;
     const std::size_t placement = p.lengths + 2;
     targets_in_frame(p.targets, {a[placement], a[placement + 1]}, a[placement + 2], work.local);
-    nearest_chords(set, work.curve, work.local, work.chords, work.others);
+    if (work.roughly)
+        nearest_chords(set, work.curve, work.local, work.chords);
+    else
+        nearest_chords(set, work.curve, work.local, work.chords, work.others);
     p.fit->nearest(set, assembly, arguments, work.curve, work.chords, work.local, work.nearest);
-    if (work.others.target.empty()) return true;
+    if (work.roughly || work.others.target.empty()) return true;
     p.fit->nearest(set, assembly, arguments, work.curve, work.others.chords, work.others.targets, work.of_others);
     take_nearer(work.others.target, work.of_others, work.nearest);
     return true;
@@ -258,34 +239,40 @@ bool find_nearest_points(const CurveProblem& p, InstructionSet set, std::size_t 
 bool descend(const CurveProblem& p, FittedCurve& from, int most_evaluations, double tolerance, CurveWork& work) {
     Sums at{from, {}, {}}, next;
     if (!evaluate(p, at, work)) return false;
-    Column scale = Column::Zero(static_cast<Eigen::Index>(p.arguments));
+    StepVector scale = StepVector::Zero(static_cast<Eigen::Index>(p.arguments));
+    const auto all = static_cast<Eigen::Index>(p.arguments);
+    Bends bends{StepMatrix::Zero(all, all)};
     double damping = first_damping, growth = 2;
     int small_gains = 0;
     for (int evaluations = 1;
          evaluations < most_evaluations && small_gains < most_small_gains && !is_rounding(p, at.at.sum);) {
         const Indices free = moving(p, at);
         if (free.empty()) break;
+        const StepLimits limits = limits_of_step(p, at.at.arguments, free);
         scale = (scale_kept * scale).cwiseMax(at.matrix.diagonal().cwiseSqrt());
         bool better = false;
+        const StepMatrix second = bends.count ? StepMatrix(at.matrix + bends.matrix) : at.matrix;
         while (evaluations < most_evaluations && damping < most_damping) {
             const auto n = static_cast<Eigen::Index>(free.size());
-            Square damped(n, n);
+            StepMatrix damped(n, n);
+            StepVector slope(n);
             for (Eigen::Index i = 0; i < n; ++i) {
                 const auto k = free[static_cast<std::size_t>(i)];
                 for (Eigen::Index j = 0; j < n; ++j)
-                    damped(i, j) = at.matrix(k, free[static_cast<std::size_t>(j)]);
+                    damped(i, j) = second(k, free[static_cast<std::size_t>(j)]);
                 damped(i, i) += damping * scale[k] * scale[k];
+                slope[i] = at.slope[k];
             }
-            const Step step{p, at, free, Eigen::LLT<Square>(damped)};
+            const Eigen::LLT<StepMatrix> factors(damped);
             CurveArguments to = at.at.arguments;
-            if (step.factors.info() == Eigen::Success) {
-                const Column change = step();
+            if (factors.info() == Eigen::Success) {
+                const StepVector change = bounded_step(factors, slope, limits);
                 for (Eigen::Index i = 0; i < n; ++i)
                     to[static_cast<std::size_t>(free[static_cast<std::size_t>(i)])] += change[i];
                 for (std::size_t i = 0; i < p.arguments; ++i)
                     to[i] = std::clamp(to[i], p.lower[i], p.upper[i]);
                 if (length_of_step(at.at.arguments, to) < no_step) break;
-                const double sum = promised(at, to);
+                const double sum = promised(at, second, change_to(at, to));
                 if (sum < at.at.sum && !passes_border(p, at.at.arguments, to)) {
                     ++evaluations;
                     next.at = {to, at.at.assembly, unlimited};
@@ -304,6 +291,7 @@ bool descend(const CurveProblem& p, FittedCurve& from, int most_evaluations, dou
         }
         if (!better) break;
         small_gains = at.at.sum - next.at.sum <= tolerance * at.at.sum ? small_gains + 1 : 0;
+        bends.learn(at, next, change_to(at, next.at.arguments));
         std::swap(at, next);
     }
     from = at.at;

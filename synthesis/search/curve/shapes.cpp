@@ -37,6 +37,9 @@ constexpr double least_motion = 0.08;
 /// part of all lengths together.
 constexpr double other_side = 0.15;
 constexpr double other_assembly = 0.1;
+/// How often a variation begins at a relative, which draws the same curve, or another part of it: its lengths and
+/// margins come to other limits.
+constexpr double of_relative = 0.3;
 constexpr double close_by = 0.1;
 /// A variation multiplies a margin, or, less often, adds to it; and no margin becomes less than this: laid over the
 /// targets, which may make it smaller, the design still keeps from the border.
@@ -45,7 +48,7 @@ constexpr double least_margin = 2 * condition_margin;
 
 /// All lengths together, then the margins to the borders, as linear functions of the lengths.
 Eigen::MatrixXd margins_of_lengths(const CurveProblem& p) {
-    const auto& borders = p.fit->borders();
+    const auto& borders = p.fit->kin->borders();
     Eigen::MatrixXd rows(static_cast<Eigen::Index>(borders.size()) + 1, static_cast<Eigen::Index>(p.lengths));
     rows.row(0).setOnes();
     for (std::size_t b = 0; b < borders.size(); ++b)
@@ -64,7 +67,7 @@ void draw_lengths(const CurveProblem& p, RandomNumbers& random, CurveArguments& 
         const double low = p.free_size ? least_ratio : std::max(p.lower[i], least_ratio * high);
         a[i] = low < high ? of_logarithm(low, high, random.even()) : high;
     }
-    if (!p.free_size || p.lengths != p.fit->borders().size() + 1 || random.even() > by_margins) return;
+    if (!p.free_size || p.lengths != p.fit->kin->borders().size() + 1 || random.even() > by_margins) return;
     const Eigen::MatrixXd rows = margins_of_lengths(p);
     Eigen::VectorXd margins(rows.rows());
     double sizes = 0;
@@ -179,9 +182,12 @@ std::optional<FittedCurve> drawn_shape(const CurveProblem& p, RandomNumbers& ran
     return laid(p, shape, drawn_times(p, random), layings, work);
 }
 
-std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& from, double spread, RandomNumbers& random,
+std::optional<FittedCurve> varied(const CurveProblem& p, const FittedCurve& known, double spread, RandomNumbers& random,
                                   CurveWork& work) {
-    const auto& borders = p.fit->borders();
+    const auto& borders = p.fit->kin->borders();
+    FittedCurve from = known;
+    if (p.free_placement && random.even() < of_relative)
+        p.fit->kin->to_relative(random.even() < 0.5, from.assembly, std::span(from.arguments).first(p.arguments));
     FittedCurve r = from;
     CurveArguments& a = r.arguments;
     const Eigen::MatrixXd rows = margins_of_lengths(p);

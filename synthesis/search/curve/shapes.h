@@ -23,8 +23,9 @@ private:
 std::optional<FittedCurve> drawn_shape(const CurveProblem& problem, RandomNumbers& random, CurveWork& work);
 
 /// A design near another, as far as `spread` (of order 0.01 to 1) says: margins to its borders, guided point and the
-/// crank angles at the targets are changed, now and then the other side of a border or the other assembly is taken.
-/// Nothing where the draw belongs to no design.
+/// crank angles at the targets are changed, now and then the other side of a border or the other assembly is taken, or
+/// a relative of the linkage, which draws the same curve (CurveKin), is what is varied. Nothing where the draw belongs
+/// to no design.
 std::optional<FittedCurve> varied(const CurveProblem& problem, const FittedCurve& from, double spread,
                                   RandomNumbers& random, CurveWork& work);
 

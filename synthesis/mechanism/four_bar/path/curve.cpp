@@ -1,12 +1,14 @@
 #include "synthesis/mechanism/four_bar/path/curve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "analysis/four_bar.h"
 #include "analysis/numbers/lanes.h"
 #include "analysis/numbers/turn_in_lanes.h"
+#include "synthesis/mechanism/four_bar/cognates.h"
 #include "synthesis/mechanism/four_bar/path/curve_nearest.h"
 #include "synthesis/mechanism/mechanism.h"
 #include "synthesis/mechanism/sure_part.h"
@@ -202,8 +204,26 @@ const std::vector<LinearCondition>& borders() {
     return all;
 }
 
+/// The cognate with the crank angles of the original, or the same linkage from its other pivot.
+bool to_relative(bool other_drive, std::size_t& assembly, std::span<double> arguments) {
+    const auto [links, point, placement, side] = arguments_of(assembly, arguments);
+    const PathLinkage<double> own{links, point, placement, side};
+    const PathLinkage<double> other = other_drive ? four_bar::from_other_pivot(own) : cognates(own)[1];
+    const auto& [ground, crank, coupler, rocker] = other.links;
+    if (!(std::min({ground, crank, coupler, rocker}) > 0)) return false;
+    assembly = other.assembly == Assembly::open ? 0 : 1;
+    const auto& [along, across] = other.point;
+    const auto& [x, y] = other.placement.origin;
+    std::ranges::copy(std::array{ground, crank, coupler, rocker, along, across, x, y, other.placement.tilt},
+                      arguments.begin());
+    return true;
+}
+
 }  // namespace
 
-CurveFit four_bar_curve_fit() { return {sampled_curve, points_on_curve, coupler_curve::nearest_on_curve, borders}; }
+CurveFit four_bar_curve_fit() {
+    static constexpr CurveKin kin{borders, to_relative};
+    return {sampled_curve, points_on_curve, coupler_curve::nearest_on_curve, &kin};
+}
 
 }  // namespace mechwright
