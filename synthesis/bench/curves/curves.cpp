@@ -20,6 +20,9 @@ namespace {
 /// A run came to the best known design within such a part of its error.
 constexpr double reached_within = 1e-6;
 constexpr double nearly_within = 1e-3;
+/// What writing points with four decimals (problem_text) moves them by: the root of the mean square of two evenly
+/// spread roundings, in mm. Designs that miss points by no more tell rounding from rounding, not shapes.
+constexpr double rounding_of_points = 4.1e-5;
 
 std::vector<Row> measured(const Shape& shape, const Effort& effort) {
     std::vector<Row> rows;
@@ -54,7 +57,7 @@ struct Tally {
 };
 
 std::string success_table(const Sheet& sheet) {
-    Tally reached, nearly;
+    Tally reached, as_written, nearly;
     std::vector<double> seconds, evaluations;
     std::string better;
     for (const std::string& shape : sheet.distinct("shape")) {
@@ -65,19 +68,21 @@ std::string success_table(const Sheet& sheet) {
         for (const Row& row : sheet.where("shape", shape)) {
             const double error = sheet.number(row, "path-rms");
             reached.runs += 1;
+            as_written.runs += 1;
             nearly.runs += 1;
             reached.hits += error <= (1 + reached_within) * least;
+            as_written.hits += error <= std::max((1 + reached_within) * least, rounding_of_points);
             nearly.hits += error <= (1 + nearly_within) * least;
             seconds.push_back(sheet.number(row, "seconds"));
             evaluations.push_back(sheet.number(row, "evaluations"));
         }
     }
     if (seconds.empty()) return "";
-    MarkdownTable table{{"shapes", "runs", "within 1e-6 of the best known", "within 1e-3", "median time",
-                         "95 % of times below", "median evaluations"},
+    MarkdownTable table{{"shapes", "runs", "within 1e-6 of the best known", "or of what points are rounded by",
+                         "within 1e-3", "median time", "95 % of times below", "median evaluations"},
                         {}};
     table.rows.push_back({fmt::format("{}", sheet.distinct("shape").size()), fmt::format("{:.0f}", reached.runs),
-                          reached.share(), nearly.share(), time_text(quantile(seconds, 0.5)),
+                          reached.share(), as_written.share(), nearly.share(), time_text(quantile(seconds, 0.5)),
                           time_text(quantile(seconds, 0.95)), fmt::format("{:.0f}", quantile(evaluations, 0.5))});
     const std::string found = better.empty() ? "" : "\nBetter than the best known until now:\n" + better;
     return to_markdown(table) + found;
@@ -110,7 +115,10 @@ std::string curves_chapter(const Sheet& sheet) {
     return "Letters, hearts, feet, airfoils, loops, noisy ovals, in any order, by four-bars whose every dimension is "
            "to "
            "be\nfound; some with limits of length, of the transmission angle, of the ratio of links. The best known "
-           "designs were\nfound by many seeds. Default options, cold, all threads.\n\n" +
+           "designs were\nfound by many seeds. Points are written with four decimals, which moves them by 4.1e-5 mm "
+           "(root mean\nsquare): letters C and V, the right angle and the straight line are met better than that, and "
+           "which design is\nthe best of them is chance; a column counts these as reached. Default options, cold, all "
+           "threads.\n\n" +
            success_table(sheet) + "\n" + calibration_table(sheet);
 }
 
