@@ -54,9 +54,9 @@ ExactDesign design_of(const Problem& problem, const GearedFiveBar& bars, const T
 
 /// Of a dyad that both cranks have, where they turn alike, no five-bar is made.
 bool coincide(const Dyad& a, const Dyad& b) {
-    constexpr double same_within = 1e-7;
+    constexpr double same_point_within = 1e-7;
     return std::abs(a.fixed - b.fixed) + std::abs(a.moving - b.moving) <=
-           same_within * (1 + std::abs(a.fixed) + std::abs(a.moving));
+           same_point_within * (1 + std::abs(a.fixed) + std::abs(a.moving));
 }
 
 ExactDesigns through_five(const Problem& problem, const GearedFiveBar& bars) {
