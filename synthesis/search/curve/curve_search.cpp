@@ -34,7 +34,8 @@ constexpr int rounds_that_lead = 2;
 /// to the smaller part.
 constexpr double same_end_within = 3e-6;
 constexpr double hits_within = 1e-6;
-/// The search goes on while the chance that a better end was missed is greater than this.
+/// The search goes on while the chance that a better end was missed is greater than this; than a part of it where more
+/// starts are asked for than those of its rounds.
 constexpr double most_missed_chance = 0.05;
 /// Chains of variations from the best of all batches, so many at a time, of so many evaluations; again while they gain
 /// more than this part, and so many times at most.
@@ -191,7 +192,10 @@ struct Search {
     }
 
     bool is_exact() const { return !best.empty() && is_rounding(*curve, best.front().sum); }
-    bool enough() const { return is_exact() || missed_chance() <= most_missed_chance; }
+    bool enough() const { return is_exact() || missed_chance() <= chance_to_come_below(); }
+    double chance_to_come_below() const {
+        return most_missed_chance * starts_of_rounds / std::max(starts_of_rounds, problem.solver.starts);
+    }
 
     /// The chance that a better end was missed: by how many ends there were, and no less than what is said by the
     /// batches that came to the best of them alone, and two more. In 252 runs on 70 shapes that are no coupler curves
