@@ -15,6 +15,14 @@ namespace {
 using testing::Solved;
 using testing::solved;
 
+/// The check of the extremes that a document states.
+template <class Json>
+Check check_of_extremes(const Json& json) {
+    for (const Check& check : verify(json))
+        if (check.name == "extremes of the error are as stated") return check;
+    return {"none", false, {}};
+}
+
 // Near a singular position the error depends so weakly on one dimension that rounding decides whether it is free:
 // doubles and fifty digits may count differently by that one.
 TEST(Alternation, AllowsForADimensionThatRoundingMakesFree) {
@@ -61,11 +69,7 @@ minimize = "function-max"
 )");
     ASSERT_EQ(s.result.status, Status::solved);
     auto json = document(s.problem, s.result);
-    const auto of_extremes = [&] {
-        for (const Check& check : verify(json))
-            if (check.name == "extremes of the error are as stated") return check;
-        return Check{"none", false, {}};
-    };
+    const auto of_extremes = [&] { return check_of_extremes(json); };
     EXPECT_TRUE(of_extremes().passed) << of_extremes().detail;
     EXPECT_EQ(of_extremes().detail, "the error is nothing but rounding");
     json["function"]["extremes"][0]["error"] = 1e-9;
@@ -93,11 +97,7 @@ output = { start = 270, range = 90 }
 minimize = "function-max"
 )file");
     auto json = document(s.problem, s.result);
-    const auto of_extremes = [&] {
-        for (const Check& check : verify(json))
-            if (check.name == "extremes of the error are as stated") return check;
-        return Check{"none", false, {}};
-    };
+    const auto of_extremes = [&] { return check_of_extremes(json); };
     ASSERT_EQ(json["function"]["extremes"].size(), 3u);
     EXPECT_NEAR(std::abs(json["function"]["extremes"][1]["error"].get<double>()), 180, 1e-9);
     EXPECT_TRUE(of_extremes().passed) << of_extremes().detail;

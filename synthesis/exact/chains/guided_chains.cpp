@@ -11,17 +11,6 @@ using homotopy::SecondDyad;
 
 constexpr std::size_t frame = 0;
 
-/// The one pin of two links; nothing where they have none or several.
-std::optional<std::size_t> pin_of(const linkage::Structure& s, std::size_t one, std::size_t other) {
-    std::optional<std::size_t> found;
-    for (std::size_t i = 0; i < s.pins.size(); ++i) {
-        if (!is_on(s.pins[i], one) || !is_on(s.pins[i], other)) continue;
-        if (found) return {};
-        found = i;
-    }
-    return found;
-}
-
 bool has_line(const linkage::Structure& s, std::size_t link) {
     return std::any_of(s.slides.begin(), s.slides.end(),
                        [&](const linkage::Slide& slide) { return slide.link == link || slide.line.on == link; });
@@ -31,7 +20,7 @@ bool has_line(const linkage::Structure& s, std::size_t link) {
 void add_rockers(const linkage::Structure& s, const GuidedChains& known, std::vector<GuidedChains>& all) {
     for (std::size_t link = 1; link < s.links; ++link) {
         if (link == known.crank || link == known.body || has_line(s, link)) continue;
-        const auto moving = pin_of(s, link, known.body), fixed = pin_of(s, link, frame);
+        const auto moving = one_pin_of(s, link, known.body), fixed = one_pin_of(s, link, frame);
         if (!moving || !fixed || *moving == *fixed) continue;
         GuidedChains chains = known;
         chains.second = SecondDyad::rocker;
@@ -48,7 +37,7 @@ void add_slides(const linkage::Structure& s, const GuidedChains& known, std::vec
         const linkage::Slide& slide = s.slides[i];
         const bool ram = slide.line.on == frame;
         if (slide.link == known.crank || slide.link == known.body || (!ram && slide.line.on != known.body)) continue;
-        const auto pin = pin_of(s, slide.link, ram ? known.body : frame);
+        const auto pin = one_pin_of(s, slide.link, ram ? known.body : frame);
         if (!pin) continue;
         GuidedChains chains = known;
         chains.second = ram ? SecondDyad::ram : SecondDyad::block;
@@ -86,7 +75,7 @@ std::optional<GuidedChains> driven_by_crank(const linkage::Structure& s, GuidedC
     const linkage::Drive& drive = s.drives.front();
     if (drive.of_slide || drive.on != frame || known.body == drive.link) return {};
     known.crank = drive.link;
-    const auto pivot = pin_of(s, frame, known.crank), pin = pin_of(s, known.crank, known.body);
+    const auto pivot = one_pin_of(s, frame, known.crank), pin = one_pin_of(s, known.crank, known.body);
     if (!pivot || !pin || *pivot == *pin) return {};
     known.crank_pivot = *pivot;
     known.crank_pin = *pin;
@@ -109,6 +98,16 @@ std::optional<GuidedChains> driven_otherwise(const linkage::Structure& s, Guided
 }
 
 }  // namespace
+
+std::optional<std::size_t> one_pin_of(const linkage::Structure& s, std::size_t one, std::size_t other) {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < s.pins.size(); ++i) {
+        if (!is_on(s.pins[i], one) || !is_on(s.pins[i], other)) continue;
+        if (found) return {};
+        found = i;
+    }
+    return found;
+}
 
 std::optional<GuidedChains> guided_chains(const LinkageModel& model) {
     const linkage::Structure& s = model.structure;

@@ -28,6 +28,9 @@ struct GuidedChains {
     std::size_t slot = linkage::none;    ///< the same without a link
 };
 
+/// The one pin of two links; nothing where they have none or several.
+std::optional<std::size_t> one_pin_of(const linkage::Structure& structure, std::size_t one, std::size_t other);
+
 /// The chains of the one point or body that is guided; nothing where it hangs in another way.
 std::optional<GuidedChains> guided_chains(const LinkageModel& model);
 

@@ -40,8 +40,7 @@ std::vector<LinkFrame> LinkReader::frames_of_frame(const std::vector<KnownPin>& 
     const auto tilt = numbers.constant(model.placement[2]);
     const auto direction = tilt ? std::optional(std::polar(1.0, *tilt)) : std::nullopt;
     if (x && y && direction) return {{Point(*x, *y), *direction, size}};
-    std::vector<LinkFrame> frames = frames_of(pins, line, direction);
-    return frames;
+    return frames_of(pins, line, direction);
 }
 
 }  // namespace mechwright

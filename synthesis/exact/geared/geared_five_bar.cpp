@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "synthesis/exact/chains/guided_chains.h"
 #include "synthesis/exact/geared/geared_rows.h"
 #include "synthesis/problem/problem.h"
 
@@ -18,23 +19,12 @@ constexpr std::size_t frame = 0;
 /// The pivots (four coordinates), the two cranks, the two rods and how the gears are put together.
 constexpr std::size_t dimensions_of_all = 9;
 
-/// The one pin of two links; nothing where they have none or several.
-std::optional<std::size_t> pin_of(const linkage::Structure& s, std::size_t one, std::size_t other) {
-    std::optional<std::size_t> found;
-    for (std::size_t i = 0; i < s.pins.size(); ++i) {
-        if (!is_on(s.pins[i], one) || !is_on(s.pins[i], other)) continue;
-        if (found) return {};
-        found = i;
-    }
-    return found;
-}
-
 /// A crank with the rod that joins it to a pin.
 std::optional<GearedCrank> crank_to(const linkage::Structure& s, std::size_t link, std::size_t point) {
-    const auto pivot = pin_of(s, frame, link);
+    const auto pivot = one_pin_of(s, frame, link);
     if (!pivot) return {};
     for (const linkage::Point& on : s.pins[point].points) {
-        const auto pin = pin_of(s, link, on.link);
+        const auto pin = one_pin_of(s, link, on.link);
         if (on.link != frame && on.link != link && pin && *pin != *pivot && *pin != point)
             return GearedCrank{link, *pivot, *pin, on.link};
     }
