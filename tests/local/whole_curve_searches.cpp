@@ -43,7 +43,7 @@ TEST(WholeCurvesOfLinkages, HaveTheLeastGreatestDistanceWhereThatIsTheObjective)
     // The least squares of a batch have a farther one.
     const std::vector<Program> programs = programs_of(problem);
     const auto curve = curve_problem(programs);
-    const CurveBatch batch = curve_batch(*curve, 1, 10000, [] { return false; });
+    const CurveBatch batch = curve_batch(*curve, LaidFirst::by_crank_angles, 1, 10000, [] { return false; });
     CurveWork work;
     const double by_squares = programs.front().length * greatest_distance(*curve, batch.best.front(), work);
     EXPECT_LT(least.objective, 0.95 * by_squares);
@@ -85,6 +85,47 @@ TEST(WholeCurvesOfLinkages, AreLaidOverPointsThatTheyPassAtGivenTimes) {
         // Points are written with six digits.
         EXPECT_LT(std::sqrt(end.sum / curve->weight), 1e-5 * curve->spread) << n;
     }
+}
+
+/// So many points of a linkage's whole curve, about as far from each other along it.
+std::vector<Vector<double>> even_points(const CurveArguments& a, int count) {
+    const CrankRange<double> range = assembled_range(FourBar<double>{a[0], a[1], a[2], a[3]});
+    std::vector<Vector<double>> fine;
+    std::vector<double> way{0};
+    for (int k = 0; k <= 2000; ++k) {
+        fine.push_back(coupler_point(a, 0, range.from + k / 2000.0 * (range.to - range.from)));
+        if (k > 0) way.push_back(way.back() + distance(fine[fine.size() - 2], fine.back()));
+    }
+    std::vector<Vector<double>> points;
+    for (int k = 0; k < count; ++k) {
+        const auto at = std::lower_bound(way.begin(), way.end(), (k + 0.5) / count * way.back());
+        points.push_back(fine[static_cast<std::size_t>(at - way.begin())]);
+    }
+    return points;
+}
+
+TEST(WholeCurvesOfLinkages, AreLaidOverPointsFromAPlaceNearTheirs) {
+    RandomNumbers random(8);
+    CurveWork work;
+    int there = 0;
+    for (int n = 0; n < 20; ++n) {
+        const CurveArguments a = random_linkage(random);
+        const Problem problem = problem_of(even_points(a, 60));
+        const std::vector<Program> programs = programs_of(problem);
+        const auto curve = curve_problem(programs);
+        ASSERT_TRUE(curve);
+        // The same linkage elsewhere and of another size: its spread and middle are those of the points.
+        FittedCurve other{a, 0, 0};
+        for (std::size_t i = 0; i < 6; ++i)
+            other.arguments[i] *= 0.37 / programs.front().length;
+        other.arguments[6] = other.arguments[7] = other.arguments[8] = 0;
+        const auto laid_there = laid(*curve, other, CurvePlace{a[8] + 0.05, 1.03, {0.02, -0.03}}, 8, work);
+        ASSERT_TRUE(laid_there);
+        there += std::sqrt(laid_there->sum / curve->weight) < 0.01 * curve->spread ? 1 : 0;
+        const auto turned_round = laid(*curve, other, CurvePlace{a[8] + pi, 3, {0.5, 0.5}}, 0, work);
+        EXPECT_TRUE(!turned_round || turned_round->sum > laid_there->sum) << n;
+    }
+    EXPECT_GE(there, 16);
 }
 
 TEST(WholeCurvesOfLinkages, HaveAWayThroughTheirPointsHoweverTheseAreListed) {
@@ -134,7 +175,7 @@ TEST(WholeCurvesOfLinkages, AreFoundAgainByTheirPoints) {
         // A search runs four batches at a time. Points are written with six digits.
         bool again = false;
         for (std::uint64_t k = 0; k < 4 && !again; ++k) {
-            const CurveBatch batch = curve_batch(*curve, n + 12 * k, 20000, [] { return false; });
+            const CurveBatch batch = curve_batch(*curve, LaidFirst(k % 2), n + 12 * k, 10000, [] { return false; });
             ASSERT_FALSE(batch.best.empty());
             again = std::sqrt(batch.best.front().sum / curve->weight) < 1e-5 * curve->spread;
         }
@@ -148,7 +189,7 @@ TEST(WholeCurvesOfLinkages, TurnFullyWhereTheirPathIsClosed) {
     const std::vector<Program> programs = programs_of(problem);
     const auto curve = curve_problem(programs);
     ASSERT_TRUE(curve);
-    const CurveBatch batch = curve_batch(*curve, 1, 4000, [] { return false; });
+    const CurveBatch batch = curve_batch(*curve, LaidFirst::by_place, 1, 4000, [] { return false; });
     ASSERT_FALSE(batch.best.empty());
     for (const FittedCurve& best : batch.best) {
         const CurveArguments& a = best.arguments;

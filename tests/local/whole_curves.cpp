@@ -20,7 +20,8 @@ std::vector<CurveArguments> linkages(const CurveProblem& problem, std::size_t co
     RandomNumbers random(7);
     CurveWork work;
     while (all.size() < count)
-        if (const auto shape = drawn_shape(problem, random, work)) all.push_back(shape->arguments);
+        if (const auto shape = drawn_shape(problem, LaidFirst::by_crank_angles, random, work))
+            all.push_back(shape->arguments);
     return all;
 }
 
@@ -294,7 +295,7 @@ TEST_F(WholeCurves, AreLeftByDescentsWhereNothingIsToBeGained) {
     RandomNumbers random(3);
     int balanced = 0, descents = 0;
     while (descents < 40) {
-        auto shape = drawn_shape(*curve, random, work);
+        auto shape = drawn_shape(*curve, LaidFirst::by_place, random, work);
         if (!shape) continue;
         ++descents;
         FittedCurve before = *shape;
@@ -314,7 +315,7 @@ TEST_F(WholeCurves, ComeNearerToTheTargetThatIsFarthestAway) {
     RandomNumbers random(11);
     int designs = 0, nearer = 0;
     while (designs < 20) {
-        auto shape = drawn_shape(*curve, random, work);
+        auto shape = drawn_shape(*curve, LaidFirst::by_place, random, work);
         if (!shape || !descend(*curve, *shape, 400, 1e-9, work)) continue;
         ++designs;
         const auto least = towards_least_greatest(*curve, *shape, work);

@@ -42,6 +42,7 @@ bool by_sum(const FittedCurve& a, const FittedCurve& b) { return a.sum < b.sum; 
 
 struct Batch {
     const CurveProblem& problem;
+    LaidFirst by{};
     CurveBatch result{};
     CurveWork work{};
 
@@ -98,7 +99,7 @@ struct Batch {
         std::optional<FittedCurve> best;
         for (int i = 0; i < drawn_for_shape; ++i) {
             ++result.drawn;
-            const std::optional<FittedCurve> shape = drawn_shape(problem, random, work);
+            const std::optional<FittedCurve> shape = drawn_shape(problem, by, random, work);
             if (shape && (!best || shape->sum < best->sum)) best = shape;
         }
         return best;
@@ -147,9 +148,9 @@ struct Batch {
 
 }  // namespace
 
-CurveBatch curve_batch(const CurveProblem& problem, std::uint64_t seed, long evaluations,
+CurveBatch curve_batch(const CurveProblem& problem, LaidFirst by, std::uint64_t seed, long evaluations,
                        const std::function<bool()>& stop) {
-    Batch batch{problem};
+    Batch batch{problem, by};
     RandomNumbers random(seed);
     const long most_drawn = evaluations;  // where shapes never assemble, there is an end
     batch.draw(static_cast<long>(drawn_part * static_cast<double>(evaluations)), most_drawn, random, stop);

@@ -18,9 +18,9 @@ struct CurveBatch {
 
 /// Descents from shapes that are drawn, then from variations of the best of them, for so many evaluations at least, and
 /// for twice as many again and again while the second half of them comes to something better: a batch ends where going
-/// on gains nothing, so that what several end at can be compared. `stop` ends it before. A function of (problem, seed)
-/// alone, unless stopped.
-CurveBatch curve_batch(const CurveProblem& problem, std::uint64_t seed, long evaluations,
+/// on gains nothing, so that what several end at can be compared. `stop` ends it before. A function of (problem, by,
+/// seed) alone, unless stopped.
+CurveBatch curve_batch(const CurveProblem& problem, LaidFirst by, std::uint64_t seed, long evaluations,
                        const std::function<bool()>& stop);
 
 /// Descents from variations of designs alone, smaller ones than in a batch.

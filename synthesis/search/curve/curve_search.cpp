@@ -23,13 +23,13 @@ namespace {
 /// So many batches are run at a time, each of so many evaluations or more; the starts that a problem asks for are worth
 /// the evaluations of that many rounds for each `starts_of_rounds`.
 constexpr int most_batches_of_round = 4;
-constexpr long evaluations_of_batch = 20000;
-constexpr int rounds = 10;
+constexpr long evaluations_of_batch = 15000;
+constexpr int rounds = 14;
 constexpr int starts_of_rounds = 32;
 /// Of a linkage that is given, so that only assemblies are left to be chosen.
 constexpr long evaluations_of_given = 100;
 /// Where least squares only lead to the objective there is another search beside this one, and there are fewer rounds.
-constexpr int rounds_that_lead = 2;
+constexpr int rounds_that_lead = 3;
 /// Batches whose least sums of squares agree to this part came to one end; they hit the best one if they agree with it
 /// to the smaller part.
 constexpr double same_end_within = 3e-6;
@@ -40,7 +40,7 @@ constexpr double most_missed_chance = 0.05;
 /// Chains of variations from the best of all batches, so many at a time, of so many evaluations; again while they gain
 /// more than this part, and so many times at most.
 constexpr int chains_at_a_time = 2;
-constexpr long evaluations_of_chain = 10000;
+constexpr long evaluations_of_chain = 5000;
 constexpr double gain_of_chains = 1e-6;
 constexpr int most_times = 12;
 /// Designs that are taken to the very end: the best of those whose sums differ by more than this part; and the greatest
@@ -132,7 +132,8 @@ struct Search {
         const int each = batches_of_round();
         const auto done = run(each, [&](int i) {
             const auto number = static_cast<std::uint64_t>(round * each + i);
-            return curve_batch(*curve, mixed(problem.solver.seed) + number, useful(evaluations_of_batch),
+            const LaidFirst by = number % 2 == 0 ? LaidFirst::by_crank_angles : LaidFirst::by_place;
+            return curve_batch(*curve, by, mixed(problem.solver.seed) + number, useful(evaluations_of_batch),
                                [&] { return stopped(); });
         });
         for (const double least : leads ? led_objectives(done) : least_sums(done)) {

@@ -172,6 +172,52 @@ std::vector<LinkPosition> positions_at(const SampledCurve& curve, const LinkPosi
     return all;
 }
 
+/// Mean and spread of points with weights.
+struct Spread {
+    double weight = 0;
+    Complex sum = 0;
+    double square = 0;
+
+    void add(Complex point, double of_point) {
+        weight += of_point;
+        sum += of_point * point;
+        square += of_point * std::norm(point);
+    }
+    Complex middle() const { return sum / weight; }
+    double size() const { return std::sqrt(std::max(0.0, square / weight - std::norm(middle()))); }
+};
+
+Spread spread_of_targets(const CurveProblem& p) {
+    Spread spread;
+    for (std::size_t i = 0; i < p.targets.count; ++i)
+        spread.add(target_of(p, i), weight_of(p, i));
+    return spread;
+}
+
+/// By the length of the curve.
+Spread spread_of(const SampledCurve& c) {
+    Spread spread;
+    for (std::size_t k = 1; k < c.count; ++k) {
+        const Complex from{c.x[k - 1], c.y[k - 1]}, to{c.x[k], c.y[k]};
+        spread.add((from + to) / 2.0, std::abs(to - from));
+    }
+    return spread;
+}
+
+/// Moves the curve to its place. False: it is a point.
+bool move(const CurveProblem& p, const CurveArguments& a, const CurvePlace& place, SampledCurve& curve) {
+    const Spread targets = spread_of_targets(p), drawn = spread_of(curve);
+    if (!(drawn.weight > 0 && drawn.size() > 0)) return false;
+    const Complex factor = allowed(p, a, std::polar(place.size * targets.size() / drawn.size(), place.turn));
+    const Complex middle = targets.middle() + std::abs(factor) * drawn.size() * Complex(place.off.x, place.off.y);
+    for (std::size_t k = 0; k < curve.count; ++k) {
+        const Complex z = middle + factor * (Complex(curve.x[k], curve.y[k]) - drawn.middle());
+        curve.x[k] = z.real();
+        curve.y[k] = z.imag();
+    }
+    return true;
+}
+
 void lay(const Laying& laying, const LinkPositions& links, SampledCurve& curve) {
     for (std::size_t k = 0; k < curve.count; ++k) {
         const Complex z = laying(links.at[k]);
@@ -207,6 +253,23 @@ void place(const CurveProblem& p, const Laying& laying, CurveArguments& a) {
     a[p.lengths + 4] = std::arg(laying.factor);
 }
 
+/// Laid for positions of the link at the targets, then by nearest points again and again.
+std::optional<FittedCurve> laid_from(const CurveProblem& p, FittedCurve design, const LinkPositions& links,
+                                     std::vector<LinkPosition> at_targets, int repetitions, CurveWork& work) {
+    std::optional<Laying> laying;
+    for (int i = 0; i <= repetitions; ++i) {
+        laying = best_laying(p, design.arguments, at_targets);
+        if (!laying) return std::nullopt;
+        lay(*laying, links, work.curve);
+        set_nearest(p, links, work, at_targets);
+    }
+    design.sum = sum_of(p, work.chords);
+    place(p, *laying, design.arguments);
+    design.arguments = within_ranges(p, design.arguments);
+    if (!p.allows(design.assembly, design.arguments)) return std::nullopt;
+    return design;
+}
+
 }  // namespace
 
 std::vector<double> times_at_targets(const CurveProblem& p, const FittedCurve& design, CurveWork& work) {
@@ -229,19 +292,18 @@ std::optional<FittedCurve> laid(const CurveProblem& p, FittedCurve design, const
     if (!sample(p, design, work)) return std::nullopt;
     LinkPositions links;
     set_positions(p, design, work.curve, links);
-    std::vector<LinkPosition> at_targets = positions_at(work.curve, links, times);
-    std::optional<Laying> laying;
-    for (int i = 0; i <= repetitions; ++i) {
-        laying = best_laying(p, design.arguments, at_targets);
-        if (!laying) return std::nullopt;
-        lay(*laying, links, work.curve);
-        set_nearest(p, links, work, at_targets);
-    }
-    design.sum = sum_of(p, work.chords);
-    place(p, *laying, design.arguments);
-    design.arguments = within_ranges(p, design.arguments);
-    if (!p.allows(design.assembly, design.arguments)) return std::nullopt;
-    return design;
+    return laid_from(p, std::move(design), links, positions_at(work.curve, links, times), repetitions, work);
+}
+
+std::optional<FittedCurve> laid(const CurveProblem& p, FittedCurve design, const CurvePlace& first, int repetitions,
+                                CurveWork& work) {
+    if (!sample(p, design, work)) return std::nullopt;
+    LinkPositions links;
+    set_positions(p, design, work.curve, links);
+    if (!move(p, design.arguments, first, work.curve)) return std::nullopt;
+    std::vector<LinkPosition> at_targets(p.targets.count);
+    set_nearest(p, links, work, at_targets);
+    return laid_from(p, std::move(design), links, std::move(at_targets), repetitions, work);
 }
 
 }  // namespace mechwright

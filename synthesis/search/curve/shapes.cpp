@@ -27,11 +27,17 @@ constexpr int layings = 8;
 constexpr int layings_of_variation = 3;
 /// By which part of the motion a variation moves the times at the targets, for a spread of 1.
 constexpr double time_spread = 0.3;
-/// How often the way through the targets of an open path is cut once more into parts, each with a stretch of the
+/// How often a closed path is served by parts of the motion, as open ones are: the best curve may be much greater and
+/// have such a loop. How often the way through the targets is cut once more into parts, each with a stretch of the
 /// motion; how many there are at most, and the least of the motion that is one.
+constexpr double closed_by_parts = 0.3;
 constexpr double one_more_stretch = 0.4;
 constexpr std::size_t most_stretches = 3;
 constexpr double least_motion = 0.08;
+/// Places of curves: spreads from this to that part of the targets', middles off by so much of their spread.
+constexpr double least_size = 0.7;
+constexpr double greatest_size = 4;
+constexpr double off_middle = 0.3;
 
 /// How often a variation takes the other side of a border close by, and the other assembly; and what close is, as a
 /// part of all lengths together.
@@ -108,19 +114,21 @@ Stretch drawn_stretch(bool whole, RandomNumbers& random) {
     return {random.even() * (whole ? 1 : 1 - part), part, random.even() < 0.5};
 }
 
-/// Times at the targets, in order along the way through them: all of the motion for a closed path; for an open one a
-/// stretch of it, or one for each of several parts of the way, as curves that go to and fro between ends of the motion
-/// have them.
+/// Times at the targets, in order along the way through them: all of the motion, for most closed paths; or a stretch of
+/// it, or one for each of several parts of the way, as curves that go to and fro between ends of the motion have them.
 std::vector<double> drawn_times(const CurveProblem& p, RandomNumbers& random) {
+    const bool whole = p.closed && random.even() > closed_by_parts;
+    const double shift = p.closed && !whole ? random.even() : 0;
     std::vector<double> cuts{0, 1};
-    while (!p.closed && cuts.size() <= most_stretches && random.even() < one_more_stretch)
+    while (!whole && cuts.size() <= most_stretches && random.even() < one_more_stretch)
         cuts.push_back(random.even());
     std::sort(cuts.begin(), cuts.end());
     std::vector<Stretch> stretches;
     for (std::size_t k = 1; k < cuts.size(); ++k)
-        stretches.push_back(drawn_stretch(p.closed, random));
+        stretches.push_back(drawn_stretch(whole, random));
     std::vector<double> times;
-    for (const double along : p.way) {
+    for (const double from_first : p.way) {
+        const double along = from_first + shift - std::floor(from_first + shift);
         const auto after = std::upper_bound(cuts.begin() + 1, cuts.end() - 1, along);
         const double before = *(after - 1);
         const Stretch& stretch = stretches[static_cast<std::size_t>(after - cuts.begin()) - 1];
@@ -140,6 +148,15 @@ std::vector<double> varied_times(const CurveProblem& p, const FittedCurve& desig
         time = p.closed ? time - std::floor(time) : std::clamp(time, 0.0, 1.0);
     }
     return times;
+}
+
+CurvePlace drawn_place(RandomNumbers& random) {
+    CurvePlace place;
+    place.size = of_logarithm(least_size, greatest_size, random.even());
+    place.turn = 2 * pi<double>() * random.even();
+    place.off.x = off_middle * random.normal();
+    place.off.y = off_middle * random.normal();
+    return place;
 }
 
 /// Values for what is given, and for what is not where a design begins.
@@ -163,7 +180,7 @@ double RandomNumbers::normal() {
     return radius * std::cos(2 * pi<double>() * even());
 }
 
-std::optional<FittedCurve> drawn_shape(const CurveProblem& p, RandomNumbers& random, CurveWork& work) {
+std::optional<FittedCurve> drawn_shape(const CurveProblem& p, LaidFirst by, RandomNumbers& random, CurveWork& work) {
     FittedCurve shape{given(p), 0, unlimited};
     bool drawn = false;
     for (int i = 0; i < most_shapes_drawn && !drawn; ++i) {
@@ -179,6 +196,7 @@ std::optional<FittedCurve> drawn_shape(const CurveProblem& p, RandomNumbers& ran
             if (p.is_free(i)) shape.arguments[i] = p.lower[i] + random.even() * (p.upper[i] - p.lower[i]);
         return shape;
     }
+    if (by == LaidFirst::by_place) return laid(p, shape, drawn_place(random), layings, work);
     return laid(p, shape, drawn_times(p, random), layings, work);
 }
 

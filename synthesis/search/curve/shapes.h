@@ -18,9 +18,14 @@ private:
     std::uint64_t state_;
 };
 
-/// A design of any proportions, its curve laid over the targets (laying.h) for crank angles that are drawn. Nothing
-/// where the draw belongs to no design.
-std::optional<FittedCurve> drawn_shape(const CurveProblem& problem, RandomNumbers& random, CurveWork& work);
+/// What the curve of a drawn shape is laid by first: crank angles at the targets, in their order, or a place on the
+/// plane. Each finds designs that the other hardly ever comes to.
+enum class LaidFirst { by_crank_angles, by_place };
+
+/// A design of any proportions, its curve laid over the targets (laying.h). Nothing where the draw belongs to no
+/// design.
+std::optional<FittedCurve> drawn_shape(const CurveProblem& problem, LaidFirst by, RandomNumbers& random,
+                                       CurveWork& work);
 
 /// A design near another, as far as `spread` (of order 0.01 to 1) says: margins to its borders, guided point and the
 /// crank angles at the targets are changed, now and then the other side of a border or the other assembly is taken, or
