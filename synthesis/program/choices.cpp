@@ -6,8 +6,6 @@
 #include <map>
 
 #include "analysis/numbers/low_discrepancy.h"
-#include "synthesis/program/program.h"
-
 namespace mechwright {
 
 namespace {
@@ -111,6 +109,27 @@ std::vector<std::vector<std::size_t>> choices_of_components(const Problem& probl
         if (std::find(chosen.begin(), chosen.end(), choice) == chosen.end()) chosen.push_back(std::move(choice));
     }
     return chosen;
+}
+
+std::optional<Variant> without_choices(const Problem& problem, const Variant& variant) {
+    const std::vector<Disjunction> all = disjunctions(problem, motion_of(problem, variant.family, variant.assembly));
+    if (std::none_of(all.begin(), all.end(), [](const Disjunction& d) { return d.required; })) return std::nullopt;
+    Variant open = variant;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].required) open.choices[i] = no_component;
+    return open;
+}
+
+Variant with_choices_at(const Program& program, const Eigen::VectorXd& x) {
+    const Problem& problem = *program.problem;
+    Variant variant = program.variant;
+    const std::vector<Disjunction> all = disjunctions(problem, motion_of(problem, variant.family, variant.assembly));
+    RowsBesidePath values;
+    evaluate_beside_path(program, {}, x, false, values);
+    const Choice at = values.outputs.assembled ? extreme_components(program, all, values.outputs.value) : Choice{};
+    for (std::size_t i = 0; i < at.size(); ++i)
+        if (all[i].required) variant.choices[i] = at[i];
+    return variant;
 }
 
 }  // namespace mechwright

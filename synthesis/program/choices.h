@@ -3,9 +3,12 @@
 /// Which component of a quantity meets a condition that one of them has to meet: a variant of a problem chooses one for
 /// each such condition.
 
+#include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "synthesis/program/program.h"
 #include "synthesis/program/variant.h"
 
 namespace mechwright {
@@ -16,5 +19,12 @@ namespace mechwright {
 /// has its turn as far as there is room. Always the same ones for a problem.
 std::vector<std::vector<std::size_t>> choices_of_components(const Problem& problem, std::size_t family,
                                                             std::size_t assembly);
+
+/// The same variant with no component chosen for any requirement; nothing where it has no such choice.
+std::optional<Variant> without_choices(const Problem& problem, const Variant& variant);
+
+/// The variant of a program with the components chosen for requirements that are the extreme ones at x. The program's
+/// own where something has no value there.
+Variant with_choices_at(const Program& program, const Eigen::VectorXd& x);
 
 }  // namespace mechwright

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "synthesis/target/path/rows/stretch.h"
 
@@ -82,18 +83,25 @@ std::optional<CircuitAndBranch> circuit_of(const Problem& problem, const Motion&
 
 namespace {
 
-bool has_given_range(const Problem& problem) { return problem.crank_range || problem.use; }
+/// What keeps a design assembled over the range of crank angles over which it is judged, and the motion as this gets
+/// it. None where it moves freely, or over the stretch of several targets.
+std::optional<std::pair<const Quantity*, Motion>> margin_over(const Problem& problem, const Motion& motion) {
+    if (moves_over_targets(problem) && !covers_several(problem) && !problem.crank_range)
+        return std::pair(&problem.mechanism->input->margin, motion);
+    if ((!problem.crank_range && !problem.use) || motion.full_turn) return std::nullopt;
+    const auto& families = problem.mechanism->families;
+    const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
+    if (limited == families.end() || !limited->assembly_margin) return std::nullopt;
+    Motion over = motion;
+    over.family = static_cast<std::size_t>(limited - families.begin());
+    return std::pair(&*limited->assembly_margin, over);
+}
 
 bool assembles_over(const Problem& problem, const Motion& motion, const Design& design) {
     constexpr double closed_within = 1e-12;  // of margins over the longest length
-    if (!has_given_range(problem) || motion.full_turn) return true;
-    const auto& families = problem.mechanism->families;
-    const auto limited = std::find_if(families.begin(), families.end(), [](const Family& f) { return !f.full_turn; });
-    if (limited == families.end() || !limited->assembly_margin) return true;
-    Motion over = motion;
-    over.family = static_cast<std::size_t>(limited - families.begin());
-    return least_component(*limited->assembly_margin, over, design.dimensions) >=
-           -closed_within * longest_length(*problem.mechanism, design.dimensions);
+    const auto margin = margin_over(problem, motion);
+    return !margin || least_component(*margin->first, margin->second, design.dimensions) >=
+                          -closed_within * longest_length(*problem.mechanism, design.dimensions);
 }
 
 }  // namespace
@@ -117,7 +125,7 @@ double least_component(const Quantity& margin, const Motion& motion, std::span<c
 }
 
 bool assembles_over_range(const Problem& problem, const Design& design) {
-    return !has_given_range(problem) || assembles_over(problem, motion_of(problem, design), design);
+    return assembles_over(problem, motion_of(problem, design), design);
 }
 
 namespace {

@@ -21,17 +21,17 @@ bool is_disjunctive(const Quantity& quantity, const ObjectiveTerm& term) {
 
 std::vector<Disjunction> disjunctions(const Problem& problem, const Motion& motion) {
     std::vector<Disjunction> all;
-    const auto add = [&](std::size_t index, const auto& condition) {
+    const auto add = [&](std::size_t index, const auto& condition, bool required) {
         const Quantity& quantity = programmed_quantity(problem, index);
         if (quantity.path != PathMeasure::none || !is_disjunctive(quantity, condition)) return;
         const std::size_t components = quantity.components(motion_of(problem, quantity, motion));
-        if (components > 1) all.push_back({index, components});
+        if (components > 1) all.push_back({index, components, required});
     };
     for (const Requirement& r : problem.requirements)
-        add(r.quantity, r);
+        add(r.quantity, r, true);
     if (problem.objective)
         for (const ObjectiveTerm& t : problem.objective->terms)
-            add(t.quantity, t);
+            add(t.quantity, t, false);
     return all;
 }
 

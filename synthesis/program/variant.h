@@ -17,8 +17,13 @@ struct Variant {
     std::size_t family = 0;
     std::size_t assembly = 0;
     int direction = 1;                 ///< of the crank along an untimed path: +1 counter-clockwise, -1 clockwise
-    std::vector<std::size_t> choices;  ///< one per disjunction, in the order of `disjunctions`
+    std::vector<std::size_t> choices;  ///< one per disjunction, in the order of `disjunctions`, or `no_component`
+
+    bool operator==(const Variant&) const = default;
 };
+
+/// Where no component is chosen for a requirement it asks only for what all of them have to meet.
+inline constexpr std::size_t no_component = static_cast<std::size_t>(-1);
 
 /// Whether every quantity that the problem names has a value in this motion.
 bool all_defined(const Problem& problem, const Motion& motion);
@@ -27,6 +32,7 @@ bool all_defined(const Problem& problem, const Motion& motion);
 struct Disjunction {
     std::size_t quantity;
     std::size_t components;
+    bool required;  ///< by a requirement; else it is of the objective
 };
 
 /// The disjunctions of a problem in a family: those of its requirements in order, then of its objective's terms.

@@ -1,12 +1,15 @@
 #include "synthesis/search/multistart.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <optional>
 
 #include "synthesis/program/assess.h"
+#include "synthesis/program/choices.h"
 #include "synthesis/program/search_trace.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/program/zero_objective.h"
@@ -17,10 +20,20 @@
 
 namespace mechwright {
 
+using Eigen::VectorXd;
+
 namespace {
 
 /// Every variant gets at least this many starts, however many variants there are.
 constexpr int least_starts_of_variant = 4;
+
+/// One of the starts of a program.
+struct SearchTask {
+    const Program* program;
+    int number;      ///< no other program of its family and assembly has the same: their starts are drawn alike
+    bool preferred;  ///< begins with the preferred values
+};
+
 struct Slot {
     std::optional<Solution> solution;
     long evaluations = 0;
@@ -50,6 +63,57 @@ LocalOutcome search_nearly_feasible(const Program& program, const Eigen::VectorX
     outcome.evaluations += near.evaluations;
     outcome.hessians += near.hessians;
     return outcome;
+}
+
+/// The programs of variants without choices for requirements, as far as there are such choices.
+std::vector<Program> without_choices(const Problem& problem, const std::vector<Program>& programs,
+                                     const std::vector<std::size_t>& kept) {
+    std::vector<Program> open;
+    for (const std::size_t i : kept) {
+        const std::optional<Variant> variant = without_choices(problem, programs[i].variant);
+        const auto is_known = [&](const Program& known) { return known.variant == *variant; };
+        if (variant && std::none_of(open.begin(), open.end(), is_known))
+            open.push_back(build_program(problem, *variant));
+    }
+    return open;
+}
+
+/// So many starts of each program in turn, with numbers after those of earlier tasks of the same family and assembly.
+void add_tasks(const std::vector<const Program*>& programs, int starts, std::vector<SearchTask>& tasks) {
+    using Drawn = std::array<std::size_t, 2>;  // what draws depend on
+    std::map<Drawn, int> next;
+    const auto drawn = [](const Program& program) { return Drawn{program.variant.family, program.variant.assembly}; };
+    for (const SearchTask& task : tasks)
+        ++next[drawn(*task.program)];
+    for (int start = 0; start < starts; ++start)
+        for (const Program* program : programs)
+            tasks.push_back({program, next[drawn(*program)]++, start == 0});
+}
+
+/// Where a local search ended, and what that is worth; nothing where nothing assembled.
+struct LocalEnd {
+    LocalOutcome outcome;
+    std::optional<Solution> solution{};
+};
+
+/// Searches a program from a start. One without choices for requirements is searched on with those of its end where
+/// that does not meet them.
+template <class Search>
+LocalEnd searched(const Program& program, const VectorXd& start, const Search& search) {
+    const Problem& problem = *program.problem;
+    LocalEnd end{search(program, start)};
+    if (end.outcome.x.size() == 0) return end;
+    end.solution = assess(problem, design_at(program, end.outcome.x));
+    if (end.solution->feasible || without_choices(problem, program.variant) != program.variant) return end;
+    const Program chosen = build_program(problem, with_choices_at(program, end.outcome.x));
+    LocalOutcome further = search(chosen, end.outcome.x);
+    further.evaluations += end.outcome.evaluations;
+    further.hessians += end.outcome.hessians;
+    end.outcome = std::move(further);
+    if (end.outcome.x.size() == 0) return end;
+    Solution solution = assess(problem, design_at(chosen, end.outcome.x));
+    if (preferred(problem, solution, *end.solution)) end.solution = std::move(solution);
+    return end;
 }
 
 std::vector<Milestone> milestones_of(const Problem& problem, const std::vector<Slot>& slots) {
@@ -84,13 +148,13 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     if (programs.empty()) return result;
 
     const int candidates = start_candidates(problem);
-    const auto random_start = [&](const Program& program, int number) {
+    const auto random_start = [&](const SearchTask& task) {
         const Timed timed(seconds_of(options.trace, &SearchTrace::screening));
-        return screened_start(program, problem.solver.seed, number, candidates);
+        return screened_start(*task.program, problem.solver.seed, task.number, candidates, task.preferred);
     };
     std::vector<Start> firsts(has_many_assemblies(programs) ? programs.size() : 0);
     share_work(static_cast<int>(firsts.size()), options.jobs, [&](int i) {
-        firsts[static_cast<std::size_t>(i)] = random_start(programs[static_cast<std::size_t>(i)], 0);
+        firsts[static_cast<std::size_t>(i)] = random_start({&programs[static_cast<std::size_t>(i)], 0, true});
     });
     std::vector<AssemblyMerit> merits;
     for (std::size_t i = 0; i < firsts.size(); ++i) {
@@ -98,12 +162,25 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
         result.report.drawn += firsts[i].counts.drawn;
         result.report.assembled += firsts[i].counts.assembled;
     }
-    const std::vector<std::size_t> searched = in_best_assemblies(programs, std::move(merits));
+    const std::vector<std::size_t> kept = in_best_assemblies(programs, std::move(merits));
 
-    const auto count = static_cast<int>(searched.size());
-    const int each =
-        std::max((problem.solver.starts + count - 1) / count, std::min(least_starts_of_variant, problem.solver.starts));
-    const int total = each * count;
+    // Of several components that may meet a requirement most designs have one that does: what is best without it often
+    // meets it, too, and is sought first.
+    const std::vector<Program> open = without_choices(problem, programs, kept);
+    const auto starts_of_each = [&](std::size_t count) {
+        const auto n = static_cast<int>(std::max<std::size_t>(count, 1));
+        return (problem.solver.starts + n - 1) / n;
+    };
+    std::vector<const Program*> without, with;
+    for (const Program& program : open)
+        without.push_back(&program);
+    for (const std::size_t i : kept)
+        with.push_back(&programs[i]);
+    std::vector<SearchTask> tasks;
+    add_tasks(without, starts_of_each(without.size()), tasks);
+    add_tasks(with, std::max(starts_of_each(with.size()), std::min(least_starts_of_variant, problem.solver.starts)),
+              tasks);
+    const auto total = static_cast<int>(tasks.size());
     LocalLimits limits;
     limits.deadline = deadline;
     limits.stop = options.stop;
@@ -120,21 +197,21 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
         done = 0;
         share_work(total, options.jobs, [&](int task) {
             if (limits.reached() || task > zero_at) return;
-            const Program& program = programs[searched[static_cast<std::size_t>(task % count)]];
+            const Program& program = *tasks[static_cast<std::size_t>(task)].program;
             Slot& slot = slots[static_cast<std::size_t>(task)];
-            const Start start = random_start(program, task / count);
+            const Start start = random_start(tasks[static_cast<std::size_t>(task)]);
             slot.counts = start.counts;
             const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
-            LocalOutcome outcome = search(program, start.x);
-            slot.evaluations += outcome.evaluations;
-            slot.hessians += outcome.hessians;
-            if (outcome.x.size() > 0) slot.solution = assess(problem, design_at(program, outcome.x));
+            LocalEnd end = searched(program, start.x, search);
+            slot.evaluations += end.outcome.evaluations;
+            slot.hessians += end.outcome.hessians;
+            if (end.solution) slot.solution = std::move(end.solution);
             slot.done = !limits.reached();
             if (options.trace)
                 slot.ends.push_back({!from.empty()     ? from
                                      : start.preferred ? "preferred values"
                                                        : "screened",
-                                     outcome.verdict, outcome.evaluations, timed.seconds(), slot.solution});
+                                     end.outcome.verdict, end.outcome.evaluations, timed.seconds(), slot.solution});
             if (slot.solution && is_at_zero(problem, *slot.solution))
                 for (int before = zero_at; task < before && !zero_at.compare_exchange_weak(before, task);) {
                 }
@@ -146,12 +223,11 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
             options.progress(done, total, best ? best->objective : std::numeric_limits<double>::quiet_NaN());
         });
     };
-    run("", [&](const Program& program, const Eigen::VectorXd& start) {
-        return polished_search(program, start, method, limits);
-    });
+    run("",
+        [&](const Program& program, const VectorXd& start) { return polished_search(program, start, method, limits); });
     const auto feasible = [](const Slot& slot) { return slot.solution && slot.solution->feasible; };
     if (std::none_of(slots.begin(), slots.end(), feasible) && !limits.reached())
-        run("least shortfall", [&](const Program& program, const Eigen::VectorXd& start) {
+        run("least shortfall", [&](const Program& program, const VectorXd& start) {
             return search_nearly_feasible(program, start, method, limits);
         });
 

@@ -48,7 +48,7 @@ int start_candidates(const Problem& problem) {
     return problem.path ? 400 : 16;
 }
 
-Start screened_start(const Program& program, std::uint64_t seed, int index, int candidates) {
+Start screened_start(const Program& program, std::uint64_t seed, int index, int candidates, bool with_preferred) {
     const auto n = static_cast<Index>(program.size());
     const std::vector<InputTask> tasks = input_tasks(*program.problem);
     const Draws draws(program, seed);
@@ -84,7 +84,7 @@ Start screened_start(const Program& program, std::uint64_t seed, int index, int 
         return m < unlimited;
     };
 
-    if (index == 0) {
+    if (with_preferred) {
         VectorXd x = program.reference;
         if (program.untimed_path()) set_path_angles(program, 0.5, 0.5, x);
         consider(std::move(x), true);

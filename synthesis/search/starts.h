@@ -21,8 +21,11 @@ struct Start {
 };
 
 /// Start number `index` of a program, a function of (seed, index) alone: the best of `candidates` screened points.
-/// Index 0 begins with the preferred values (or the middles of the ranges).
-Start screened_start(const Program& program, std::uint64_t seed, int index, int candidates);
+/// Index 0 begins with the preferred values (or the middles of the ranges), or those that are asked to.
+Start screened_start(const Program& program, std::uint64_t seed, int index, int candidates, bool with_preferred);
+inline Start screened_start(const Program& program, std::uint64_t seed, int index, int candidates) {
+    return screened_start(program, seed, index, candidates, index == 0);
+}
 
 /// The point of it alone.
 Eigen::VectorXd start_point(const Program& program, std::uint64_t seed, int index, int candidates);

@@ -1,12 +1,16 @@
 #include "synthesis/solve/methods.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "synthesis/exact/closed_form/closed_form.h"
 #include "synthesis/exact/exact.h"
+#include "synthesis/mechanism/input.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/proof.h"
 #include "synthesis/program/quantity_value.h"
@@ -99,17 +103,35 @@ void settle_best(const Problem& problem, Found& found, const RunOptions& options
         found.candidates.front() = *std::move(at.solution);
 }
 
+/// Whether designs would do whose motion ends at toggles or stops, if the file said over which range to judge them.
+bool lacks_range(const Problem& problem) {
+    const auto& families = problem.mechanism->families;
+    return !problem.crank_range && !problem.path && !has_input_range(problem) &&
+           std::any_of(families.begin(), families.end(), [](const Family& family) { return !family.full_turn; });
+}
+
 /// What is said where a search ends without any design.
-std::string why_nothing_is_found(const SearchReport& report) {
+std::string why_nothing_is_found(const Problem& problem, const SearchReport& report) {
+    const std::string_view input = input_word(*problem.mechanism);
+    if (report.drawn == 0 && lacks_range(problem))
+        return fmt::format(
+            "where the motion of a design ends at toggles or stops it is searched for over given {0}s alone: "
+            "[motion] crank_range says over which ones",
+            input);
     if (report.drawn == 0) return "no kind of motion of this mechanism has all the quantities that the problem names";
-    return report.assembled == 0 ? "none of the candidates that were drawn assembles"
-                                 : "no search from the candidates that were drawn came to a design";
+    if (report.assembled > 0) return "no search from the candidates that were drawn came to a design";
+    if (lacks_range(problem))
+        return fmt::format(
+            "none of the candidates that were drawn turns fully: for part of a turn give the {}s in "
+            "[motion] crank_range",
+            input);
+    return "none of the candidates that were drawn assembles";
 }
 
 Found search(std::string_view name, LocalMethod local, const Problem& problem, const RunOptions& options,
              Clock::time_point deadline) {
     Multistart m = multistart(problem, local, options, deadline);
-    Found found{std::move(m.optima), m.report, false, m.stopped, why_nothing_is_found(m.report)};
+    Found found{std::move(m.optima), m.report, false, m.stopped, why_nothing_is_found(problem, m.report)};
     found.report.method = name;
     settle_best(problem, found, options, deadline);
     return found;
@@ -129,7 +151,7 @@ Found with_ipopt(const Problem& problem, const RunOptions& options, Clock::time_
 
 Found with_least_squares(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     Multistart m = path_search(problem, options, deadline);
-    Found found{std::move(m.optima), m.report, false, m.stopped, why_nothing_is_found(m.report)};
+    Found found{std::move(m.optima), m.report, false, m.stopped, why_nothing_is_found(problem, m.report)};
     found.report.method = "least-squares";
     settle_best(problem, found, options, deadline);
     if (!found.report.complete()) found.report.bound = bound_of_untimed_path(problem);

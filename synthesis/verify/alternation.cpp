@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 
@@ -23,23 +22,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_listed = 40;  // extremes of a document
 
-const Digits50& half_a_turn() { return boost::math::constants::pi<Digits50>(); }
-
-/// The extremes, with one of half a turn for both sides of a jump from half a turn to minus half a turn.
-std::vector<ExtremeAgain> without_jumps(const std::vector<ExtremeAgain>& all, Unit unit) {
-    constexpr double sides_within = 1e-5;
-    std::vector<ExtremeAgain> kept;
-    for (const ExtremeAgain& e : all) {
-        const bool other_side = unit == Unit::angle && !kept.empty() && e.share - kept.back().share <= sides_within &&
-                                abs(e.error - kept.back().error) > half_a_turn();
-        if (other_side)
-            kept.back().error = kept.back().error < 0 ? Digits50(-half_a_turn()) : half_a_turn();
-        else
-            kept.push_back(e);
-    }
-    return kept;
-}
-
 struct Error {
     const Claim& claim;
     InputTask task;
@@ -49,7 +31,7 @@ struct Error {
     Digits50 greatest = 0;
 
     Error(const Claim& c, const InputTask& t)
-        : claim(c), task(t), design(rebuilt(c)), curve(design, t), extremes(without_jumps(curve.extremes(), t.unit())) {
+        : claim(c), task(t), design(rebuilt(c)), curve(design, t), extremes(curve.extremes()) {
         for (const ExtremeAgain& e : extremes)
             greatest = std::max<Digits50>(greatest, abs(e.error));
     }
@@ -62,10 +44,7 @@ struct Error {
         return 8 * std::numeric_limits<double>::epsilon() * (unit() == Unit::angle ? Digits50(1) : design.longest);
     }
     /// By how much two errors differ: half a turn is minus half a turn.
-    Digits50 apart(const Digits50& a, const Digits50& b) const {
-        const Digits50 difference = abs(a - b);
-        return unit() == Unit::angle ? std::min<Digits50>(difference, abs(difference - 2 * half_a_turn())) : difference;
-    }
+    Digits50 apart(const Digits50& a, const Digits50& b) const { return abs(curve.counted_on(a, b) - b); }
     /// The place as a document has it: x of a function, else the crank angle, or displacement.
     double place(double share) const {
         if (const FunctionTarget* f = task.asked.function.get()) return f->from + share * (f->to - f->from);
@@ -124,7 +103,7 @@ std::vector<RowAgain> slopes(const Error& error, const std::vector<ExtremeAgain>
     std::vector<RowAgain> rows = slopes_again(error.design, [&](const std::vector<Digits50>& dimensions) {
         std::vector<Digits50> values;
         for (const ExtremeAgain& e : at)
-            values.push_back(error.curve.at(e.share, dimensions));
+            values.push_back(error.curve.counted_on(error.curve.at(e.share, dimensions), e.error));
         return values;
     });
     for (std::size_t i = 0; i < at.size(); ++i)

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "analysis/numbers/golden_section.h"
+#include "analysis/numbers/scalar.h"
 #include "synthesis/problem/problem.h"
 
 namespace mechwright {
@@ -45,7 +46,9 @@ Digits50 ErrorAgain::of_function(double share, std::vector<Digits50> d) const {
     const Digits50 size = measure_again(*task_.deviation, motion, d);
     d[scale + 2] -= shift_;
     const Digits50 shifted = measure_again(*task_.deviation, motion, d);
-    return abs(shifted - abs(shift_ + size)) <= abs(shifted - abs(shift_ - size)) ? size : Digits50(-size);
+    // More than half a turn counts from the other side.
+    const Digits50 more = counted_on(shift_ + size, 0), less = shift_ - size;
+    return abs(shifted - abs(more)) <= abs(shifted - abs(less)) ? size : Digits50(-size);
 }
 
 Digits50 ErrorAgain::of_shape(double share, std::span<const Digits50> d) const {
@@ -63,29 +66,50 @@ Digits50 ErrorAgain::at(double share, std::span<const Digits50> dimensions) cons
     return function_ ? of_function(share, {dimensions.begin(), dimensions.end()}) : of_shape(share, dimensions);
 }
 
+Digits50 ErrorAgain::counted_on(const Digits50& error, const Digits50& other) const {
+    if (task_.unit() != Unit::angle) return error;
+    return error + 2 * pi<Digits50>() * round((other - error) / (2 * pi<Digits50>()));
+}
+
+double ErrorAgain::place_before_jump(double before, double after) const {
+    const Digits50 first = at(before);
+    for (double middle = 0.5 * (before + after); before < middle && middle < after; middle = 0.5 * (before + after))
+        (abs(at(middle) - first) > pi<Digits50>() ? after : before) = middle;
+    return before;
+}
+
 std::vector<ExtremeAgain> ErrorAgain::extremes() const {
     std::vector<ExtremeAgain> found;
+    const auto add = [&](double share) { found.push_back({share, at(share)}); };
     if (function_ && !function_->parts.empty()) {
         for (const Vector<double>& sample : function_->parts)
-            found.push_back({sample.x, at(sample.x)});
+            add(sample.x);
         return found;
     }
     constexpr int steps = 600;
     std::vector<double> share, error;
+    std::vector<bool> jumps;  // on the way to here
+    Digits50 last = at(0);
     for (int i = 0; i <= steps; ++i) {
         share.push_back(0.5 - 0.5 * std::cos(std::numbers::pi * i / steps));
-        error.push_back(at(share.back()).convert_to<double>());
+        const Digits50 here = at(share.back());
+        error.push_back((i == 0 ? here : counted_on(here, error.back())).convert_to<double>());
+        jumps.push_back(task_.unit() == Unit::angle && abs(here - last) > pi<Digits50>());
+        last = here;
     }
-    found.push_back({0, at(0)});
-    for (std::size_t i = 1; i < steps; ++i) {
+    add(0);
+    for (std::size_t i = 1; i <= steps; ++i) {
+        if (jumps[i]) add(place_before_jump(share[i - 1], share[i]));
+        if (i == steps) break;
         const double before = error[i] - error[i - 1], after = error[i + 1] - error[i];
         if (!(before * after < 0 || after == 0)) continue;
         const double sign = before > 0 || after < 0 ? 1 : -1;
-        const double place =
-            greatest_between([&](double s) { return Digits50(sign * at(s)); }, share[i - 1], share[i + 1]);
-        found.push_back({place, at(place)});
+        add(greatest_between([&](double s) { return Digits50(sign * counted_on(at(s), error[i])); }, share[i - 1],
+                             share[i + 1]));
     }
-    found.push_back({1, at(1)});
+    add(1);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const ExtremeAgain& a, const ExtremeAgain& b) { return a.share < b.share; });
     return found;
 }
 

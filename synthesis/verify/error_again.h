@@ -31,12 +31,17 @@ struct ErrorAgain {
     /// The part of the output's range that is asked for at a share of the input's; 0 of a line or an arc.
     double part(double share) const;
 
-    /// In order along the range; of samples all of them.
+    /// In order along the range; of samples all of them. An angle that passes half a turn, from where it goes on as
+    /// minus half a turn, is extreme just before.
     std::vector<ExtremeAgain> extremes() const;
+
+    /// An error and whole turns, where it is an angle: next to another error.
+    Digits50 counted_on(const Digits50& error, const Digits50& other) const;
 
 private:
     Digits50 of_function(double share, std::vector<Digits50> dimensions) const;
     Digits50 of_shape(double share, std::span<const Digits50> dimensions) const;
+    double place_before_jump(double before, double after) const;
 
     const Rebuilt* design_;
     InputTask task_;

@@ -176,6 +176,98 @@ TEST(Functions, OfWhichNothingIsAskedLeaveTheDesignToTheObjective) {
     EXPECT_NEAR(s.value("velocity-ratio-min"), reached, 1e-3);
 }
 
+/// What only rules out designs must not keep a search from the best one: some ratio of two links has to be as great as
+/// that of the best logarithm, and each of the twelve ratios is a program with starts of its own.
+TEST(Functions, RequirementsThatOneOfManyValuesMeetsHideNoOptimum) {
+    const Solved s = solved(R"toml(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 1
+crank = { min = 2.014, max = 3.743 }
+coupler = { min = 0, max = 20 }
+rocker = { min = 0, max = 20 }
+assembly = "either"
+[function]
+expression = "log10(x)"
+x = [1, 2]
+input = { start = { min = 0, max = 360 }, range = 60 }
+output = { start = { min = 0, max = 360 }, range = 90 }
+[objective]
+minimize = "function-max"
+[[require]]
+quantity = "link-ratio"
+equal = 18.915675234943635
+[[require]]
+quantity = "function-max"
+max = 0.007
+)toml");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.result.best->objective, 0.00697066066, 1e-11);
+}
+
+/// A design that does not assemble over its input range has lengths, too, and less of them; its link ratio is no value.
+TEST(Functions, AreNoneOfWhatDoesNotAssembleOverTheInputRange) {
+    const std::string text = R"toml(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 1
+crank = { min = 2.73, max = 3.03 }
+coupler = { min = 16.08, max = 17.78 }
+rocker = { min = 0, max = 20 }
+assembly = "either"
+[function]
+expression = "log10(x)"
+x = [1, 2]
+input = { start = { min = 0, max = 360 }, range = 60 }
+output = { start = { min = 0, max = 360 }, range = 90 }
+[objective]
+minimize = "total-length"
+[[require]]
+quantity = "link-ratio"
+min = 15
+)toml";
+    const Solved s = solved(text);
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_TRUE(all_passed(s.result.verification));
+    Design shorter = s.result.best->design;
+    shorter.dimensions[static_cast<std::size_t>(find_dimension(*s.problem.mechanism, "rocker"))] -= 1e-3;
+    EXPECT_FALSE(assembles_over_range(s.problem, shorter));
+    EXPECT_FALSE(quantity_value(s.problem, static_cast<std::size_t>(find_quantity(*s.problem.mechanism, "link-ratio")),
+                                shorter));
+}
+
+/// A margin over the input range of a shipped problem, whose dimensions are drawn 300 times, and the least of a scan of
+/// what `margin_at` says of links and crank angle.
+template <class MarginAt>
+void expect_least_margins(const char* file, std::size_t lengths, const MarginAt& margin_at) {
+    const Problem problem = parse_problem(shipped(file, "function"), file).problem;
+    const Mechanism& mechanism = *problem.mechanism;
+    std::vector<double> dimensions(problem.dimensions.size(), 1);
+    double draw = 0;
+    const auto next = [&] { return draw = std::fmod(draw + 0.6180339887498949, 1); };
+    for (int k = 0; k < 300; ++k) {
+        for (std::size_t i = 0; i < lengths; ++i)
+            dimensions[i] = 1 + 4 * next();
+        const double start = dimensions[mechanism.input->start] = 7 * next();
+        const double range = dimensions[mechanism.input->start + 1] = 12 * next() - 6;
+        constexpr int steps = 2000;
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i <= steps; ++i)
+            least = std::min(least, margin_at(dimensions, start + range * i / steps));
+        EXPECT_NEAR(least_component(mechanism.input->margin, {}, dimensions), least, 1e-4) << file << ' ' << k;
+    }
+}
+
+TEST(Functions, HaveTheLeastMarginOfAssemblyOverTheirInput) {
+    expect_least_margins("logarithm.toml", 4, [](const std::vector<double>& x, double angle) {
+        const double apart = std::hypot(x[0] - x[1] * std::cos(angle), x[1] * std::sin(angle));
+        return std::min(x[2] + x[3] - apart, apart - std::abs(x[2] - x[3]));
+    });
+    expect_least_margins("ram-square.toml", 3, [](const std::vector<double>& x, double angle) {
+        return x[1] - std::abs(x[2] - x[0] * std::sin(angle));
+    });
+}
+
 /// The ram by the loop equation, scanned: five dimensions are free, so that six extremes alternate.
 TEST(Functions, OfARamAlternateToo) {
     for (const std::uint64_t seed : {1, 2, 3}) {

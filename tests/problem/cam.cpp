@@ -50,6 +50,10 @@ TEST(Cam, HasTheDimensionsOfItsFollower) {
     EXPECT_TRUE(says(read(cam(closed, "flat", "40", "offset = 5")), "p.toml:7:1", {"unknown key 'offset'"}));
     EXPECT_TRUE(
         only_says(read(cam(closed, "ball")), "p.toml:4:12", {"unknown follower 'ball'", "knife, roller, flat"}));
+    // The rest of the file is read by the follower that is meant.
+    const auto misspelt = read(cam(closed, "rolle", "40", "roller-radus = 5"));
+    EXPECT_TRUE(says(misspelt, "p.toml:4:12", {"unknown follower 'rolle'", "did you mean 'roller'"}));
+    EXPECT_TRUE(says(misspelt, "p.toml:7:1", {"unknown key 'roller-radus'", "did you mean 'roller-radius'"}));
     EXPECT_TRUE(only_says(read(cam(closed, "roller", "40", "\noffset = 45")), "p.toml:8:10",
                           {"offset is larger than the prime-radius, by 5"}));
 }

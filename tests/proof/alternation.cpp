@@ -107,6 +107,55 @@ minimize = "function-max"
     EXPECT_FALSE(of_extremes().passed);
 }
 
+// Just before half a turn the sign of an error shows by no more than a millionth of it.
+TEST(Alternation, ErrorsThatPassHalfATurnAreExtremeWhereTheyDo) {
+    const Solved s = solved(R"(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 5
+crank = 50.96987185759087
+coupler = 100
+rocker = 62.22641361333512
+[function]
+expression = "x^1.5"
+x = [1, 4]
+input = { start = 210, range = 90 }
+output = { start = 270, range = 90 }
+[objective]
+minimize = "function-max"
+)");
+    auto json = document(s.problem, s.result);
+    ASSERT_EQ(json["function"]["extremes"].size(), 4u);
+    const Check extremes = check_of_extremes(json);
+    EXPECT_TRUE(extremes.passed) << extremes.detail;
+    json["function"]["extremes"].erase(2);
+    EXPECT_FALSE(check_of_extremes(json).passed);
+}
+
+// A parallelogram whose error ends at half a turn: what it changes by is not the turn by which it is counted back.
+TEST(Alternation, CountsFreeDimensionsAtHalfATurn) {
+    const Solved s = solved(R"file(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 3
+crank = { min = 2.5, max = 4.7 }
+coupler = { min = 1, max = 60 }
+rocker = { min = 1, max = 60 }
+[function]
+expression = "tan(x * pi / 180)"
+x = [0, 45]
+input = { start = 225, range = 90 }
+output = { start = 270, range = 90 }
+[objective]
+minimize = "link-ratio"
+)file");
+    const auto json = document(s.problem, s.result);
+    ASSERT_NEAR(std::abs(json["function"]["extremes"].back()["error"].get<double>()), 180, 1e-9);
+    EXPECT_EQ(json["function"]["free"], 2);
+    const Check extremes = check_of_extremes(json);
+    EXPECT_TRUE(extremes.passed) << extremes.detail;
+}
+
 TEST(Alternation, ShowsNothingOfADesignThatItsLimitsShaped) {
     const Solved s = solved(R"(schema = 1
 mechanism = "four-bar"

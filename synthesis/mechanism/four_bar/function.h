@@ -51,18 +51,24 @@ std::array<HalfTurn<T>, 4> input_places(const std::array<T, read_over_input_coun
     return {half_turn(first), half_turn(last), nearest(0, {T(1), T(0)}), nearest(std::numbers::pi, {T(0), T(1)})};
 }
 
-/// What must be >= 0 for the linkage to assemble over the whole input range.
+/// What must be >= 0 for the linkage to assemble over the whole input range: both margins at its ends; where crank pin
+/// and rocker pivot are nearest the one, where they are farthest the other can be less between them.
 struct InputMargin {
     static constexpr std::size_t reads = read_over_input_count;
-    static constexpr std::size_t most = 8;
+    static constexpr std::size_t most = 6;
     template <class T>
     static std::size_t components(const Motion&, const std::array<T, reads>& x, Components<T> out) {
-        const auto at = input_places(x);
-        for (std::size_t k = 0; k < at.size(); ++k) {
-            const auto margins = assembly_margins(FourBar<T>{x[0], x[1], x[2], x[3]}, at[k]);
-            out[2 * k] = margins.stretch;
-            out[2 * k + 1] = margins.fold;
-        }
+        const auto [first, last, nearest, farthest] = input_places(x);
+        const auto at = [&](const HalfTurn<T>& place) {
+            return assembly_margins(FourBar<T>{x[0], x[1], x[2], x[3]}, place);
+        };
+        const auto at_first = at(first), at_last = at(last);
+        out[0] = at_first.stretch;
+        out[1] = at_first.fold;
+        out[2] = at_last.stretch;
+        out[3] = at_last.fold;
+        out[4] = at(nearest).fold;
+        out[5] = at(farthest).stretch;
         return most;
     }
 };

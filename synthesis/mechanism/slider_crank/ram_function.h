@@ -48,18 +48,22 @@ std::array<Vector<T>, 4> input_places(const std::array<T, read_over_input_count>
             nearest(-std::numbers::pi / 2, {T(0), T(-1)})};
 }
 
-/// What must be >= 0 for the rod to reach the slide over the whole input range.
+/// What must be >= 0 for the rod to reach the slide over the whole input range: both margins at its ends; where the
+/// crank pin is farthest to the left of the slide the one, where it is farthest to the right the other can be less.
 struct RamInputMargin {
     static constexpr std::size_t reads = read_over_input_count;
-    static constexpr std::size_t most = 8;
+    static constexpr std::size_t most = 6;
     template <class T>
     static std::size_t components(const Motion&, const std::array<T, reads>& x, Components<T> out) {
-        const auto at = input_places(x);
-        for (std::size_t k = 0; k < at.size(); ++k) {
-            const auto p = pose(SliderCrank<T>{x[0], x[1], x[2]}, at[k]);
-            out[2 * k] = p.left;
-            out[2 * k + 1] = p.right;
-        }
+        const auto [first, last, leftmost, rightmost] = input_places(x);
+        const auto at = [&](const Vector<T>& place) { return pose(SliderCrank<T>{x[0], x[1], x[2]}, place); };
+        const auto at_first = at(first), at_last = at(last);
+        out[0] = at_first.left;
+        out[1] = at_first.right;
+        out[2] = at_last.left;
+        out[3] = at_last.right;
+        out[4] = at(leftmost).right;
+        out[5] = at(rightmost).left;
         return most;
     }
 };

@@ -104,6 +104,17 @@ void set_contour(const Section& file, Problem& problem, ContourKind contour) {
     problem.assemblies = rotations_of(file);
 }
 
+/// A word of [cam], or of a misspelt one, which is reported, that which is meant: the rest of the file is read by it.
+std::optional<std::size_t> read_or_guess(Section& section, std::string_view key, Messages& messages) {
+    const auto chosen = read_choice(section, key, key, messages);
+    const auto word = section.table->at_path(key).value_exact<std::string_view>();
+    if (chosen || !word) return chosen;
+    const auto& words = find_key(section.known, key)->words;
+    const auto meant = std::find(words.begin(), words.end(), nearest_name(*word, words));
+    if (meant == words.end()) return {};
+    return static_cast<std::size_t>(meant - words.begin());
+}
+
 void read_cam(Section& file, Problem& problem, Messages& messages) {
     std::optional<Section> section = read_section(file, "cam", messages);
     if (!section) {
@@ -114,10 +125,10 @@ void read_cam(Section& file, Problem& problem, Messages& messages) {
     }
     if (!has(*section, "follower"))
         add_error(messages, section->place, "'follower' in [cam] is missing: known are knife, roller, flat");
-    const auto follower = read_choice(*section, "follower", "follower", messages);
-    const auto motion = read_choice(*section, "motion", "motion", messages);
+    const auto follower = read_or_guess(*section, "follower", messages);
+    const auto motion = read_or_guess(*section, "motion", messages);
     read_choice(*section, "rotation", "rotation", messages);
-    const auto contour = read_choice(*section, "contour", "contour", messages);
+    const auto contour = read_or_guess(*section, "contour", messages);
     report_unknown_keys(*section, messages);
     const bool known = follower && (motion || !has(*section, "motion")) && (contour || !has(*section, "contour"));
     problem.mechanism = nullptr;
