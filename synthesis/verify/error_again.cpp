@@ -40,15 +40,20 @@ Digits50 ErrorAgain::of_function(double share, std::vector<Digits50> d) const {
     FunctionTarget here;
     here.parts = {{0, 0}};
     Motion motion = design_->motion;
-    motion.asked = nullptr;
-    motion.function = &here;
     motion.from = motion.to = d[scale].convert_to<double>();
+    return of_sample(here, motion, std::move(d));
+}
+
+Digits50 ErrorAgain::of_sample(const FunctionTarget& sample, Motion motion, std::vector<Digits50> d) const {
+    motion.asked = nullptr;
+    motion.function = &sample;
     const Digits50 size = measure_again(*task_.deviation, motion, d);
-    d[scale + 2] -= shift_;
+    d[task_.start + 2] -= shift_;
     const Digits50 shifted = measure_again(*task_.deviation, motion, d);
-    // More than half a turn counts from the other side.
-    const Digits50 more = counted_on(shift_ + size, 0), less = shift_ - size;
-    return abs(shifted - abs(more)) <= abs(shifted - abs(less)) ? size : Digits50(-size);
+    const Digits50 more = size + shift_, less = size - shift_;
+    // More than half a turn may count from the other side.
+    const Digits50 off_if_positive = std::min<Digits50>(abs(shifted - more), abs(shifted - abs(counted_on(more, 0))));
+    return off_if_positive <= abs(shifted - abs(less)) ? size : Digits50(-size);
 }
 
 Digits50 ErrorAgain::of_shape(double share, std::span<const Digits50> d) const {
@@ -78,14 +83,28 @@ double ErrorAgain::place_before_jump(double before, double after) const {
     return before;
 }
 
-std::vector<ExtremeAgain> ErrorAgain::extremes() const {
+bool ErrorAgain::goes_on() const {
+    if (!function_ || task_.unit() != Unit::angle) return false;
+    Motion motion = task_.alone(design_->motion);
+    motion.asked = nullptr;
+    return measure_again(*task_.deviation, motion, design_->dimensions) > pi<Digits50>();
+}
+
+std::vector<ExtremeAgain> ErrorAgain::at_samples() const {
+    const bool counted_from_start = goes_on();
     std::vector<ExtremeAgain> found;
-    const auto add = [&](double share) { found.push_back({share, at(share)}); };
-    if (function_ && !function_->parts.empty()) {
-        for (const Vector<double>& sample : function_->parts)
-            add(sample.x);
-        return found;
+    for (const Vector<double>& sample : function_->parts) {
+        FunctionTarget one;
+        one.parts = {sample};
+        found.push_back({sample.x, counted_from_start ? of_sample(one, design_->motion, design_->dimensions)
+                                                      : at(sample.x)});
     }
+    return found;
+}
+
+std::vector<ExtremeAgain> ErrorAgain::extremes() const {
+    if (function_ && !function_->parts.empty()) return at_samples();
+    std::vector<ExtremeAgain> found;
     constexpr int steps = 600;
     std::vector<double> share, error;
     std::vector<bool> jumps;  // on the way to here
@@ -97,17 +116,23 @@ std::vector<ExtremeAgain> ErrorAgain::extremes() const {
         jumps.push_back(task_.unit() == Unit::angle && abs(here - last) > pi<Digits50>());
         last = here;
     }
-    add(0);
+    const bool any_jump = std::find(jumps.begin(), jumps.end(), true) != jumps.end();
+    const bool on = any_jump && goes_on();
+    const auto add = [&](double place, double near) {
+        found.push_back({place, on ? counted_on(at(place), near) : at(place)});
+    };
+    add(0, error.front());
     for (std::size_t i = 1; i <= steps; ++i) {
-        if (jumps[i]) add(place_before_jump(share[i - 1], share[i]));
+        if (jumps[i] && !on) add(place_before_jump(share[i - 1], share[i]), error[i]);
         if (i == steps) break;
         const double before = error[i] - error[i - 1], after = error[i + 1] - error[i];
         if (!(before * after < 0 || after == 0)) continue;
         const double sign = before > 0 || after < 0 ? 1 : -1;
         add(greatest_between([&](double s) { return Digits50(sign * counted_on(at(s), error[i])); }, share[i - 1],
-                             share[i + 1]));
+                             share[i + 1]),
+            error[i]);
     }
-    add(1);
+    add(1, error.back());
     std::stable_sort(found.begin(), found.end(),
                      [](const ExtremeAgain& a, const ExtremeAgain& b) { return a.share < b.share; });
     return found;

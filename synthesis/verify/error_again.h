@@ -31,8 +31,8 @@ struct ErrorAgain {
     /// The part of the output's range that is asked for at a share of the input's; 0 of a line or an arc.
     double part(double share) const;
 
-    /// In order along the range; of samples all of them. An angle that passes half a turn, from where it goes on as
-    /// minus half a turn, is extreme just before.
+    /// In order along the range; of samples all of them. An angle that passes half a turn, from where it goes on as minus
+    /// half a turn, is extreme just before; unless the mechanism counts on from the start of the range, as linkages do.
     std::vector<ExtremeAgain> extremes() const;
 
     /// An error and whole turns, where it is an angle: next to another error.
@@ -41,6 +41,11 @@ struct ErrorAgain {
 private:
     Digits50 of_function(double share, std::vector<Digits50> dimensions) const;
     Digits50 of_shape(double share, std::span<const Digits50> dimensions) const;
+    /// Of what is asked at one sample, over a motion. `dimensions` have the scales that it is a share of.
+    Digits50 of_sample(const FunctionTarget& sample, Motion motion, std::vector<Digits50> dimensions) const;
+    /// Whether an angle is counted on beyond half a turn.
+    bool goes_on() const;
+    std::vector<ExtremeAgain> at_samples() const;
     double place_before_jump(double before, double after) const;
 
     const Rebuilt* design_;

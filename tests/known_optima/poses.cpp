@@ -48,6 +48,21 @@ TEST(Poses, OfALinkageWithTheGreatestGrashofMargin) {
 }
 
 /// The distance of a pose by its definition: place and, times the length, the chord of the angle.
+/// Four equal links are the longest within these ranges; but at that change point nothing says how they go on. Next to it
+/// a crank-rocker is as long but for a part in ten million.
+TEST(Poses, OfTheLongestLinkageKeepFromTheChangePoint) {
+    const Solved s = solved(
+        "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = { min = 0, max = 20 }\n"
+        "crank = { min = 0, max = 20 }\ncoupler = { min = 0, max = 20 }\nrocker = { min = 0, max = 20 }\n"
+        "point-along = { min = 1, max = 3 }\npoint-across = { min = 1, max = 2 }\norigin-x = { min = 0, max = 1 }\n"
+        "origin-y = { min = -30, max = 30 }\ntilt = { min = 0, max = 360 }\nbody-angle = { min = 0, max = 360 }\n"
+        "assembly = \"either\"\n[poses]\nposes = [[2, 5, 90], [1, 5.6, 70], [0, 3.4, 80]]\n"
+        "[objective]\nmaximize = \"total-length\"\n");
+    ASSERT_EQ(s.result.status, Status::solved);
+    EXPECT_GT(s.result.best->objective, 80 * (1 - 1e-6));
+    EXPECT_LT(s.result.best->objective, 80);
+}
+
 TEST(Poses, HaveTheDistanceThatIsDefined) {
     const Solved s = solved(shipped("tipper.toml", "poses"));
     const PathTarget& path = *s.problem.path;

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "synthesis/document/document.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/assess.h"
+#include "synthesis/program/quantity_value.h"
 #include "synthesis/solve/solve.h"
 #include "tests/checked.h"
 #include "tests/replaced.h"
@@ -181,6 +184,25 @@ TEST(LinkageProblems, NumbersThatAreNoDimensionsStayWhatTheyAreInASearch) {
 TEST(LinkageProblems, BesideAChangePointTheBranchIsKept) {
     std::string text = replaced(four_bar, "coupler = 110", "coupler = 80");
     expect_verified(analysed(replaced(text, "rocker = 80", "rocker = 60.00001")));
+}
+
+/// A lever that a crank moves stands upright once a turn where the crank is as long as the lever's pivot is to the left;
+/// the upright slide that the lever moves goes beyond all bounds then.
+TEST(LinkageProblems, LinesThatBecomeParallelAssembleNothing) {
+    const auto margin = [](const std::string& crank) {
+        std::ifstream file(MECHWRIGHT_SOURCE_DIR "/problems/linkage/lever-and-slide.toml");
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        const Problem problem = linkage_of_text(replaced(text, "crank = 24", "crank = " + crank)).problem;
+        const Family& turning = problem.mechanism->families.front();
+        std::vector<double> dimensions;
+        for (const DimensionRange& range : problem.dimensions)
+            dimensions.push_back(range.min);
+        return least_component(*turning.assembly_margin, motion_of(problem, 0, 0), dimensions);
+    };
+    EXPECT_GT(margin("24"), 0);
+    EXPECT_GT(margin("46.99"), 0);
+    for (const char* crank : {"46.9999", "47", "47.5", "47.8"})
+        EXPECT_TRUE(std::isnan(margin(crank))) << crank;
 }
 
 /// A coupler on three equal cranks stays parallel to the frame, also where two of them and the frame lie in one line: C

@@ -132,6 +132,41 @@ minimize = "function-max"
     EXPECT_FALSE(check_of_extremes(json).passed);
 }
 
+// The same four-bar as a linkage, whose signals count on beyond half a turn from where the range begins.
+TEST(Alternation, ErrorsOfSignalsGoOnBeyondHalfATurn) {
+    const std::string expression = "expression = \"x^1.5\"\nx = [1, 4]\n", samples = "samples = [[1, 1], [4, 8]]\n";
+    for (const std::string& asked : {expression, samples}) {
+        const Solved s = solved(R"(schema = 1
+mechanism = "linkage"
+[dimensions]
+crank = 50.96987185759087
+[links]
+frame = { A = [0, 0], D = [5, 0] }
+crank = { A = [0, 0], B = ["crank", 0] }
+coupler = { B = [0, 0], C = [100, 0] }
+rocker = { D = [0, 0], C = [62.22641361333512, 0] }
+[drive]
+link = "crank"
+[assembly]
+C = { side = "left", from = "B", to = "D" }
+[signals]
+swing = { angle = "rocker" }
+[objective]
+minimize = "function-max"
+[function]
+signal = "swing"
+input = { start = 210, range = 90 }
+output = { start = 270, range = 90 }
+)" + asked);
+        auto json = document(s.problem, s.result);
+        auto& last = json["function"]["extremes"].back()["error"];
+        EXPECT_NEAR(last.get<double>(), -360 + 166.5193643586096, 1e-9);
+        EXPECT_TRUE(check_of_extremes(json).passed) << check_of_extremes(json).detail;
+        last = 100;
+        EXPECT_FALSE(check_of_extremes(json).passed);
+    }
+}
+
 // A parallelogram whose error ends at half a turn: what it changes by is not the turn by which it is counted back.
 TEST(Alternation, CountsFreeDimensionsAtHalfATurn) {
     const Solved s = solved(R"file(schema = 1

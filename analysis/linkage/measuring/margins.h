@@ -13,6 +13,7 @@
 
 #include "analysis/linkage/measuring/in_line.h"
 #include "analysis/linkage/measuring/moving_extremes.h"
+#include "analysis/numbers/golden_section.h"
 
 namespace mechwright::linkage {
 
@@ -197,6 +198,47 @@ std::vector<MarginPlace> margin_places(Measured<double, K>& measured, const Driv
         now = std::move(next);
     }
     return places;
+}
+
+namespace detail {
+
+/// The least sine of the angle between two lines, without its sign, over a travel in which it does not vanish.
+inline double least_sine(const Driven<double>& driven, std::size_t margin, const Travel& travel) {
+    constexpr int samples = 180, steps = 40;
+    MarginAlong sine(driven, margin);
+    sine.follow(travel.from, travel.to);
+    const double step = (travel.to - travel.from) / samples;
+    double place = travel.from, least = sine.least(place);
+    for (int i = 1; i <= samples; ++i)
+        if (const double one = sine.least(travel.from + i * step); one < least) {
+            least = one;
+            place = travel.from + i * step;
+        }
+    const double lowest = greatest_between([&](double x) { return -sine.least(x); }, std::max(travel.from, place - step),
+                                           std::min(travel.to, place + step), steps);
+    return std::min(least, sine.least(lowest));
+}
+
+}  // namespace detail
+
+/// Whether lines that hold something meet all over a motion, at an angle whose sine is no less than a ten-thousandth.
+/// Where they become parallel what they hold goes beyond all bounds, and comes back from the other side.
+inline bool lines_meet(const Driven<double>& driven, const Travel& over) {
+    constexpr double least_sine = 1e-4;
+    std::vector<Travel> now{over};
+    const double size = size_of(driven);
+    for (std::size_t margin = 0; margin < driven.order.margins; ++margin) {
+        std::vector<Travel> next;
+        for (const Travel& travel : now)
+            detail::split(driven, margin, size, travel, next);
+        if (is_of_lines(driven.order, margin)) {
+            if (next != now) return false;
+            for (const Travel& travel : now)
+                if (!(detail::least_sine(driven, margin, travel) >= least_sine)) return false;
+        }
+        now = std::move(next);
+    }
+    return true;
 }
 
 /// A margin at such a place of a motion as a function of the dimensions.

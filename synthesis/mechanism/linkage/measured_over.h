@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/linkage/measuring/course.h"
+#include "analysis/linkage/measuring/margins.h"
 #include "synthesis/mechanism/linkage/model.h"
 #include "synthesis/mechanism/linkage/quantities.h"
 #include "synthesis/target/followed/arc.h"
@@ -73,8 +74,12 @@ struct Over {
     linkage::Driven<double> driven(std::span<const double> dimensions) const {
         return mechwright::driven(model, dimensions, motion.assembly);
     }
-    /// Whether larger groups, if there are any, are on their branch all over a travel.
+    /// Whether larger groups, if there are any, are on their branch all over a travel, and lines are never parallel.
     bool stays(std::span<const double> dimensions, const linkage::Travel& travel) const {
+        bool any_lines = false;
+        for (std::size_t margin = 0; margin < model.order.margins; ++margin)
+            any_lines = any_lines || linkage::is_of_lines(model.order, margin);
+        if (any_lines && !linkage::lines_meet(driven(dimensions), travel)) return false;
         if (model.order.larger.empty()) return true;
         const Ways all = ways_of(model, dimensions, motion.assembly);
         return !all.empty() && std::all_of(all.begin(), all.end(),

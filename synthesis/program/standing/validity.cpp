@@ -75,6 +75,21 @@ void add_margin_of_full_turn(const Problem& problem, const Design& design, std::
     all.push_back({family.assembly_margin->meaning, std::isnan(relative) ? -endless : relative, true});
 }
 
+/// A search of limited motions may end at a change point, where the links could turn fully but for the side on which
+/// they go on: no design passes verification there. One that is given is shown for what it is.
+void add_conditions_of_full_turn(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {
+    const Motion motion = motion_of(problem, design);
+    const bool is_given = std::all_of(problem.dimensions.begin(), problem.dimensions.end(),
+                                      [](const DimensionRange& d) { return d.fixed() || d.tied(); });
+    if (is_given || !motion.full_turn) return;
+    for (const LinearCondition& condition : problem.mechanism->families[motion.family].conditions) {
+        double value = 0;
+        for (std::size_t i = 0; i < condition.coefficients.size(); ++i)
+            value += condition.coefficients[i] * design.dimensions[i];
+        if (!(value > 0)) all.push_back({condition.name, -endless, false});
+    }
+}
+
 void add_margin_between_targets(const Problem& problem, const Design& design, std::vector<ValidityMargin>& all) {
     const Motion whole = motion_of(*problem.mechanism, design.dimensions, design.assembly, nullptr);
     if (needs_stretch(problem, problem.mechanism->families[whole.family]))
@@ -103,6 +118,7 @@ void add_margins_of_path(const Problem& problem, const Design& design, std::vect
 std::vector<ValidityMargin> validity_margins(const Problem& problem, const Design& design) {
     std::vector<ValidityMargin> all;
     add_margin_of_full_turn(problem, design, all);
+    add_conditions_of_full_turn(problem, design, all);
     all.push_back(
         {"it assembles over the range of crank angles", assembles_over_range(problem, design) ? 0 : -endless, false});
     if (problem.path)
