@@ -31,7 +31,9 @@ OWN = [
 MADE_OF_PARTS = ["quick_return", "slider_crank", "crank_shaper", "whitworth", "drag_link"]
 PARTS = {
     "slider_crank": [f"synthesis/mechanism/{folder}/" for folder in MADE_OF_PARTS],
-    "four_bar": [f"synthesis/mechanism/{folder}/" for folder in MADE_OF_PARTS],
+    # A point of a linkage is guided as the coupler point of a four-bar among its links is.
+    "four_bar": [f"synthesis/mechanism/{folder}/" for folder in MADE_OF_PARTS] +
+                ["synthesis/mechanism/linkage/targets/guiding_part.cpp"],
     # The drives of a linkage can move as the follower of a cam does; a cam is a part that is drawn; cam-size is a quantity.
     "cam": ["synthesis/problem/linkage/", "synthesis/problem/schema/linkage", "synthesis/report/structure/",
             "synthesis/mechanism/drawing/body.h", "synthesis/report/drawing/",

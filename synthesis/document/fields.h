@@ -265,6 +265,13 @@ inline constexpr std::array discrete{
     Key{"left_out", Shape::whole_number,
         "Parts of the allowed values in which a search found no design and nothing proves that there is none."}};
 
+inline constexpr std::array start_sources{
+    Key{"preferred", Shape::whole_number, "At the preferred values."},
+    Key{"drawn", Shape::whole_number, "At candidates drawn in the ranges."},
+    Key{"four_bars", Shape::whole_number,
+        "At candidates drawn about four-bars among the links of a linkage that follow the path by themselves."},
+    Key{"nearby", Shape::whole_number, "Near the ends of other searches."}};
+
 inline constexpr std::array search{
     Key{"method", Shape::text, "How the design was found.", true},
     Key{"complete", Shape::flag, "Whether the answer is proven.", true},
@@ -274,6 +281,7 @@ inline constexpr std::array search{
     Key{"assembled", Shape::whole_number,
         "Of the candidates: those that close where they have to; they were screened."},
     Key{"optimised", Shape::whole_number, "Of these: those at which local searches began, most of them cut short."},
+    Key{"sources", Shape::table, "Where local searches began.", false, {}, start_sources},
     Key{"starts", Shape::whole_number, "Local searches.", true},
     Key{"local_optima", Shape::whole_number, "Distinct feasible local optima that were found.", true},
     Key{"hits", Shape::whole_number, "Starts that ended at the best one.", true},
@@ -392,6 +400,7 @@ inline constexpr NamesOf<fields::requirement> of_requirement;
 inline constexpr NamesOf<fields::search> of_search;
 inline constexpr NamesOf<fields::segment> of_segment;
 inline constexpr NamesOf<fields::solutions> of_solutions;
+inline constexpr NamesOf<fields::start_sources> of_start_sources;
 inline constexpr NamesOf<fields::term> of_term;
 inline constexpr NamesOf<fields::tie> of_tie;
 inline constexpr NamesOf<fields::range_of_use> of_use;

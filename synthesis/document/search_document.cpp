@@ -24,6 +24,19 @@ Json solutions_of(const SolutionCounts& counts) {
             {of_solutions("defect_free"), counts.defect_free}};
 }
 
+/// Those that there are.
+Json sources_of(const StartSources& counts) {
+    Json json = Json::object();
+    const auto put = [&](std::string_view name, long count) {
+        if (count > 0) json[name] = count;
+    };
+    put(of_start_sources("preferred"), counts.preferred);
+    put(of_start_sources("drawn"), counts.drawn);
+    put(of_start_sources("four_bars"), counts.four_bars);
+    put(of_start_sources("nearby"), counts.nearby);
+    return json;
+}
+
 }  // namespace
 
 Json search_document(const Problem& problem, const SearchReport& search) {
@@ -36,6 +49,7 @@ Json search_document(const Problem& problem, const SearchReport& search) {
         json[of_search("drawn")] = search.drawn;
         json[of_search("assembled")] = search.assembled;
         json[of_search("optimised")] = search.optimised;
+        json[of_search("sources")] = sources_of(search.sources);
     }
     json[of_search("starts")] = search.starts;
     json[of_search("local_optima")] = search.local_optima;

@@ -64,6 +64,22 @@ struct DiscreteReport {
     long left_out = 0;      ///< parts of the allowed values in which a search found no design and nothing proves that
 };
 
+/// How many local searches began at starts from where.
+struct StartSources {
+    long preferred = 0;  ///< the preferred values
+    long drawn = 0;      ///< the ranges
+    long four_bars = 0;  ///< drawn about four-bars among the links that follow the path by themselves
+    long nearby = 0;     ///< near the ends of other searches
+
+    StartSources& operator+=(const StartSources& more) {
+        preferred += more.preferred;
+        drawn += more.drawn;
+        four_bars += more.four_bars;
+        nearby += more.nearby;
+        return *this;
+    }
+};
+
 struct SearchReport {
     std::string method;
     std::shared_ptr<const Proof> proof{};  ///< that this is the whole answer; null where nothing is proven
@@ -76,6 +92,7 @@ struct SearchReport {
     long drawn = 0;                             ///< candidates for starts
     long assembled = 0;                         ///< of these they close where they have to, and were ranked
     long optimised = 0;                         ///< of these local searches began at them, most cut short
+    StartSources sources{};                     ///< of those, and of searches near their ends
     std::optional<double> bound{};              ///< no design has a better objective than this
     long boxes = 0;                             ///< that were examined for it
     std::optional<SolutionCounts> solutions{};  ///< of an exact method

@@ -19,6 +19,7 @@ constexpr std::uint64_t drawn_together = 512;
 struct Candidate {
     double score = unlimited;
     VectorXd x{};
+    bool preferred = false;
 };
 
 void sort_by_score(std::vector<Candidate>& all) {
@@ -43,12 +44,21 @@ double merit_of_all(const Program& program, VectorXd& x, ProgramValues& values) 
 
 }  // namespace
 
+VectorXd DrawnStarts::draw(std::uint64_t k) const {
+    VectorXd x = draws_(k);
+    if (parts_.empty()) return x;
+    const KnownPart& part = parts_[k % parts_.size()];
+    for (const Eigen::Index v : part.known)
+        x[v] = part.x[v];
+    return x;
+}
+
 /// Of the draws from one number to before another those that may assemble at every target.
 std::vector<NumberedDraw> DrawnStarts::draws_that_assemble(std::uint64_t first, std::uint64_t end) const {
     std::vector<NumberedDraw> draws;
     draws.reserve(end - first);
     for (std::uint64_t k = first; k < end; ++k) {
-        VectorXd x = draws_(k);
+        VectorXd x = draw(k);
         if (linear_violation(program_, x) == 0) draws.push_back({k, std::move(x)});
     }
     keep_assembled(program_, draws);
@@ -58,17 +68,17 @@ std::vector<NumberedDraw> DrawnStarts::draws_that_assemble(std::uint64_t first, 
 std::vector<VectorXd> DrawnStarts::of_round(int round, int keep, int enough, int most, DrawCounts& counts) const {
     std::vector<Candidate> candidates;
     PathResiduals rest;
-    const auto consider = [&](VectorXd x) {
+    const auto consider = [&](VectorXd x, bool preferred) {
         if (!fit_assembled(program_, x)) return;
         ++counts.assembled;
         const double score = rest_of_path(program_, x, rest);
-        if (score < unlimited) candidates.push_back({score, std::move(x)});
+        if (score < unlimited) candidates.push_back({score, std::move(x), preferred});
     };
-    if (round == 0) {
+    if (round == 0 && parts_.empty()) {
         VectorXd x = program_.reference;
         if (program_.untimed_path()) set_path_angles(program_, 0.5, 0.5, x);
         ++counts.drawn;
-        if (linear_violation(program_, x) == 0) consider(std::move(x));
+        if (linear_violation(program_, x) == 0) consider(std::move(x), true);
     }
     const auto all = static_cast<std::uint64_t>(most) * static_cast<std::uint64_t>(keep);
     const auto first = static_cast<std::uint64_t>(round) * all;
@@ -76,7 +86,7 @@ std::vector<VectorXd> DrawnStarts::of_round(int round, int keep, int enough, int
     while (drawn < all && static_cast<int>(candidates.size()) < enough * keep) {
         const std::uint64_t end = std::min(all, drawn + drawn_together);
         for (NumberedDraw& draw : draws_that_assemble(first + drawn, first + end)) {
-            consider(std::move(draw.x));
+            consider(std::move(draw.x), false);
             drawn = draw.number + 1 - first;
             if (static_cast<int>(candidates.size()) >= enough * keep) break;
         }
@@ -85,7 +95,7 @@ std::vector<VectorXd> DrawnStarts::of_round(int round, int keep, int enough, int
     counts.drawn += static_cast<long>(drawn);
     sort_by_score(candidates);
     const auto kept = static_cast<std::size_t>(keep);
-    if (has_requirements(program_)) {
+    if (has_requirements(program_) || !parts_.empty()) {
         candidates.resize(std::min(candidates.size(), ranked_by_all * kept));
         ProgramValues values;
         for (Candidate& candidate : candidates)
@@ -94,8 +104,10 @@ std::vector<VectorXd> DrawnStarts::of_round(int round, int keep, int enough, int
     }
     candidates.resize(std::min(candidates.size(), kept));
     std::vector<VectorXd> starts;
-    for (Candidate& candidate : candidates)
+    for (Candidate& candidate : candidates) {
+        counts.preferred += candidate.preferred ? 1 : 0;
         starts.push_back(std::move(candidate.x));
+    }
     return starts;
 }
 

@@ -50,6 +50,14 @@ VectorXd Draws::operator()(std::uint64_t k) const {
     return x;
 }
 
+void add_counts(SearchReport& report, const DrawCounts& counts, long StartSources::*source) {
+    report.drawn += counts.drawn;
+    report.assembled += counts.assembled;
+    report.optimised += counts.optimised;
+    report.sources.preferred += counts.preferred;
+    report.sources.*source += counts.optimised - counts.preferred;
+}
+
 double linear_violation(const Program& program, const VectorXd& x) {
     double sum = 0;
     for (const Row& row : program.rows) {

@@ -8,6 +8,7 @@
 
 #include "analysis/numbers/low_discrepancy.h"
 #include "synthesis/program/program.h"
+#include "synthesis/program/result.h"
 
 namespace mechwright {
 
@@ -32,13 +33,20 @@ private:
 struct DrawCounts {
     long drawn = 0;
     long assembled = 0;  ///< of these the mechanism assembles at every target of the path
+    long optimised = 0;  ///< of these local searches began at them
+    long preferred = 0;  ///< of these: the preferred values
 
     DrawCounts& operator+=(const DrawCounts& more) {
         drawn += more.drawn;
         assembled += more.assembled;
+        optimised += more.optimised;
+        preferred += more.preferred;
         return *this;
     }
 };
+
+/// Adds them to what is reported; starts that are not the preferred values came from one source.
+void add_counts(SearchReport& report, const DrawCounts& counts, long StartSources::*source = &StartSources::drawn);
 
 /// Sum of violations of the rows that are linear in the variables alone: conditions of motion, order.
 double linear_violation(const Program& program, const Eigen::VectorXd& x);

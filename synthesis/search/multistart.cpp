@@ -159,8 +159,7 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     std::vector<AssemblyMerit> merits;
     for (std::size_t i = 0; i < firsts.size(); ++i) {
         merits.push_back({programs[i].variant.assembly, firsts[i].merit});
-        result.report.drawn += firsts[i].counts.drawn;
-        result.report.assembled += firsts[i].counts.assembled;
+        add_counts(result.report, firsts[i].counts);
     }
     const std::vector<std::size_t> kept = in_best_assemblies(programs, std::move(merits));
 
@@ -201,6 +200,8 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
             Slot& slot = slots[static_cast<std::size_t>(task)];
             const Start start = random_start(tasks[static_cast<std::size_t>(task)]);
             slot.counts = start.counts;
+            slot.counts.optimised = 1;
+            slot.counts.preferred = start.preferred ? 1 : 0;
             const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
             LocalEnd end = searched(program, start.x, search);
             slot.evaluations += end.outcome.evaluations;
@@ -238,9 +239,7 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     for (const Slot& slot : slots) {
         result.report.starts += slot.done ? 1 : 0;
         result.report.evaluations += slot.evaluations;
-        result.report.drawn += slot.counts.drawn;
-        result.report.assembled += slot.counts.assembled;
-        result.report.optimised += slot.counts.drawn > 0 ? 1 : 0;
+        add_counts(result.report, slot.counts);
         result.stopped = result.stopped || !slot.done;
     }
     if (options.trace) keep(slots, *options.trace);

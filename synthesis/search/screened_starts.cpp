@@ -189,6 +189,7 @@ std::vector<VectorXd> ScreenedStarts::one_by_one(int round, int groups, int keep
     for (int i = 0; i < keep; ++i) {
         Start start = screened_start(program_, seed_, round * keep + i, candidates);
         counts += start.counts;
+        counts.preferred += start.preferred ? 1 : 0;
         starts.push_back(std::move(start.x));
     }
     return starts;

@@ -20,6 +20,7 @@
 #include "synthesis/search/compact.h"
 #include "synthesis/search/multistart.h"
 #include "synthesis/search/nearby.h"
+#include "synthesis/search/optima.h"
 #include "synthesis/search/path/path_objective.h"
 #include "synthesis/search/path/path_search.h"
 #include "synthesis/solve/discrete.h"
@@ -149,11 +150,49 @@ Found with_ipopt(const Problem& problem, const RunOptions& options, Clock::time_
     return search("ipopt", ipopt, problem, options, deadline);
 }
 
+/// Puts designs among others, those that are preferred first, unless they are there already.
+void add_designs(const Problem& problem, std::vector<Solution> more, std::vector<Solution>& all) {
+    for (Solution& one : more) {
+        if (std::any_of(all.begin(), all.end(),
+                        [&](const Solution& s) { return same_optimum(problem, s.design, one.design); }))
+            continue;
+        const auto at =
+            std::find_if(all.begin(), all.end(), [&](const Solution& s) { return preferred(problem, one, s); });
+        all.insert(at, std::move(one));
+    }
+}
+
+/// What a search from four-bars among the links of a linkage finds besides, which takes a small part of what was done:
+/// that stays as it is unless this is better.
+void search_about_parts(const Problem& problem, Found& found, const RunOptions& options, Clock::time_point deadline) {
+    constexpr long work_per_work_about_parts = 8;  // and as much at most to settle what it finds
+    if (found.stopped || found.report.complete()) return;
+    Multistart m = path_search_about_parts(problem, quiet(options), deadline,
+                                           found.report.evaluations / work_per_work_about_parts);
+    if (m.report.evaluations == 0) return;
+    Found about{std::move(m.optima), m.report, false, m.stopped, {}};
+    settle_best(problem, about, options, deadline);
+    add_work(found.report, about.report);
+    found.stopped = about.stopped;
+    if (about.candidates.empty()) return;
+    const bool is_better =
+        found.candidates.empty() || preferred(problem, about.candidates.front(), found.candidates.front());
+    if (is_better) {
+        found.report.hits = 1;
+        found.report.proof = about.report.proof;
+        if (about.report.complete()) found.report.missed_chance = 0;
+    }
+    add_designs(problem, std::move(about.candidates), found.candidates);
+    found.report.local_optima = static_cast<int>(
+        std::count_if(found.candidates.begin(), found.candidates.end(), [](const Solution& s) { return s.feasible; }));
+}
+
 Found with_least_squares(const Problem& problem, const RunOptions& options, Clock::time_point deadline) {
     Multistart m = path_search(problem, options, deadline);
     Found found{std::move(m.optima), m.report, false, m.stopped, why_nothing_is_found(problem, m.report)};
     found.report.method = "least-squares";
     settle_best(problem, found, options, deadline);
+    search_about_parts(problem, found, options, deadline);
     if (!found.report.complete()) found.report.bound = bound_of_untimed_path(problem);
     return found;
 }

@@ -22,6 +22,7 @@ void add_work(SearchReport& whole, const SearchReport& part) {
     whole.drawn += part.drawn;
     whole.assembled += part.assembled;
     whole.optimised += part.optimised;
+    whole.sources += part.sources;
     whole.evaluations += part.evaluations;
 }
 

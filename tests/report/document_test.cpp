@@ -239,9 +239,13 @@ TEST(Document, SearchSaysHowThoroughItWas) {
     problem.solver.seed = 7;
     Result result = result_of(Status::solved, path_solution());
     result.search.drawn = 9;
+    result.search.optimised = 5;
+    result.search.sources = {.preferred = 1, .drawn = 2, .four_bars = 2, .nearby = 0};
     EXPECT_EQ(names_of(document(problem, result)["search"]),
-              (std::vector<std::string>{"method", "complete", "drawn", "assembled", "optimised", "starts",
+              (std::vector<std::string>{"method", "complete", "drawn", "assembled", "optimised", "sources", "starts",
                                         "local_optima", "hits", "missed_chance", "evaluations", "seed", "seconds"}));
+    EXPECT_EQ(document(problem, result)["search"]["sources"],
+              Json::parse(R"({"preferred":1,"drawn":2,"four_bars":2})"));
     result.search.proof = proof_by("every solution of a cubic", CountCertificate{});
     const Json search = document(problem, result)["search"];
     EXPECT_EQ(search["argument"], "every solution of a cubic");

@@ -235,6 +235,42 @@ minimize = "total-length"
 starts = 1
 """
 
+# Searches begin about the four-bar that carries the point, too.
+ON_A_FOUR_BAR = """schema = 1
+mechanism = "linkage"
+[dimensions]
+ground = { min = 50, max = 200 }
+crank = { min = 20, max = 60 }
+coupler = { min = 50, max = 200 }
+rocker = { min = 50, max = 200 }
+rod = { min = 50, max = 300 }
+last = { min = 50, max = 300 }
+p-x = { min = 20, max = 60 }
+p-y = { min = -60, max = 60 }
+[links]
+frame = { A = [0, 0], D = ["ground", 0], F = [150, 0] }
+crank = { A = [0, 0], B = ["crank", 0] }
+coupler = { B = [0, 0], C = ["coupler", 0], P = ["p-x", "p-y"] }
+rocker = { D = [0, 0], C = ["rocker", 0] }
+rod = { C = [0, 0], G = ["rod", 0] }
+last = { F = [0, 0], G = ["last", 0] }
+[drive]
+link = "crank"
+[assembly]
+C = { side = "either", from = "B", to = "D" }
+G = { side = "either", from = "C", to = "F" }
+[path]
+point = "P"
+points = [[30, 60], [0, 50], [-20, 20], [-10, 0], [10, 10], [40, 30], [60, 40]]
+timing = "prescribed"
+crank_angles = [0, 50, 110, 160, 210, 260, 310]
+crank-start = { min = 0, max = 360 }
+[objective]
+minimize = "path-rms"
+[solver]
+starts = 16
+"""
+
 # Where the file of a linkage makes the names itself.
 FREE = ("design", "quantities", "dimensions", "linkage")
 
@@ -267,7 +303,7 @@ class Results(unittest.TestCase):
             cls.found += documents(file.name, "solve", file, *QUICKLY)
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        for name, text in (GIVEN | {"choices": CHOICES, "left out": LEFT_OUT}).items():
+        for name, text in (GIVEN | {"choices": CHOICES, "left out": LEFT_OUT, "on a four-bar": ON_A_FOUR_BAR}).items():
             file = Path(folder.name) / f"{name}.toml"
             file.write_text(text)
             cls.found += documents(name, "solve", file, "--json", "--quiet")

@@ -165,6 +165,23 @@ std::string_view without_name(std::string_view argument, std::string name) {
     return argument.starts_with(name + ": ") ? argument.substr(name.size() + 2) : argument;
 }
 
+/// Where searches began, unless that was at drawn candidates alone: ": 1 at the preferred values, 31 drawn; and at 6
+/// near the ends of these".
+std::string sources_text(const StartSources& from) {
+    std::string text;
+    const auto add = [&](long count, const char* which) {
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? ": " : ", ", count, which);
+    };
+    if (from.preferred > 0 || from.four_bars > 0) {
+        add(from.preferred, "at the preferred values");
+        add(from.drawn, "drawn");
+        add(from.four_bars, "drawn about four-bars that follow the path by themselves");
+    }
+    if (from.nearby > 0)
+        text += fmt::format("{} and at {} near the ends of these", text.empty() ? "" : ";", from.nearby);
+    return text;
+}
+
 std::string search_section(const SearchReport& search, const TextStyle& style) {
     std::string how = search.method;
     if (search.proof) {
@@ -180,8 +197,9 @@ std::string search_section(const SearchReport& search, const TextStyle& style) {
         how += '.';
     }
     if (search.drawn > 0)
-        how += fmt::format(" {} drawn, {} of them assembled, searches began at {}.",
-                           counted(search.drawn, "candidate", "candidates"), search.assembled, search.optimised);
+        how += fmt::format(" {} drawn, {} of them assembled, searches began at {}{}.",
+                           counted(search.drawn, "candidate", "candidates"), search.assembled, search.optimised,
+                           sources_text(search.sources));
     if (search.free_numbers > 0)
         how += fmt::format(" A family of designs with {} does so; of those that were found the most compact is shown.",
                            counted(static_cast<long>(search.free_numbers), "free number", "free numbers"));

@@ -113,6 +113,7 @@ struct Search {
             report.drawn += batch.drawn;
             report.assembled += batch.optimised;
             report.optimised += batch.optimised;
+            report.sources.drawn += batch.optimised;
             report.evaluations += batch.evaluations;
             best.insert(best.end(), batch.best.begin(), batch.best.end());
         }

@@ -12,11 +12,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-bool is_path_of_linkage(const Problem& problem) {
-    return problem.path && problem.path->parts.empty() && !problem.path->guides_body() && problem.mechanism->point &&
-           is_described(*problem.mechanism) && !has_ties(problem);
-}
-
 /// The program for the same motion where dyads are closed on these sides; as many as there are where there is none.
 std::size_t closed_on(const std::vector<Program>& programs, const Variant& own, const LinkageModel& model,
                       const std::vector<std::int8_t>& sides) {
@@ -27,7 +22,13 @@ std::size_t closed_on(const std::vector<Program>& programs, const Variant& own, 
     return static_cast<std::size_t>(at - programs.begin());
 }
 
-/// The point of a design whose crank angles are all more by as much; nothing where they are given.
+}  // namespace
+
+bool is_path_of_linkage(const Problem& problem) {
+    return problem.path && problem.path->parts.empty() && !problem.path->guides_body() && problem.mechanism->point &&
+           is_described(*problem.mechanism) && !has_ties(problem);
+}
+
 std::optional<VectorXd> turned_on(const Program& program, Design design, double crank_angle) {
     constexpr double same_angle_within = 1e-9;
     const Problem& problem = *program.problem;
@@ -48,8 +49,6 @@ std::optional<VectorXd> turned_on(const Program& program, Design design, double 
     }
     return within_bounds(program, std::move(x));
 }
-
-}  // namespace
 
 std::vector<PointOfProgram> cognates_of(const std::vector<Program>& programs, std::size_t program, const VectorXd& x) {
     const Program& own = programs[program];

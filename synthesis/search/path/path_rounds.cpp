@@ -29,12 +29,9 @@ using Eigen::VectorXd;
 /// end.
 constexpr int groups_per_short_search = 24;
 constexpr int short_searches_per_start = 6;
-constexpr int evaluations_of_short_search = 25;
 /// So many tasks of short searches at a time; after them it is seen whether the best comes to all points exactly.
 constexpr int tasks_of_wave = 4;
 constexpr int looked_at_in_wave = 2;
-constexpr int evaluations_of_long_search = 100;
-constexpr int evaluations_of_whole_search = 600;
 /// Of the searches of a round so many are the best that are run to the very end.
 constexpr std::size_t most_whole_searches = 12;
 /// Times that the points of a path in any order are matched anew with the nearest points of the curve.
@@ -83,7 +80,6 @@ std::vector<VectorXd> PathRounds::screened(std::size_t program, int number, int 
     return starts[program].of_round(number, keep * groups_per_short_search, keep, counts);
 }
 
-/// The best starts of every variant, each taken a little way.
 std::vector<Trial> PathRounds::short_searches(int round) {
     const auto variants_count = static_cast<int>(searched.size());
     const int each = std::max(1, short_searches_per_start * starts_of_round / variants_count);
@@ -105,6 +101,7 @@ std::vector<Trial> PathRounds::short_searches(int round) {
             const int number = round * tasks_per_variant + task / variants_count;
             for (const VectorXd& start : screened(p, number, per_task, counts[static_cast<std::size_t>(task)])) {
                 const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
+                ++counts[static_cast<std::size_t>(task)].optimised;
                 const std::size_t as = programs.fitted_as[p];
                 Trial trial{as, programs.short_search(as, start, few)};
                 trial.evaluations = trial.outcome.evaluations;
@@ -123,11 +120,8 @@ std::vector<Trial> PathRounds::short_searches(int round) {
     sort_by_sum(all);
     for (const Trial& trial : all)
         report.evaluations += trial.evaluations;
-    for (const DrawCounts& of_task : counts) {
-        report.drawn += of_task.drawn;
-        report.assembled += of_task.assembled;
-    }
-    report.optimised += static_cast<long>(all.size());
+    for (const DrawCounts& of_task : counts)
+        add_counts(report, of_task);
     return all;
 }
 
@@ -195,13 +189,14 @@ void PathRounds::search_nearby(int round, std::vector<Trial>& trials) {
             const std::uint64_t number = mixed(problem.solver.seed + static_cast<std::uint64_t>(round * hops + hop));
             const Program& program = programs.all[from.program];
             const VectorXd start = start_nearby(program, from.outcome.x, spreads[k % hops], mixed(number + k));
-            tried[k] = {from.program, programs.short_search(from.program, start, few), true};
+            tried[k] = {from.program, programs.short_search(from.program, start, few), TrialStart::nearby};
             tried[k].evaluations = tried[k].outcome.evaluations;
             tried[k].seconds = timed.seconds();
         });
         for (const Trial& trial : tried)
             report.evaluations += trial.outcome.evaluations;
         std::erase_if(tried, [](const Trial& t) { return t.outcome.x.size() == 0; });
+        report.sources.nearby += static_cast<long>(tried.size());
         sort_by_sum(tried);
         keep_different(tried, starts_of_round);
         tried.resize(std::min(tried.size(), most_hops_run_to_end));
@@ -216,7 +211,6 @@ void PathRounds::search_nearby(int round, std::vector<Trial>& trials) {
     }
 }
 
-/// All of them taken farther, best first.
 void PathRounds::go_on(std::vector<Trial>& trials, int evaluations) {
     LocalLimits whole = limits;
     whole.most_evaluations = evaluations;

@@ -17,6 +17,10 @@ namespace mechwright {
 
 /// A round has as many starts as the problem asks for, but no more than this.
 inline constexpr int most_starts_of_round = 32;
+/// Searches take a little way, farther, and to their end.
+inline constexpr int evaluations_of_short_search = 25;
+inline constexpr int evaluations_of_long_search = 100;
+inline constexpr int evaluations_of_whole_search = 600;
 /// Sums of squares that agree to this part are taken for the same optimum before it is looked at closely.
 inline constexpr double same_sum_within = 1e-3;
 
@@ -48,15 +52,20 @@ struct PathRounds {
     /// The cognates of a design as they are, none searched from; none where its mechanism has none.
     std::vector<Solution> cognates_of_design(const Design& design) const;
 
+    // Steps of a round by themselves.
+
+    /// The best starts of every variant, each taken a little way; best first.
+    std::vector<Trial> short_searches(int round);
+    /// All of them taken farther, each for no more than so many evaluations; best first.
+    void go_on(std::vector<Trial>& trials, int evaluations);
+
 private:
     std::vector<Eigen::VectorXd> screened(std::size_t program, int number, int keep, DrawCounts& counts) const;
-    std::vector<Trial> short_searches(int round);
     void keep_best_assemblies(std::vector<Trial>& trials);
     bool ends_at_zero(std::vector<Trial>& wave) const;
     bool best_meets_all(const std::vector<Trial>& sorted) const;
     void run_to_end(std::vector<Trial>& trials);
     void search_nearby(int round, std::vector<Trial>& trials);
-    void go_on(std::vector<Trial>& trials, int evaluations);
 };
 
 }  // namespace mechwright

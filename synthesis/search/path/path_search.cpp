@@ -12,8 +12,10 @@
 #include "synthesis/program/zero_objective.h"
 #include "synthesis/search/curve/curve_search.h"
 #include "synthesis/search/optima.h"
+#include "synthesis/search/path/known_parts.h"
 #include "synthesis/search/path/path_objective.h"
 #include "synthesis/search/path/path_rounds.h"
+#include "synthesis/search/path/trials_about_parts.h"
 #include "synthesis/search/polished_search.h"
 
 namespace mechwright {
@@ -81,14 +83,14 @@ struct Search {
     void count_hits(const std::vector<Trial>& trials, const std::optional<Solution>& best_of_round) {
         if (!rounds.least_squares) hits = hits_on_best();
         for (const Trial& trial : trials)
-            if (rounds.led && !trial.nearby) known_ends.add(trial.outcome.objective);
+            if (rounds.led && trial.from == TrialStart::drawn) known_ends.add(trial.outcome.objective);
         for (const Trial& trial : trials) {
             const double sum = trial.outcome.objective;
             if (!rounds.least_squares || sum > (1 + same_sum_within) * least_sum || !rounds.assessed(trial).feasible)
                 continue;
             if (sum < (1 - same_sum_within) * least_sum) hits = 0;
             least_sum = std::min(least_sum, sum);
-            if (!trial.nearby) ++hits;
+            if (trial.from == TrialStart::drawn) ++hits;
         }
         if (!best || !best->feasible || !best_of_round) return;
         if (best_before && !as_good_as_best(*best_before)) rounds_on_best = 0;
@@ -171,7 +173,14 @@ struct Search {
         }
     }
 
-    static std::string_view origin_of(const Trial& trial) { return trial.nearby ? "near another end" : "screened"; }
+    static std::string_view origin_of(const Trial& trial) {
+        switch (trial.from) {
+            case TrialStart::about_part: return "about a four-bar";
+            case TrialStart::nearby: return "near another end";
+            case TrialStart::drawn: break;
+        }
+        return "screened";
+    }
 
     /// The ends of a round in the order of its trials: those that were looked at closely, and the others as they are.
     void keep(const std::vector<Trial>& trials, const std::vector<const Trial*>& chosen,
@@ -254,6 +263,22 @@ void add_cognates_of_best(const PathRounds& rounds, std::vector<Solution>& optim
     }
 }
 
+/// The distinct designs that a search ended at, with the report of it.
+void take_optima(Search& search, Multistart& result) {
+    const Problem& problem = search.problem;
+    // Beside a design that meets all points others that miss them are none to choose from.
+    if (search.rounds.may_end_early() && search.best_is_exact())
+        std::erase_if(search.found, [&](const Solution& s) { return !is_at_zero(problem, s); });
+    std::vector<const Solution*> all;
+    for (const Solution& s : search.found)
+        all.push_back(&s);
+    result.report = search.rounds.report;
+    result.optima = distinct_optima(problem, all, result.report);
+    add_cognates_of_best(search.rounds, result.optima);
+    result.stopped = search.rounds.limits.reached();
+    if (search.best_is_exact()) result.report.proof = proof_by_zero(problem);
+}
+
 }  // namespace
 
 std::string why_no_path_search(const Problem& problem) {
@@ -282,24 +307,25 @@ Multistart path_search(const Problem& problem, const RunOptions& options,
         if (search.enough(round + 1)) break;
     }
     search.polish_best();
-    // Beside a design that meets all points others that miss them are none to choose from.
-    if (search.rounds.may_end_early() && search.best_is_exact())
-        std::erase_if(search.found, [&](const Solution& s) { return !is_at_zero(problem, s); });
-    std::vector<const Solution*> all;
-    for (const Solution& s : search.found)
-        all.push_back(&s);
-    result.report = search.rounds.report;
-    result.optima = distinct_optima(problem, all, result.report);
-    add_cognates_of_best(search.rounds, result.optima);
+    take_optima(search, result);
     if (search.rounds.least_squares) result.report.hits = std::max(result.report.hits, search.hits);
     if (search.rounds.led && problem.path->any_order) result.report.missed_chance = search.known_ends.unseen();
     if (!by_curves.optima.empty())
         result.report.missed_chance = std::max(result.report.missed_chance, by_curves.report.missed_chance);
-    result.stopped = search.rounds.limits.reached();
-    if (search.best_is_exact()) {
-        result.report.proof = proof_by_zero(problem);
-        result.report.missed_chance = 0;
-    }
+    if (search.best_is_exact()) result.report.missed_chance = 0;
+    return result;
+}
+
+Multistart path_search_about_parts(const Problem& problem, const RunOptions& options,
+                                   std::chrono::steady_clock::time_point deadline, long budget) {
+    Multistart result;
+    if (!has_guiding_part(problem)) return result;
+    Search search(problem, options, deadline);
+    const std::vector<Trial> trials = trials_about_parts(search.rounds, budget);
+    search.rounds.report.starts = static_cast<int>(trials.size());
+    search.finish(trials);
+    search.polish_best();
+    take_optima(search, result);
     return result;
 }
 

@@ -18,4 +18,11 @@ std::string why_no_path_search(const Problem& problem);
 Multistart path_search(const Problem& problem, const RunOptions& options,
                        std::chrono::steady_clock::time_point deadline);
 
+/// Searches besides, of a linkage whose point is, or can be, on the coupler of a four-bar among its links: they begin
+/// at four-bars that follow the path by themselves, with the other links drawn on them (trials_about_parts.h), and take
+/// no more than about `budget` evaluations until the best are polished. Nothing where there is no such part, or least
+/// squares do not lead to the objective. The result is the same for any number of jobs.
+Multistart path_search_about_parts(const Problem& problem, const RunOptions& options,
+                                   std::chrono::steady_clock::time_point deadline, long budget);
+
 }  // namespace mechwright

@@ -2,17 +2,21 @@
 /// \file
 /// Searches of a path's fit, one after the other: which of them are gone on with.
 
+#include <cstdint>
 #include <vector>
 
 #include "synthesis/local/local.h"
 
 namespace mechwright {
 
+/// Where a search of a fit begins.
+enum class TrialStart : std::uint8_t { drawn, about_part, nearby };
+
 /// A search of a fit. Its program is one that has all kinds of motion among its designs, where there is such a one.
 struct Trial {
     std::size_t program = 0;
     LocalOutcome outcome;
-    bool nearby = false;  ///< it began near the end of another
+    TrialStart from = TrialStart::drawn;
     long evaluations = 0;
     double seconds = 0;  ///< where a trace is kept
 };

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "synthesis/mechanism/linkage/targets/chosen_dimensions.h"
+
 namespace mechwright {
 
 namespace {
@@ -76,71 +78,6 @@ std::optional<PinPlaces> moved(const LinkageModel& model, const Step& dyad, cons
     to[b] = at[d] + larger * (at[b] - at[d]);
     return to;
 }
-
-const linkage::Coordinates& coordinates_at(const LinkageModel& model, std::size_t link, std::size_t pin) {
-    return linkage::coordinates_on(model.structure.pins[pin], link);
-}
-
-/// Dimensions of a linkage that are chosen one after the other so that pins come to where they are wanted on its links:
-/// free ones as long as they are none of what has been placed or kept.
-class ChosenDimensions {
-public:
-    ChosenDimensions(const LinkageModel& model, const std::vector<bool>& free, std::span<double> dimensions)
-        : model_(model),
-          open_(free),
-          dimensions_(dimensions),
-          size_(linkage::farthest_point(model.structure, numbers_of(model, std::span<const double>(dimensions)))) {}
-
-    double value(const Affine& number) const { return number.at(std::span<const double>(dimensions_)); }
-
-    Vector<double> place(std::size_t link, std::size_t pin) const {
-        const linkage::Coordinates& c = coordinates_at(model_, link, pin);
-        const double a = value(model_.numbers[c.first]), b = value(model_.numbers[c.second]);
-        return c.polar ? Vector<double>{a * std::cos(b), a * std::sin(b)} : Vector<double>{a, b};
-    }
-
-    /// Gives a number a value; false where what it is a sum of is not free, and it has another.
-    bool choose(const Affine& number, double to, bool angle = false) {
-        const double now = value(number);
-        double change = to - now;
-        if (angle) change = std::remainder(change, 2 * std::acos(-1.0));
-        for (const auto& [dimension, factor] : number.terms) {
-            if (!open_[dimension] || factor == 0) continue;
-            dimensions_[dimension] += change / factor;
-            keep(number);
-            return true;
-        }
-        constexpr double same_within = 1e-9;
-        return std::abs(change) <= same_within * (angle ? 1 : std::max(std::abs(to), size_));
-    }
-
-    /// The same for the place of a pin on a link.
-    bool move(std::size_t link, std::size_t pin, const Vector<double>& to) {
-        const linkage::Coordinates& c = coordinates_at(model_, link, pin);
-        const Affine &first = model_.numbers[c.first], &second = model_.numbers[c.second];
-        if (!c.polar) return choose(first, to.x) && choose(second, to.y);
-        const bool there = to.x == 0 && to.y == 0;
-        return choose(first, std::hypot(to.x, to.y)) && (there || choose(second, std::atan2(to.y, to.x), true));
-    }
-
-    /// A pin stays where it is on a link.
-    void keep(std::size_t link, std::size_t pin) {
-        const linkage::Coordinates& c = coordinates_at(model_, link, pin);
-        keep(model_.numbers[c.first]);
-        keep(model_.numbers[c.second]);
-    }
-
-private:
-    void keep(const Affine& number) {
-        for (const auto& term : number.terms)
-            open_[term.first] = false;
-    }
-
-    const LinkageModel& model_;
-    std::vector<bool> open_;
-    std::span<double> dimensions_;
-    double size_;
-};
 
 /// How the frame of a link lies: place in the frame of the link = turn times place + origin.
 struct Lying {
