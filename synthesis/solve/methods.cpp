@@ -166,18 +166,22 @@ void add_designs(const Problem& problem, std::vector<Solution> more, std::vector
 /// that stays as it is unless this is better.
 void search_about_parts(const Problem& problem, Found& found, const RunOptions& options, Clock::time_point deadline) {
     constexpr long work_per_work_about_parts = 8;  // and as much at most to settle what it finds
+    constexpr double gained_where_settled = 0.1;   // hardly more; the objective is an error of the path
     if (found.stopped || found.report.complete()) return;
     Multistart m = path_search_about_parts(problem, quiet(options), deadline,
                                            found.report.evaluations / work_per_work_about_parts);
     if (m.report.evaluations == 0) return;
     Found about{std::move(m.optima), m.report, false, m.stopped, {}};
-    settle_best(problem, about, options, deadline);
+    const auto is_better = [&](double by) {
+        if (about.candidates.empty() || found.candidates.empty()) return !about.candidates.empty();
+        Solution best = found.candidates.front();
+        best.objective *= by;
+        return preferred(problem, about.candidates.front(), best);
+    };
+    if (is_better(1 + gained_where_settled)) settle_best(problem, about, options, deadline);
     add_work(found.report, about.report);
     found.stopped = about.stopped;
-    if (about.candidates.empty()) return;
-    const bool is_better =
-        found.candidates.empty() || preferred(problem, about.candidates.front(), found.candidates.front());
-    if (is_better) {
+    if (is_better(1)) {
         found.report.hits = 1;
         found.report.proof = about.report.proof;
         if (about.report.complete()) found.report.missed_chance = 0;

@@ -165,7 +165,7 @@ std::string_view without_name(std::string_view argument, std::string name) {
     return argument.starts_with(name + ": ") ? argument.substr(name.size() + 2) : argument;
 }
 
-/// Where searches began, unless that was at drawn candidates alone: ": 1 at the preferred values, 31 drawn; and at 6
+/// Where searches began, unless that was at drawn candidates alone: ": 1 with the preferred values, 31 drawn; and at 6
 /// near the ends of these".
 std::string sources_text(const StartSources& from) {
     std::string text;
@@ -173,7 +173,7 @@ std::string sources_text(const StartSources& from) {
         if (count > 0) text += fmt::format("{}{} {}", text.empty() ? ": " : ", ", count, which);
     };
     if (from.preferred > 0 || from.four_bars > 0) {
-        add(from.preferred, "at the preferred values");
+        add(from.preferred, "with the preferred values");
         add(from.drawn, "drawn");
         add(from.four_bars, "drawn about four-bars that follow the path by themselves");
     }

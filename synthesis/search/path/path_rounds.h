@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "synthesis/program/result.h"
@@ -37,6 +38,8 @@ struct PathRounds {
     int starts_of_round;
     SearchReport report{};     ///< what has been drawn and evaluated
     bool met_exactly = false;  ///< a short search came to all points exactly
+    /// Nothing is gone on from to starts nearby once there were so many evaluations.
+    long nearby_until = std::numeric_limits<long>::max();
 
     /// Those of a problem, which must outlive them, as the options must.
     PathRounds(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline);
@@ -58,6 +61,8 @@ struct PathRounds {
     std::vector<Trial> short_searches(int round);
     /// All of them taken farther, each for no more than so many evaluations; best first.
     void go_on(std::vector<Trial>& trials, int evaluations);
+    /// Goes on from the best of a round to starts nearby, and from what is better there; adds what it comes to.
+    void search_nearby(int round, std::vector<Trial>& trials);
 
 private:
     std::vector<Eigen::VectorXd> screened(std::size_t program, int number, int keep, DrawCounts& counts) const;
@@ -65,7 +70,6 @@ private:
     bool ends_at_zero(std::vector<Trial>& wave) const;
     bool best_meets_all(const std::vector<Trial>& sorted) const;
     void run_to_end(std::vector<Trial>& trials);
-    void search_nearby(int round, std::vector<Trial>& trials);
 };
 
 }  // namespace mechwright

@@ -63,6 +63,7 @@ struct Search {
     double least_sum = unlimited;            ///< of a feasible design, by least squares alone
     int thoroughness;                        ///< so many times the starts of a round are asked for
     int most_rounds;
+    int along_valley = evaluations_along_valley;
 
     Search(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline)
         : problem(p),
@@ -142,7 +143,7 @@ struct Search {
         if (rounds.may_end_early()) {
             // Long valleys are what least squares that bend their steps get through, and slsqp does not.
             if (is_at_zero(problem, solution)) return solution;
-            some.most_evaluations = evaluations_along_valley;
+            some.most_evaluations = along_valley;
             outcome = rounds.programs.long_search(trial.program, x, some);
             if (outcome.x.size() > 0)
                 solution = better(std::move(solution), assess(problem, design_at(program, outcome.x)));
@@ -323,6 +324,10 @@ Multistart path_search_about_parts(const Problem& problem, const RunOptions& opt
     Search search(problem, options, deadline);
     const std::vector<Trial> trials = trials_about_parts(search.rounds, budget);
     search.rounds.report.starts = static_cast<int>(trials.size());
+    if (!trials.empty())
+        search.along_valley = static_cast<int>(
+            std::clamp((budget - search.rounds.report.evaluations) / static_cast<long>(trials.size()),
+                       static_cast<long>(evaluations_of_great_program), static_cast<long>(evaluations_along_valley)));
     search.finish(trials);
     search.polish_best();
     take_optima(search, result);
