@@ -96,8 +96,8 @@ std::vector<ExtremeAgain> ErrorAgain::at_samples() const {
     for (const Vector<double>& sample : function_->parts) {
         FunctionTarget one;
         one.parts = {sample};
-        found.push_back({sample.x, counted_from_start ? of_sample(one, design_->motion, design_->dimensions)
-                                                      : at(sample.x)});
+        found.push_back(
+            {sample.x, counted_from_start ? of_sample(one, design_->motion, design_->dimensions) : at(sample.x)});
     }
     return found;
 }

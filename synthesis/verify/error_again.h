@@ -31,8 +31,9 @@ struct ErrorAgain {
     /// The part of the output's range that is asked for at a share of the input's; 0 of a line or an arc.
     double part(double share) const;
 
-    /// In order along the range; of samples all of them. An angle that passes half a turn, from where it goes on as minus
-    /// half a turn, is extreme just before; unless the mechanism counts on from the start of the range, as linkages do.
+    /// In order along the range; of samples all of them. An angle that passes half a turn, from where it goes on as
+    /// minus half a turn, is extreme just before; unless the mechanism counts on from the start of the range, as
+    /// linkages do.
     std::vector<ExtremeAgain> extremes() const;
 
     /// An error and whole turns, where it is an angle: next to another error.

@@ -48,8 +48,8 @@ TEST(Poses, OfALinkageWithTheGreatestGrashofMargin) {
 }
 
 /// The distance of a pose by its definition: place and, times the length, the chord of the angle.
-/// Four equal links are the longest within these ranges; but at that change point nothing says how they go on. Next to it
-/// a crank-rocker is as long but for a part in ten million.
+/// Four equal links are the longest within these ranges; but at that change point nothing says how they go on. Next to
+/// it a crank-rocker is as long but for a part in ten million.
 TEST(Poses, OfTheLongestLinkageKeepFromTheChangePoint) {
     const Solved s = solved(
         "schema = 1\nmechanism = \"four-bar\"\n[dimensions]\nground = { min = 0, max = 20 }\n"

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "synthesis/document/document.h"
+#include "synthesis/problem/judged_motion.h"
 #include "synthesis/problem/reader.h"
 #include "synthesis/program/assess.h"
 #include "synthesis/program/quantity_value.h"
@@ -186,8 +187,8 @@ TEST(LinkageProblems, BesideAChangePointTheBranchIsKept) {
     expect_verified(analysed(replaced(text, "rocker = 80", "rocker = 60.00001")));
 }
 
-/// A lever that a crank moves stands upright once a turn where the crank is as long as the lever's pivot is to the left;
-/// the upright slide that the lever moves goes beyond all bounds then.
+/// A lever that a crank moves stands upright once a turn where the crank is as long as the lever's pivot is to the
+/// left; the upright slide that the lever moves goes beyond all bounds then.
 TEST(LinkageProblems, LinesThatBecomeParallelAssembleNothing) {
     const auto margin = [](const std::string& crank) {
         std::ifstream file(MECHWRIGHT_SOURCE_DIR "/problems/linkage/lever-and-slide.toml");

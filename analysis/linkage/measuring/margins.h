@@ -214,8 +214,9 @@ inline double least_sine(const Driven<double>& driven, std::size_t margin, const
             least = one;
             place = travel.from + i * step;
         }
-    const double lowest = greatest_between([&](double x) { return -sine.least(x); }, std::max(travel.from, place - step),
-                                           std::min(travel.to, place + step), steps);
+    const double lowest =
+        greatest_between([&](double x) { return -sine.least(x); }, std::max(travel.from, place - step),
+                         std::min(travel.to, place + step), steps);
     return std::min(least, sine.least(lowest));
 }
 
