@@ -176,6 +176,27 @@ TEST(Functions, OfWhichNothingIsAskedLeaveTheDesignToTheObjective) {
     EXPECT_NEAR(s.value("velocity-ratio-min"), reached, 1e-3);
 }
 
+/// The size of an error that passes half a turn has a kink there; its mean by quadrature in 25 digits between them.
+TEST(Functions, ThatPassHalfATurnHaveTheirMeanError) {
+    const Solved s = solved(R"toml(schema = 1
+mechanism = "four-bar"
+[dimensions]
+ground = 1200
+crank = 182.0009999999998
+coupler = 1199.9988010800364
+rocker = 182.0009999999998
+[function]
+expression = "atan(tan(x * pi / 180) / (1 + 1200 / 2600 * tan(x * pi / 180))) * 180 / pi"
+x = [-30, 38.2064]
+input = { start = 318.5043467728543, range = 68.2064 }
+output = { start = 153.2892532271457, range = 68.2064 }
+[objective]
+minimize = "function-rms"
+)toml");
+    EXPECT_EQ(s.result.status, Status::solved);
+    EXPECT_NEAR(s.result.best->objective, 154.0236905369319, 1e-10);
+}
+
 /// What only rules out designs must not keep a search from the best one: some ratio of two links has to be as great as
 /// that of the best logarithm, and each of the twelve ratios is a program with starts of its own.
 TEST(Functions, RequirementsThatOneOfManyValuesMeetsHideNoOptimum) {

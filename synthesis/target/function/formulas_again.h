@@ -57,13 +57,39 @@ struct ErrorAgain {
     double part(double share) { return y ? ((*y)(f->from + share * (f->to - f->from)) - y_from) / height : 0; }
 
     template <class T>
+    T error_as(double share, double part_of_way) const {
+        return generator.error(T(T(scales[0]) + T(scales[1]) * T(share)),
+                               T(T(scales[2]) + T(scales[3]) * T(part_of_way)));
+    }
+    template <class T>
     T size_as(double share, double part_of_way) const {
         using std::abs;
-        return abs(generator.error(T(T(scales[0]) + T(scales[1]) * T(share)),
-                                   T(T(scales[2]) + T(scales[3]) * T(part_of_way))));
+        return abs(error_as<T>(share, part_of_way));
     }
 
     double rough_size(double share) { return size_as<double>(share, part(share)); }
+
+    /// The shares between which the error does not jump by a turn, ends included: its size has a kink where it does.
+    std::vector<double> smooth_between() {
+        constexpr int samples = 1024;
+        constexpr double half_a_turn = boost::math::constants::pi<double>();
+        const auto rough = [&](double share) { return error_as<double>(share, part(share)); };
+        std::vector<double> ends{0};
+        double last = rough(0);
+        for (int i = 1; i <= samples; ++i) {
+            double before = (i - 1.0) / samples, after = static_cast<double>(i) / samples;
+            const double first = last;
+            last = rough(after);
+            if (!(std::abs(last - first) > half_a_turn)) continue;
+            for (double middle = 0.5 * (before + after); before < middle && middle < after;
+                 middle = 0.5 * (before + after))
+                (std::abs(rough(middle) - first) > half_a_turn ? after : before) = middle;
+            // What is no angle may change by as much on the way, but not at one place.
+            if (std::abs(rough(after) - rough(before)) > half_a_turn) ends.push_back(after);
+        }
+        ends.push_back(1);
+        return ends;
+    }
 
     /// How far the square of the error is off, next to its mean: the expression is known in doubles alone, and of an
     /// error that is small against the output's range little is left.
@@ -129,7 +155,10 @@ Digits50 function_rms_again(const Motion& motion, std::span<const Digits50> dime
         const Digits50 size = e.size(at, e.part(at));
         return Digits50(size * size * sin(2 * a));
     };
-    sum = Rule::integrate(square, Digits50(0), boost::math::constants::half_pi<Digits50>(), most_halvings, precision);
+    const std::vector<double> ends = e.smooth_between();
+    const auto angle_at = [](double share) { return Digits50(asin(sqrt(Digits50(share)))); };
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        sum += Rule::integrate(square, angle_at(ends[i]), angle_at(ends[i + 1]), most_halvings, precision);
     return sqrt(sum);
 }
 
