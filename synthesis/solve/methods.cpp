@@ -184,7 +184,11 @@ void search_about_parts(const Problem& problem, Found& found, const RunOptions& 
     if (is_better(1)) {
         found.report.hits = 1;
         found.report.proof = about.report.proof;
-        if (about.report.complete()) found.report.missed_chance = 0;
+    }
+    if (found.report.complete()) {
+        // Beside a design that meets all points others that miss them are none to choose from.
+        found.report.missed_chance = 0;
+        found.candidates.clear();
     }
     add_designs(problem, std::move(about.candidates), found.candidates);
     found.report.local_optima = static_cast<int>(
