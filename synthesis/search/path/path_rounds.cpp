@@ -174,10 +174,10 @@ std::vector<Solution> PathRounds::cognates_of_design(const Design& design) const
     return all;
 }
 
-void PathRounds::search_nearby(int round, std::vector<Trial>& trials) {
+void PathRounds::search_nearby(int round, std::vector<Trial>& trials, long until) {
     std::vector<Trial> elites = elites_of(trials);
     for (int hop = 0; hop < hops && !elites.empty() && !limits.reached(); ++hop) {
-        if (report.evaluations >= nearby_until) break;
+        if (report.evaluations >= until) break;
         std::vector<Trial> tried(elites.size() * starts_of_hop);
         LocalLimits few = limits;
         few.most_evaluations = evaluations_of_hop;

@@ -38,8 +38,6 @@ struct PathRounds {
     int starts_of_round;
     SearchReport report{};     ///< what has been drawn and evaluated
     bool met_exactly = false;  ///< a short search came to all points exactly
-    /// Nothing is gone on from to starts nearby once there were so many evaluations.
-    long nearby_until = std::numeric_limits<long>::max();
 
     /// Those of a problem, which must outlive them, as the options must.
     PathRounds(const Problem& p, const RunOptions& o, std::chrono::steady_clock::time_point deadline);
@@ -61,8 +59,9 @@ struct PathRounds {
     std::vector<Trial> short_searches(int round);
     /// All of them taken farther, each for no more than so many evaluations; best first.
     void go_on(std::vector<Trial>& trials, int evaluations);
-    /// Goes on from the best of a round to starts nearby, and from what is better there; adds what it comes to.
-    void search_nearby(int round, std::vector<Trial>& trials);
+    /// Goes on from the best of a round to starts nearby, and from what is better there, as long as there were fewer
+    /// than so many evaluations; adds what it comes to.
+    void search_nearby(int round, std::vector<Trial>& trials, long until = std::numeric_limits<long>::max());
 
 private:
     std::vector<Eigen::VectorXd> screened(std::size_t program, int number, int keep, DrawCounts& counts) const;

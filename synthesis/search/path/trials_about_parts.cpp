@@ -14,20 +14,19 @@ namespace mechwright {
 
 namespace {
 
-/// Of all evaluations one in so many goes to the four-bars alone; of what is left one to short searches; of what these
-/// leave one to taking the most promising of them farther; and of what is left then one to running the best to their
-/// end, before it is looked nearby.
+/// Of all evaluations one in so many goes to the four-bars alone; of what is left one to short searches; and of what
+/// these leave one to taking the most promising of them farther. What is left then is for running the best to their
+/// end, which hardly ever takes so many, and for looking nearby.
 constexpr long part_for_four_bars = 4;
 constexpr long part_for_short_searches = 3;
 constexpr long part_for_long_searches = 3;
-constexpr long part_for_whole_searches = 2;
 /// A task has so many starts, each of which is the best of so many candidates that assemble.
 constexpr int starts_of_part_task = 4;
 constexpr int candidates_about_part = 40;
 constexpr int most_drawn_about_part = 20 * candidates_about_part;
 constexpr std::size_t most_part_tasks = 128;
 /// So many of those that were run to their end are looked at closely.
-constexpr std::size_t most_kept_about_parts = 2;
+constexpr std::size_t most_kept_about_parts = 3;
 
 struct TaskAboutParts {
     std::size_t program;
@@ -91,15 +90,14 @@ std::vector<Trial> trials_about_parts(PathRounds& rounds, long budget) {
     long& used = rounds.report.evaluations;
     const long end = used + budget;
     const auto left = [&] { return std::max(end - used, 0L); };
-    rounds.nearby_until = end;
     std::vector<std::vector<KnownPart>> parts = known_parts(rounds.problem, rounds.programs.all, rounds.options,
                                                             rounds.limits.deadline, budget / part_for_four_bars, used);
     std::vector<Trial> trials = short_searches_about(rounds, std::move(parts), left() / part_for_short_searches);
     keep_different(trials, static_cast<int>(left() / part_for_long_searches / evaluations_of_long_search));
     rounds.go_on(trials, evaluations_of_long_search);
-    keep_first_trials(trials, static_cast<std::size_t>(left() / part_for_whole_searches / evaluations_of_whole_search));
+    keep_first_trials(trials, static_cast<std::size_t>(left() / evaluations_of_whole_search));
     rounds.go_on(trials, evaluations_of_whole_search);
-    rounds.search_nearby(0, trials);
+    rounds.search_nearby(0, trials, end);
     std::stable_partition(trials.begin(), trials.end(),
                           [&](const Trial& trial) { return rounds.assessed(trial).feasible; });
     keep_first_trials(trials, most_kept_about_parts);

@@ -9,8 +9,9 @@
 namespace mechwright {
 
 /// The best of these searches, feasible ones first, to be looked at closely; they, and the searches for the four-bars,
-/// take no more than about so many evaluations, which the report of `rounds` counts. None where the linkage has no such
-/// part, or least squares do not lead to the objective. The drawn starts of rounds stay what they are.
+/// take about so many evaluations at most, which the report of `rounds` counts: once there were so many nothing is
+/// begun, but what has begun, the searches near the best, goes to its end. None where the linkage has no such part, or
+/// least squares do not lead to the objective. The drawn starts of rounds stay what they are.
 std::vector<Trial> trials_about_parts(PathRounds& rounds, long budget);
 
 }  // namespace mechwright
