@@ -94,7 +94,9 @@ std::vector<Vector<double>> even_points(const CurveArguments& a, int count) {
     std::vector<double> way{0};
     for (int k = 0; k <= 2000; ++k) {
         fine.push_back(coupler_point(a, 0, range.from + k / 2000.0 * (range.to - range.from)));
-        if (k > 0) way.push_back(way.back() + distance(fine[fine.size() - 2], fine.back()));
+        if (k == 0) continue;
+        const Vector<double> chord = fine.back() - fine[fine.size() - 2];
+        way.push_back(way.back() + std::hypot(chord.x, chord.y));
     }
     std::vector<Vector<double>> points;
     for (int k = 0; k < count; ++k) {
