@@ -166,8 +166,9 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     // Of several components that may meet a requirement most designs have one that does: what is best without it often
     // meets it, too, and is sought first.
     const std::vector<Program> open = without_choices(problem, programs, kept);
+    // They share the starts.
     const auto starts_of_each = [&](std::size_t count) {
-        const auto n = static_cast<int>(std::max<std::size_t>(count, 1));
+        const auto n = static_cast<int>(std::max<std::size_t>(count, 1) * (open.empty() ? 1 : 2));
         return (problem.solver.starts + n - 1) / n;
     };
     std::vector<const Program*> without, with;

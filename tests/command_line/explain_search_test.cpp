@@ -34,9 +34,9 @@ TEST(ExplainSearch, EveryStartEndsAtTheOnlyOptimum) {
 }
 
 TEST(ExplainSearch, BothOptimaOfACrankRockerAreShownTheBestFirst) {
-    // Of the closed form: one for each direction of the crank.
+    // Of the closed form: one for each direction of the crank. Half of the starts choose none, and end at the better.
     const std::string text = search_of({shipped_file("four-bar/crank-rocker.toml"), "--method", "slsqp"});
-    const std::size_t best = text.find("16 the design 45.008219 "), other = text.find("16 an optimum 37.370521 ");
+    const std::size_t best = text.find("24 the design 45.008219 "), other = text.find("8 an optimum 37.370521 ");
     EXPECT_LT(best, other) << text;
     EXPECT_NE(other, std::string::npos) << text;
 }

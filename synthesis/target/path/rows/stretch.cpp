@@ -72,7 +72,8 @@ Spans spans_of(const Problem& problem, std::span<const double> dimensions, const
 StretchEnds shortest_stretch(const Spans& all, double cycle) {
     constexpr double as_short = 1e-9;
     const std::span<const Span> spans = all.those();
-    StretchEnds best;
+    // Where an angle is no number, which solvers try, the stretch has none either, whichever ends it has.
+    StretchEnds best{spans.front().first, spans.front().last, 0};
     double shortest = std::numeric_limits<double>::infinity();
     for (const Span& begins : spans) {
         const double begin = begins.from;
