@@ -1,6 +1,7 @@
 // Where a shipped problem's program has a value and a gradient, it has a Hessian.
 
 #include "synthesis/bench/shipped.h"
+#include "tests/long_form.h"
 #include "tests/program/derivatives.h"
 
 namespace mechwright::testing {
@@ -24,7 +25,7 @@ TEST(Hessians, OfShippedProblemsAreFiniteAtTheirStarts) {
         for (const Variant& variant : variants(shipped.problem)) {
             if (shipped.name.starts_with("linkage/")) continue;  // tested where they are; each takes seconds
             const Program program = build_program(shipped.problem, variant);
-            for (int start = 0; start < 4; ++start)
+            for (int start = 0; start < cases_to_try(1, 4); ++start)
                 EXPECT_TRUE(has_hessian(program, start_point(program, 1, start, 8))) << shipped.name;
         }
 }
