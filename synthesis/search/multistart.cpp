@@ -90,6 +90,22 @@ void add_tasks(const std::vector<const Program*>& programs, int starts, std::vec
             tasks.push_back({program, next[drawn(*program)]++, start == 0});
 }
 
+/// The searches of programs without choices for requirements, if there are any, then of those with them: either kind
+/// has half of the starts, and every program with choices at least a few.
+std::vector<SearchTask> search_tasks(const Problem& problem, const std::vector<const Program*>& without,
+                                     const std::vector<const Program*>& with) {
+    const int starts = problem.solver.starts;
+    const std::size_t kinds = without.empty() ? 1 : 2;
+    const auto starts_of_each = [&](const std::vector<const Program*>& programs) {
+        const auto parts = static_cast<int>(programs.size() * kinds);
+        return (starts + parts - 1) / parts;
+    };
+    std::vector<SearchTask> tasks;
+    if (!without.empty()) add_tasks(without, starts_of_each(without), tasks);
+    add_tasks(with, std::max(starts_of_each(with), std::min(least_starts_of_variant, starts)), tasks);
+    return tasks;
+}
+
 /// Where a local search ended, and what that is worth; nothing where nothing assembled.
 struct LocalEnd {
     LocalOutcome outcome;
@@ -166,20 +182,12 @@ Multistart multistart(const Problem& problem, LocalMethod method, const RunOptio
     // Of several components that may meet a requirement most designs have one that does: what is best without it often
     // meets it, too, and is sought first.
     const std::vector<Program> open = without_choices(problem, programs, kept);
-    // They share the starts.
-    const auto starts_of_each = [&](std::size_t count) {
-        const auto n = static_cast<int>(std::max<std::size_t>(count, 1) * (open.empty() ? 1 : 2));
-        return (problem.solver.starts + n - 1) / n;
-    };
     std::vector<const Program*> without, with;
     for (const Program& program : open)
         without.push_back(&program);
     for (const std::size_t i : kept)
         with.push_back(&programs[i]);
-    std::vector<SearchTask> tasks;
-    add_tasks(without, starts_of_each(without.size()), tasks);
-    add_tasks(with, std::max(starts_of_each(with.size()), std::min(least_starts_of_variant, problem.solver.starts)),
-              tasks);
+    const std::vector<SearchTask> tasks = search_tasks(problem, without, with);
     const auto total = static_cast<int>(tasks.size());
     LocalLimits limits;
     limits.deadline = deadline;

@@ -51,4 +51,19 @@ TEST(AtNoNumber, NoPathIsFollowedInItsOrder) {
     expect_nothing_assembles(std::string(four_bar) + "timing = \"free\"\n");
 }
 
+TEST(AtNoNumber, NoStretchCoversSeveralTargets) {
+    expect_nothing_assembles(linkage_head + R"(
+[[path]]
+name = "guided"
+point = "P"
+points = [[5, 4], [4, 5], [2.5, 5]]
+[[path]]
+name = "pin"
+point = "C"
+points = [[6, 3], [5.5, 4]]
+[objective]
+minimize = "path-rms"
+)");
+}
+
 }  // namespace mechwright::testing

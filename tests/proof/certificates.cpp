@@ -3,12 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <random>
 
-#include "synthesis/mechanism/possible_values.h"
-#include "synthesis/proof/known_limits.h"
 #include "synthesis/verify/proofs/proof_checks.h"
 #include "synthesis/verify/verify.h"
 #include "tests/known_optima/solved.h"
@@ -413,49 +409,6 @@ arm-length = 93.6885
     EXPECT_EQ(s.result.status, Status::infeasible);
     EXPECT_TRUE(s.result.search.complete());
     expect_verified(s, text);
-}
-
-/// What a random linkage measures of a quantity, or nothing.
-std::optional<double> measured(const Problem& problem, const Design& design, std::string_view quantity) {
-    return quantity_value(problem, static_cast<std::size_t>(find_quantity(*problem.mechanism, quantity)), design);
-}
-
-/// No limit excludes a linkage that is there: its own values are asked for, and each limit has to hold them.
-TEST(KnownLimits, HoldForRandomLinkages) {
-    std::mt19937 random(static_cast<unsigned>(1 + ::testing::UnitTest::GetInstance()->random_seed()));
-    const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
-    int checked = 0;
-    for (const std::string& text : {four_bar(short_linkage), slider_crank(short_linkage)}) {
-        const ReadProblem read = parse_problem(text, "random.toml");
-        for (int round = 0; round < 5000; ++round) {
-            Problem problem = read.problem;
-            Design design;
-            for (std::size_t i = 0; i < problem.dimensions.size(); ++i) {
-                const bool coordinate = problem.mechanism->dimensions[i].kind != DimensionKind::length;
-                const bool shape = problem.mechanism->dimensions[i].required;
-                const double value = !shape ? 0 : coordinate ? between(-60, 60) : std::exp(between(1, 5));
-                design.dimensions.push_back(value);
-                problem.dimensions[i].min = problem.dimensions[i].max = value;
-            }
-            for (const char* quantity :
-                 {"swing", "time-ratio", "stroke", "transmission-angle-worst", "transmission-angle-min"}) {
-                if (find_quantity(*problem.mechanism, quantity) < 0) continue;
-                const auto value = measured(problem, design, quantity);
-                if (!value) continue;
-                const auto index = static_cast<std::size_t>(find_quantity(*problem.mechanism, quantity));
-                problem.requirements.push_back({index, *value, {}, {}});
-            }
-            if (problem.requirements.size() < 3) continue;
-            ++checked;
-            for (const KnownLimit& limit : known_limits(problem)) {
-                const Asked asked = asked_of(problem, problem.mechanism->quantities[limit.quantity].name);
-                EXPECT_LE(asked.least, limit.greatest + 1e-7) << limit.name;
-                EXPECT_GE(asked.greatest, limit.least - 1e-7) << limit.name;
-            }
-        }
-    }
-    EXPECT_GT(checked, 500);
-    RecordProperty("checked", checked);
 }
 
 }  // namespace

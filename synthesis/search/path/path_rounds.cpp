@@ -80,6 +80,16 @@ std::vector<VectorXd> PathRounds::screened(std::size_t program, int number, int 
     return starts[program].of_round(number, keep * groups_per_short_search, keep, counts);
 }
 
+Trial PathRounds::short_trial(std::size_t program, const VectorXd& start, TrialStart from, int evaluations) const {
+    const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
+    LocalLimits few = limits;
+    few.most_evaluations = evaluations;
+    Trial trial{program, programs.short_search(program, start, few), from};
+    trial.evaluations = trial.outcome.evaluations;
+    trial.seconds = timed.seconds();
+    return trial;
+}
+
 std::vector<Trial> PathRounds::short_searches(int round) {
     const auto variants_count = static_cast<int>(searched.size());
     const int each = std::max(1, short_searches_per_start * starts_of_round / variants_count);
@@ -89,8 +99,6 @@ std::vector<Trial> PathRounds::short_searches(int round) {
     const int tasks = tasks_per_variant * variants_count;
     std::vector<std::vector<Trial>> tried(static_cast<std::size_t>(tasks));
     std::vector<DrawCounts> counts(static_cast<std::size_t>(tasks));
-    LocalLimits few = limits;
-    few.most_evaluations = evaluations_of_short_search;
     std::vector<Trial> all;
     const int of_wave = may_end_early() ? tasks_of_wave : tasks;
     for (int first = 0; first < tasks && !met_exactly; first += of_wave) {
@@ -100,12 +108,8 @@ std::vector<Trial> PathRounds::short_searches(int round) {
             const std::size_t p = searched[static_cast<std::size_t>(task % variants_count)];
             const int number = round * tasks_per_variant + task / variants_count;
             for (const VectorXd& start : screened(p, number, per_task, counts[static_cast<std::size_t>(task)])) {
-                const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
                 ++counts[static_cast<std::size_t>(task)].optimised;
-                const std::size_t as = programs.fitted_as[p];
-                Trial trial{as, programs.short_search(as, start, few)};
-                trial.evaluations = trial.outcome.evaluations;
-                trial.seconds = timed.seconds();
+                Trial trial = short_trial(programs.fitted_as[p], start, TrialStart::drawn, evaluations_of_short_search);
                 if (trial.outcome.x.size() > 0) tried[static_cast<std::size_t>(task)].push_back(std::move(trial));
             }
         });
@@ -179,19 +183,14 @@ void PathRounds::search_nearby(int round, std::vector<Trial>& trials, long until
     for (int hop = 0; hop < hops && !elites.empty() && !limits.reached(); ++hop) {
         if (report.evaluations >= until) break;
         std::vector<Trial> tried(elites.size() * starts_of_hop);
-        LocalLimits few = limits;
-        few.most_evaluations = evaluations_of_hop;
         share_work(static_cast<int>(tried.size()), options.jobs, [&](int i) {
             if (limits.reached()) return;
-            const Timed timed(seconds_of(options.trace, &SearchTrace::searching));
             const auto k = static_cast<std::size_t>(i);
             const Trial& from = elites[k / starts_of_hop];
             const std::uint64_t number = mixed(problem.solver.seed + static_cast<std::uint64_t>(round * hops + hop));
             const Program& program = programs.all[from.program];
             const VectorXd start = start_nearby(program, from.outcome.x, spreads[k % hops], mixed(number + k));
-            tried[k] = {from.program, programs.short_search(from.program, start, few), TrialStart::nearby};
-            tried[k].evaluations = tried[k].outcome.evaluations;
-            tried[k].seconds = timed.seconds();
+            tried[k] = short_trial(from.program, start, TrialStart::nearby, evaluations_of_hop);
         });
         for (const Trial& trial : tried)
             report.evaluations += trial.outcome.evaluations;

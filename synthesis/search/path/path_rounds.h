@@ -55,6 +55,8 @@ struct PathRounds {
 
     // Steps of a round by themselves.
 
+    /// A search of a program from a start, for no more than so many evaluations.
+    Trial short_trial(std::size_t program, const Eigen::VectorXd& start, TrialStart from, int evaluations) const;
     /// The best starts of every variant, each taken a little way; best first.
     std::vector<Trial> short_searches(int round);
     /// All of them taken farther, each for no more than so many evaluations; best first.

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "synthesis/program/search_trace.h"
 #include "synthesis/program/work_sharing.h"
 #include "synthesis/search/drawn_starts.h"
 #include "synthesis/search/path/known_parts.h"
@@ -36,17 +35,12 @@ struct TaskAboutParts {
 };
 
 void search_about_parts(const PathRounds& rounds, const DrawnStarts& starts, TaskAboutParts& task) {
-    LocalLimits few = rounds.limits;
-    few.most_evaluations = evaluations_of_short_search;
     for (const Eigen::VectorXd& start :
          starts.of_round(task.round, starts_of_part_task, candidates_about_part, most_drawn_about_part, task.counts)) {
         if (rounds.limits.reached()) return;
-        const Timed timed(seconds_of(rounds.options.trace, &SearchTrace::searching));
         ++task.counts.optimised;
-        const std::size_t as = rounds.programs.fitted_as[task.program];
-        Trial trial{as, rounds.programs.short_search(as, start, few), TrialStart::about_part};
-        trial.evaluations = trial.outcome.evaluations;
-        trial.seconds = timed.seconds();
+        Trial trial = rounds.short_trial(rounds.programs.fitted_as[task.program], start, TrialStart::about_part,
+                                         evaluations_of_short_search);
         if (trial.outcome.x.size() > 0) task.trials.push_back(std::move(trial));
     }
 }
